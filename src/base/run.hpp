@@ -1,0 +1,51 @@
+// What a running stage may use of its caller: threads, progress, cancel, log and metrics.
+#pragma once
+
+#include "base/error.hpp"
+#include "base/metrics.hpp"
+
+#include <atomic>
+#include <functional>
+#include <string>
+
+namespace cleft {
+
+struct Run {
+    int threads = 1;
+    // Called on the calling thread only; true asks to cancel.
+    std::function<bool(double fraction, const char* stage)> progress;
+    std::function<void(int level, const std::string& sentence)> log;
+    const std::atomic<bool>* cancel = nullptr;  // may be set from any thread
+    Metrics* metrics = nullptr;
+
+    bool cancelled() const { return cancel && cancel->load(std::memory_order_relaxed); }
+
+    // May be called from any thread; throws when a cancel was asked for.
+    void check() const
+    {
+        if (cancelled())
+            throw Error(CLEFT_ERROR_CANCELLED, "the run was cancelled");
+    }
+
+    // On the calling thread only: fraction in [0, 1] of the named stage.
+    void report(double fraction, const char* stage) const
+    {
+        check();
+        if (progress && progress(fraction, stage))
+            throw Error(CLEFT_ERROR_CANCELLED, "the run was cancelled");
+    }
+
+    void note(const std::string& name, double value) const
+    {
+        if (metrics)
+            metrics->set(name, value);
+    }
+
+    void say(int level, const std::string& sentence) const
+    {
+        if (log)
+            log(level, sentence);
+    }
+};
+
+}  // namespace cleft

@@ -1,0 +1,30 @@
+// Notes NAME.seconds, NAME.cpu_seconds (all threads) and NAME.peak_bytes (of the process so far) when a scope ends.
+#pragma once
+
+#include "base/run.hpp"
+
+#include <chrono>
+
+namespace cleft {
+
+double process_cpu_seconds();
+double process_peak_bytes();
+
+class StageTimer {
+public:
+    StageTimer(const Run& run, std::string name)
+        : run_(run), name_(std::move(name)), wall_(std::chrono::steady_clock::now()), cpu_(process_cpu_seconds())
+    {
+    }
+    ~StageTimer();
+    StageTimer(const StageTimer&) = delete;
+    StageTimer& operator=(const StageTimer&) = delete;
+
+private:
+    const Run& run_;
+    std::string name_;
+    std::chrono::steady_clock::time_point wall_;
+    double cpu_;
+};
+
+}  // namespace cleft

@@ -1,0 +1,20 @@
+// Cleaving: splits a background mesh once along the material interfaces of a volume (paper, section 3.1).
+#pragma once
+
+#include "base/run.hpp"
+#include "mesh/tet_mesh.hpp"
+#include "volume/volume.hpp"
+
+namespace cleft {
+
+enum class Snap { quality, safe, none };
+
+struct CleaveOptions {
+    Snap snap = Snap::quality;
+};
+
+// Conforming and positively oriented for every positively oriented background, whatever its quality; covers exactly
+// what the background covers. Notes cleaving.*.
+LabelledMesh cleave(const Volume& volume, const TetMesh& background, const CleaveOptions& options, const Run& run);
+
+}  // namespace cleft

@@ -1,0 +1,21 @@
+// The last steps before a mesh leaves the library.
+#pragma once
+
+#include "base/run.hpp"
+#include "mesh/tet_mesh.hpp"
+
+namespace cleft {
+
+// Renumbers points and tetrahedra along a Hilbert curve, for solvers; drops unused points.
+void order_spatially(LabelledMesh& mesh, const Run& run);
+
+// Keeps only tetrahedra with keep[material] != 0, and their points.
+void strip_materials(LabelledMesh& mesh, const std::vector<char>& keep);
+
+// Connected parts of each material, over shared faces: parts[m] sorted by falling volume.
+std::vector<std::vector<double>> material_parts(const LabelledMesh& mesh, Material material_count, const Run& run);
+
+// Volume of each material.
+std::vector<double> material_volumes(const LabelledMesh& mesh, Material material_count);
+
+}  // namespace cleft

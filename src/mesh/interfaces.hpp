@@ -1,0 +1,28 @@
+// The triangles where materials meet and where the mesh ends.
+#pragma once
+
+#include "base/run.hpp"
+#include "mesh/tet_mesh.hpp"
+
+namespace cleft {
+
+using Triangle = std::array<int32_t, 3>;
+
+// Sides of the box; `other` is a hull triangle in no box side (a user's background, or a stripped material).
+enum class Side : int32_t { x_min = 0, x_max = 1, y_min = 2, y_max = 3, z_min = 4, z_max = 5, other = 6 };
+
+struct Interfaces {
+    // Between two materials: corners wound so that the normal points from the first material to the second; first <
+    // second. Sorted by pair, then by corners.
+    std::vector<Triangle> triangles;
+    std::vector<std::array<Material, 2>> pairs;
+    // Hull: wound outward, with the material inside. Sorted by side, then material, then corners.
+    std::vector<Triangle> hull;
+    std::vector<Material> hull_material;
+    std::vector<Side> hull_side;
+};
+
+// lo, hi: the box against which sides are decided, by exact coordinates.
+Interfaces extract_interfaces(const LabelledMesh& mesh, const Vec3& lo, const Vec3& hi, const Run& run);
+
+}  // namespace cleft

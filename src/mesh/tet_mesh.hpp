@@ -1,0 +1,31 @@
+// The plain mesh values that the stages hand to each other.
+#pragma once
+
+#include "base/vec.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace cleft {
+
+// Corners of a tetrahedron, positively oriented: det[b-a, c-a, d-a] > 0.
+using Tet = std::array<int32_t, 4>;
+
+// A dense material number of a volume, 0 .. count-1 (see Volume::labels for the user's values).
+using Material = int32_t;
+
+// A background mesh: knows nothing of materials.
+struct TetMesh {
+    std::vector<Vec3> points;
+    std::vector<Tet> tets;
+};
+
+// A mesh with the material of each tetrahedron.
+struct LabelledMesh {
+    std::vector<Vec3> points;
+    std::vector<Tet> tets;
+    std::vector<Material> material;
+};
+
+}  // namespace cleft

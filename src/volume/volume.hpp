@@ -1,0 +1,86 @@
+// The input of every run: a label map or K indicator functions on a grid, sampled at any point.
+//
+// Positions are in the local frame of Grid. A point outside the box is sampled at the nearest point of the box.
+// A finished Volume is immutable; all const members may be called from many threads.
+#pragma once
+
+#include "base/run.hpp"
+#include "mesh/tet_mesh.hpp"
+#include "volume/grid.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace cleft {
+
+// The indicators at one point: one entry for each material that has a say there, ascending by material.
+// A material without an entry has value 0 in a label map (label indicators are shares, never negative); for indicator
+// functions every material has an entry. Reuse one object a thread: the vectors keep their memory.
+struct Samples {
+    std::vector<Material> material;
+    std::vector<double> value;
+    std::vector<Vec3> gradient;  // filled by sample_gradient only
+
+    size_t size() const { return material.size(); }
+    // The entry of a material, or -1.
+    int find(Material m) const
+    {
+        for (size_t i = 0; i < material.size(); ++i)
+            if (material[i] == m)
+                return static_cast<int>(i);
+        return -1;
+    }
+    // The largest value wins, ties go to the lower material.
+    size_t best() const
+    {
+        size_t b = 0;
+        for (size_t i = 1; i < material.size(); ++i)
+            if (value[i] > value[b])
+                b = i;
+        return b;
+    }
+};
+
+enum class VoxelType { uint8, uint16, int16, uint32, int32 };
+
+class Volume {
+public:
+    // `kernel` is the width in voxels of the Hann kernel that smooths labels, 2 .. 6 (5 by default).
+    static Volume from_labels(VoxelType type, const void* voxels, const Grid& grid, int kernel, const Run& run);
+    // K fields of grid.size() values each. K = 1 is a signed function, inside where > 0: material 0 has -f, material 1
+    // has +f. `labels` (K values, or 2 for K = 1, or empty for 0 .. K-1) are what the materials are called.
+    static Volume from_indicators(const std::vector<const float*>& fields, const Grid& grid,
+                                  const std::vector<int32_t>& labels, const Run& run);
+    static Volume from_indicators(const std::vector<const double*>& fields, const Grid& grid,
+                                  const std::vector<int32_t>& labels, const Run& run);
+
+    Volume(Volume&&) noexcept;
+    Volume& operator=(Volume&&) noexcept;
+    ~Volume();
+
+    const Grid& grid() const;
+    // The user's value of each material, ascending for a label map.
+    const std::vector<int32_t>& labels() const;
+    Material material_count() const { return static_cast<Material>(labels().size()); }
+    bool is_label_map() const;
+
+    // The material that holds at the centre of a voxel: its own label in a label map.
+    Material voxel_material(int64_t voxel) const;
+    // Number of voxels of each material.
+    std::vector<int64_t> voxel_counts() const;
+
+    Material material_at(const Vec3& x) const;
+    void sample(const Vec3& x, Samples& out) const;
+    // Gradients are with respect to the local frame (world units).
+    void sample_gradient(const Vec3& x, Samples& out) const;
+    // True if only one material can be met within `reach` of x (conservative: false when not sure). Constant time.
+    bool single_material_near(const Vec3& x, double reach) const;
+
+    struct Data;
+
+private:
+    explicit Volume(std::unique_ptr<Data> data);
+    std::unique_ptr<Data> data_;
+};
+
+}  // namespace cleft
