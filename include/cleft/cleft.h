@@ -1,4 +1,482 @@
+/*
+ * libcleft: conforming multi-material tetrahedral meshes from labelled volumes, by mesh cleaving.
+ *
+ * This header is the reference manual. The flow of data, one call an arrow:
+ *
+ *     volume --> sizing --> background --> cleave --> improve --> mesh arrays
+ *
+ * and cleft_mesh_volume() does them all.
+ *
+ * Conventions
+ *  - Every fallible function returns a cleft_status: CLEFT_OK (0) or a fixed negative number. What went wrong, in one
+ *    sentence that names the value, is in cleft_context_last_error(). Outputs come last and are set to NULL (or left
+ *    untouched, for numbers and buffers) on failure: there is never half a result.
+ *  - Handles are opaque. `_create` gives a handle that the caller owns and gives back to `_destroy`; `_destroy` takes
+ *    NULL. Handles other than contexts and options are immutable once made and may be read from many threads at once,
+ *    also after the context that made them is gone. A context serves one thread at a time, except
+ *    cleft_context_cancel(). The library has no global or thread-local state and prints nothing.
+ *  - Arrays that come in are copied. Arrays that go out are either borrowed (`const` pointers, valid until the handle
+ *    is destroyed; NULL if there are no elements) or copied into the caller's buffer (`_copy_`).
+ *  - Counts are int64_t. Point numbers are int32_t, from 0 unless a function takes an index base. Coordinates are
+ *    double, interleaved x y z. Labels (materials) are int32_t, the user's own values.
+ *  - Lengths are in the unit of the volume's world coordinates. Results are the same bytes for every thread count.
+ */
 #ifndef CLEFT_H
 #define CLEFT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
 #include "cleft/cleft_status.h"
+
+#if defined(_WIN32) && !defined(CLEFT_STATIC)
+#ifdef CLEFT_BUILDING_LIBRARY
+#define CLEFT_API __declspec(dllexport)
+#else
+#define CLEFT_API __declspec(dllimport)
+#endif
+#elif defined(__GNUC__)
+#define CLEFT_API __attribute__((visibility("default")))
+#else
+#define CLEFT_API
+#endif
+
+#ifdef __cplusplus
+#define CLEFT_NOEXCEPT noexcept
+extern "C" {
+#else
+#define CLEFT_NOEXCEPT
+#endif
+
+/* ------------------------------------------------------------------------------------------------- version -- */
+
+#define CLEFT_VERSION_MAJOR 0
+#define CLEFT_VERSION_MINOR 1
+#define CLEFT_VERSION_PATCH 0
+#define CLEFT_VERSION_STRING "0.1.0"
+
+/** The version of the library that runs, as "major.minor.patch"; static text. Any of the outputs may be NULL.
+ *  \since 0.1 */
+CLEFT_API const char* cleft_version(int32_t* major, int32_t* minor, int32_t* patch) CLEFT_NOEXCEPT;
+
+/** Static text for a status code; "unknown status" for a number that is none. \since 0.1 */
+CLEFT_API const char* cleft_status_string(cleft_status status) CLEFT_NOEXCEPT;
+
+/** Can this build make Delaunay backgrounds (is TetGen in it)? 1 or 0. \since 0.1 */
+CLEFT_API int32_t cleft_has_tetgen(void) CLEFT_NOEXCEPT;
+
+/* ------------------------------------------------------------------------------------------------- handles -- */
+
+typedef struct cleft_context cleft_context; /**< errors, callbacks, threads, metrics; one thread at a time */
+typedef struct cleft_options cleft_options; /**< how to mesh */
+typedef struct cleft_volume cleft_volume;   /**< the labelled volume or the indicator functions */
+typedef struct cleft_sizing cleft_sizing;   /**< the wanted edge length at each point */
+typedef struct cleft_mesh cleft_mesh;       /**< points, tetrahedra, materials; a background has material 0 only */
+typedef struct cleft_surface cleft_surface; /**< the interface and hull triangles of a mesh */
+typedef struct cleft_report cleft_report;   /**< what became of each label */
+
+/* ------------------------------------------------------------------------------------------------- context -- */
+
+/** Makes a context with one thread, no callbacks. The caller owns *out. Fails only for want of memory or a NULL `out`.
+ *  \since 0.1 */
+CLEFT_API cleft_status cleft_context_create(cleft_context** out) CLEFT_NOEXCEPT;
+/** Destroys a context; NULL is allowed. Handles made with it live on. \since 0.1 */
+CLEFT_API void cleft_context_destroy(cleft_context* context) CLEFT_NOEXCEPT;
+
+/** The sentence of the last failure on this context, "" if there was none; borrowed until the next call on the
+ *  context. \since 0.1 */
+CLEFT_API const char* cleft_context_last_error(const cleft_context* context) CLEFT_NOEXCEPT;
+/** Puts a sentence on the context and returns `status`: for components that build on this library. \since 0.1 */
+CLEFT_API cleft_status cleft_context_set_error(cleft_context* context, cleft_status status,
+                                               const char* sentence) CLEFT_NOEXCEPT;
+
+/** Threads to use, 1 .. 1024; 0 means as many as the machine has. The result does not depend on it. \since 0.1 */
+CLEFT_API cleft_status cleft_context_set_threads(cleft_context* context, int32_t threads) CLEFT_NOEXCEPT;
+/** \since 0.1 */
+CLEFT_API int32_t cleft_context_threads(const cleft_context* context) CLEFT_NOEXCEPT;
+
+/** fraction in [0, 1] of the running call, `stage` in words (borrowed for the call); a nonzero answer cancels. Always
+ *  called on the thread that called the library. \since 0.1 */
+typedef int (*cleft_progress_callback)(double fraction, const char* stage, void* user);
+/** Sets or (NULL) removes the progress callback. `user` is passed through. \since 0.1 */
+CLEFT_API cleft_status cleft_context_set_progress(cleft_context* context, cleft_progress_callback callback,
+                                                  void* user) CLEFT_NOEXCEPT;
+
+enum { CLEFT_LOG_WARNING = 1, CLEFT_LOG_INFO = 2, CLEFT_LOG_DEBUG = 3 };
+/** `sentence` is borrowed for the call. Called on the thread that called the library. \since 0.1 */
+typedef void (*cleft_log_callback)(int32_t level, const char* sentence, void* user);
+/** Sets or (NULL) removes the log callback. \since 0.1 */
+CLEFT_API cleft_status cleft_context_set_log(cleft_context* context, cleft_log_callback callback,
+                                             void* user) CLEFT_NOEXCEPT;
+
+/** Asks the call that runs on this context to stop soon with CLEFT_ERROR_CANCELLED; from any thread. A request made
+ *  while nothing runs is forgotten when the next call begins. \since 0.1 */
+CLEFT_API cleft_status cleft_context_cancel(cleft_context* context) CLEFT_NOEXCEPT;
+
+/** Figures that the stages noted on this context (seconds, counts, angles before and after ...), in the order in which
+ *  they were first noted. A later call overwrites figures of the same name. \since 0.1 */
+CLEFT_API int64_t cleft_context_metric_count(const cleft_context* context) CLEFT_NOEXCEPT;
+/** Figure number `index`; `name` is borrowed until the next call on the context. \since 0.1 */
+CLEFT_API cleft_status cleft_context_metric(const cleft_context* context, int64_t index, const char** name,
+                                            double* value) CLEFT_NOEXCEPT;
+/** Forgets all figures. \since 0.1 */
+CLEFT_API cleft_status cleft_context_clear_metrics(cleft_context* context) CLEFT_NOEXCEPT;
+
+/* ------------------------------------------------------------------------------------------------- options -- */
+
+/** Keys of options; the numbers never change. What each means, its default and its range are in the table that
+ *  cleft_option_info() reads (and `cleft mesh --help` prints). \since 0.1 */
+typedef int32_t cleft_option;
+enum {
+    CLEFT_OPTION_BACKGROUND = 1,
+    CLEFT_OPTION_SIZE = 2,
+    CLEFT_OPTION_SIZE_MIN = 3,
+    CLEFT_OPTION_SIZE_MAX = 4,
+    CLEFT_OPTION_FEATURE_SCALE = 5,
+    CLEFT_OPTION_GRADATION = 6,
+    CLEFT_OPTION_INTERFACE_SIZE = 7,
+    CLEFT_OPTION_TETS = 8,
+    CLEFT_OPTION_SMOOTH = 9,
+    CLEFT_OPTION_SNAP = 10,
+    CLEFT_OPTION_IMPROVE = 11,
+    CLEFT_OPTION_STEPS = 12,
+    CLEFT_OPTION_SEED = 13,
+    CLEFT_OPTION_STRICT = 14,
+    CLEFT_OPTION_REPAIR = 15
+};
+
+enum { CLEFT_BACKGROUND_PARTICLES = 0, CLEFT_BACKGROUND_LATTICE = 1, CLEFT_BACKGROUND_OCTREE = 2 };
+enum { CLEFT_SNAP_QUALITY = 0, CLEFT_SNAP_SAFE = 1, CLEFT_SNAP_NONE = 2 };
+enum { CLEFT_IMPROVE_OFF = 0, CLEFT_IMPROVE_FAST = 1, CLEFT_IMPROVE_BEST = 2 };
+
+enum {
+    CLEFT_OPTION_TYPE_INTEGER = 1,
+    CLEFT_OPTION_TYPE_REAL = 2,
+    CLEFT_OPTION_TYPE_CHOICE = 3,
+    CLEFT_OPTION_TYPE_FLAG = 4
+};
+
+/** One row of the table of options. The caller sets struct_size to sizeof(cleft_option_description). All texts are
+ *  static. \since 0.1 */
+typedef struct cleft_option_description {
+    uint32_t struct_size;
+    cleft_option key;
+    int32_t type;        /**< CLEFT_OPTION_TYPE_... */
+    const char* name;    /**< "feature_scale" */
+    double value;        /**< the default */
+    double least;        /**< the least value allowed */
+    double greatest;     /**< the greatest value allowed */
+    const char* choices; /**< names of the choices 0, 1, ... separated by '|'; "" for other types */
+    const char* text;    /**< what it does, with its unit */
+} cleft_option_description;
+
+/** Number of rows of the table. \since 0.1 */
+CLEFT_API int32_t cleft_option_count(void) CLEFT_NOEXCEPT;
+/** Row `index` (0 ..) of the table. \since 0.1 */
+CLEFT_API cleft_status cleft_option_info(int32_t index, cleft_option_description* out) CLEFT_NOEXCEPT;
+
+/** Options with their defaults. The caller owns *out. A cleft_options may be changed at any time by one thread; calls
+ *  read it only while they run. \since 0.1 */
+CLEFT_API cleft_status cleft_options_create(cleft_options** out) CLEFT_NOEXCEPT;
+/** \since 0.1 */
+CLEFT_API void cleft_options_destroy(cleft_options* options) CLEFT_NOEXCEPT;
+
+/** Sets an integer, choice or flag. CLEFT_ERROR_OPTION for an unknown key, a real option, or a value out of range.
+ *  \since 0.1 */
+CLEFT_API cleft_status cleft_options_set_integer(cleft_options* options, cleft_option key,
+                                                 int64_t value) CLEFT_NOEXCEPT;
+/** Sets a real option; CLEFT_ERROR_NOT_FINITE for NaN and infinity. \since 0.1 */
+CLEFT_API cleft_status cleft_options_set_real(cleft_options* options, cleft_option key, double value) CLEFT_NOEXCEPT;
+/** Sets any option from text: by its name in the table ('-' and '_' are the same), numbers in C notation, choices by
+ *  name, flags as "true", "false", "1", "0". \since 0.1 */
+CLEFT_API cleft_status cleft_options_set_text(cleft_options* options, const char* name,
+                                              const char* value) CLEFT_NOEXCEPT;
+/** \since 0.1 */
+CLEFT_API cleft_status cleft_options_get_integer(const cleft_options* options, cleft_option key,
+                                                 int64_t* value) CLEFT_NOEXCEPT;
+/** \since 0.1 */
+CLEFT_API cleft_status cleft_options_get_real(const cleft_options* options, cleft_option key,
+                                              double* value) CLEFT_NOEXCEPT;
+
+/** The greatest edge length inside one label (> 0), in world units; 0 takes the wish back. \since 0.1 */
+CLEFT_API cleft_status cleft_options_set_label_size(cleft_options* options, int32_t label, double size) CLEFT_NOEXCEPT;
+/** Labels whose tetrahedra are left out of the finished mesh; replaces the former list. No label is special: without
+ *  this, the background label is meshed like the others. \since 0.1 */
+CLEFT_API cleft_status cleft_options_set_strip(cleft_options* options, const int32_t* labels,
+                                               int64_t count) CLEFT_NOEXCEPT;
+/** Labels whose tetrahedra alone are kept (count 0: all); replaces the former list. \since 0.1 */
+CLEFT_API cleft_status cleft_options_set_only(cleft_options* options, const int32_t* labels,
+                                              int64_t count) CLEFT_NOEXCEPT;
+
+/* -------------------------------------------------------------------------------------------------- volume -- */
+
+/** Types of voxels. \since 0.1 */
+typedef int32_t cleft_type;
+enum {
+    CLEFT_TYPE_UINT8 = 1,
+    CLEFT_TYPE_UINT16 = 2,
+    CLEFT_TYPE_INT16 = 3,
+    CLEFT_TYPE_UINT32 = 4,
+    CLEFT_TYPE_INT32 = 5,
+    CLEFT_TYPE_FLOAT32 = 6,
+    CLEFT_TYPE_FLOAT64 = 7
+};
+
+/** A label map: dims[0] * dims[1] * dims[2] voxels, x fastest, of one of the five integer types; any label values
+ *  (within int32_t), up to 65,535 different ones.
+ *  `affine` maps voxel indices to world coordinates: 3 rows of 4 numbers, world = A[:, 0:3] * index + A[:, 3], voxel
+ *  centres at whole indices; it may flip or shear but not flatten. NULL: spacing 1, the corner of the box at the
+ * origin. The box that is meshed ends where the voxels end, half a voxel beyond the outermost centres. Sizes and angles
+ * are measured in the frame of the voxel axes, which differs from the world's only if the affine shears. `options` may
+ * be NULL; CLEFT_OPTION_SMOOTH is read. The voxels are copied (one or two bytes a voxel, and two for the weights). The
+ * caller owns *out. \since 0.1 */
+CLEFT_API cleft_status cleft_volume_create_labels(cleft_context* context, cleft_type type, const void* voxels,
+                                                  const int64_t dims[3], const double affine[12],
+                                                  const cleft_options* options, cleft_volume** out) CLEFT_NOEXCEPT;
+/** `count` indicator functions (FLOAT32 or FLOAT64), one for each material; the largest wins at a point. count = 1: a
+ *  signed function, inside (second label) where it is > 0. `labels`: what the materials are called, `count` values (two
+ *  for count = 1, outside first), or NULL for 0, 1, 2, ... Values must be finite. Copied as float. \since 0.1 */
+CLEFT_API cleft_status cleft_volume_create_indicators(cleft_context* context, cleft_type type,
+                                                      const void* const* fields, int64_t count, const int64_t dims[3],
+                                                      const double affine[12], const int32_t* labels,
+                                                      cleft_volume** out) CLEFT_NOEXCEPT;
+/** \since 0.1 */
+CLEFT_API void cleft_volume_destroy(cleft_volume* volume) CLEFT_NOEXCEPT;
+
+/** \since 0.1 */
+CLEFT_API cleft_status cleft_volume_dims(const cleft_volume* volume, int64_t dims[3]) CLEFT_NOEXCEPT;
+/** \since 0.1 */
+CLEFT_API cleft_status cleft_volume_affine(const cleft_volume* volume, double affine[12]) CLEFT_NOEXCEPT;
+/** Number of materials; 0 for NULL. \since 0.1 */
+CLEFT_API int64_t cleft_volume_label_count(const cleft_volume* volume) CLEFT_NOEXCEPT;
+/** The label of each material, ascending for a label map; borrowed. \since 0.1 */
+CLEFT_API const int32_t* cleft_volume_labels(const cleft_volume* volume) CLEFT_NOEXCEPT;
+/** Voxels of each material, `capacity` >= label count. \since 0.1 */
+CLEFT_API cleft_status cleft_volume_copy_voxel_counts(const cleft_volume* volume, int64_t* counts,
+                                                      int64_t capacity) CLEFT_NOEXCEPT;
+/** The labels at `count` world points (3 * count coordinates), as the mesh sees them: the smoothed label map's winner.
+ *  \since 0.1 */
+CLEFT_API cleft_status cleft_volume_sample(const cleft_volume* volume, const double* points, int64_t count,
+                                           int32_t* labels) CLEFT_NOEXCEPT;
+
+/* -------------------------------------------------------------------------------------------------- sizing -- */
+
+/** The sizing field of a volume from its features: three distance transforms (see docs/method.md), limited by the
+ *  options SIZE, SIZE_MIN, SIZE_MAX, FEATURE_SCALE, GRADATION, INTERFACE_SIZE and the label sizes. With TETS, scaled to
+ *  the number of tetrahedra expected. `options` may be NULL. The caller owns *out. \since 0.1 */
+CLEFT_API cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* volume,
+                                           const cleft_options* options, cleft_sizing** out) CLEFT_NOEXCEPT;
+/** One size everywhere. \since 0.1 */
+CLEFT_API cleft_status cleft_sizing_create_constant(cleft_context* context, const cleft_volume* volume, double size,
+                                                    cleft_sizing** out) CLEFT_NOEXCEPT;
+/** The user's own field: one positive finite value a voxel of the volume, x fastest, FLOAT32 or FLOAT64; taken as it
+ *  is, and combined by minimum with the computed one if `combine` is nonzero (options as in cleft_sizing_create()).
+ *  \since 0.1 */
+CLEFT_API cleft_status cleft_sizing_create_values(cleft_context* context, const cleft_volume* volume, cleft_type type,
+                                                  const void* values, int32_t combine, const cleft_options* options,
+                                                  cleft_sizing** out) CLEFT_NOEXCEPT;
+/** \since 0.1 */
+CLEFT_API void cleft_sizing_destroy(cleft_sizing* sizing) CLEFT_NOEXCEPT;
+/** \since 0.1 */
+CLEFT_API cleft_status cleft_sizing_dims(const cleft_sizing* sizing, int64_t dims[3]) CLEFT_NOEXCEPT;
+/** \since 0.1 */
+CLEFT_API cleft_status cleft_sizing_affine(const cleft_sizing* sizing, double affine[12]) CLEFT_NOEXCEPT;
+/** One value a voxel, x fastest; borrowed. \since 0.1 */
+CLEFT_API const float* cleft_sizing_values(const cleft_sizing* sizing) CLEFT_NOEXCEPT;
+/** The field at a world point. \since 0.1 */
+CLEFT_API cleft_status cleft_sizing_at(const cleft_sizing* sizing, const double point[3], double* size) CLEFT_NOEXCEPT;
+/** Tetrahedra that a background of this field will have, within some 10 %; 0 for NULL. \since 0.1 */
+CLEFT_API double cleft_sizing_expected_tets(const cleft_sizing* sizing) CLEFT_NOEXCEPT;
+
+/* ---------------------------------------------------------------------------------------------- background -- */
+
+/** The background mesh of a sizing field, of the kind of the option BACKGROUND (STEPS, SEED and REPAIR are read). It
+ *  fills the box and knows nothing of materials: its only label is 0. The caller owns *out. \since 0.1 */
+CLEFT_API cleft_status cleft_background_create(cleft_context* context, const cleft_sizing* sizing,
+                                               const cleft_options* options, cleft_mesh** out) CLEFT_NOEXCEPT;
+
+/* -------------------------------------------------------------------------------------------------- meshes -- */
+
+/** A mesh from arrays: a background of the user's own, or a finished mesh to check or write. `points`: 3 * point_count
+ *  doubles in world coordinates; `tets`: 4 * tet_count point numbers counted from `index_base` (0 or 1); `labels`:
+ *  tet_count labels, or NULL for 0. Numbers out of range, NaN and infinity are refused; anything else is taken, and
+ *  cleft_mesh_validate() tells whether it is sound. The caller owns *out. \since 0.1 */
+CLEFT_API cleft_status cleft_mesh_create(cleft_context* context, int64_t point_count, const double* points,
+                                         int64_t tet_count, const int32_t* tets, const int32_t* labels,
+                                         int32_t index_base, cleft_mesh** out) CLEFT_NOEXCEPT;
+/** \since 0.1 */
+CLEFT_API void cleft_mesh_destroy(cleft_mesh* mesh) CLEFT_NOEXCEPT;
+
+/** Cleaves a background along the interfaces of a volume (option SNAP; with REPAIR above 0, poor tetrahedra of the
+ *  background are repaired first). The background must be positively oriented and conforming; it need not fill the box.
+ *  `options` may be NULL. The caller owns *out. \since 0.1 */
+CLEFT_API cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volume,
+                                         const cleft_mesh* background, const cleft_options* options,
+                                         cleft_mesh** out) CLEFT_NOEXCEPT;
+/** Raises the worst dihedral angles of a cleaved mesh of this volume (option IMPROVE). \since 0.1 */
+CLEFT_API cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volume, const cleft_mesh* mesh,
+                                          const cleft_options* options, cleft_mesh** out) CLEFT_NOEXCEPT;
+/** The mesh without the labels that the strip and only lists of the options leave out. \since 0.1 */
+CLEFT_API cleft_status cleft_mesh_strip(cleft_context* context, const cleft_mesh* mesh, const cleft_options* options,
+                                        cleft_mesh** out) CLEFT_NOEXCEPT;
+/** All of it: sizing (unless given), background (unless given), cleaving, improving, spatial ordering, stripping.
+ *  `sizing`, `background` and `options` may be NULL. With TETS, the size is corrected until the number of tetrahedra is
+ *  within 10 % (at most four rounds). With STRICT, CLEFT_ERROR_LABEL_LOST if a label of the volume is not in the mesh.
+ *  The caller owns *out. \since 0.1 */
+CLEFT_API cleft_status cleft_mesh_volume(cleft_context* context, const cleft_volume* volume, const cleft_sizing* sizing,
+                                         const cleft_mesh* background, const cleft_options* options,
+                                         cleft_mesh** out) CLEFT_NOEXCEPT;
+
+/** Number of points; 0 for NULL. \since 0.1 */
+CLEFT_API int64_t cleft_mesh_point_count(const cleft_mesh* mesh) CLEFT_NOEXCEPT;
+/** World coordinates, x y z interleaved, 3 * point count; borrowed. \since 0.1 */
+CLEFT_API const double* cleft_mesh_points(const cleft_mesh* mesh) CLEFT_NOEXCEPT;
+/** Number of tetrahedra; 0 for NULL. \since 0.1 */
+CLEFT_API int64_t cleft_mesh_tet_count(const cleft_mesh* mesh) CLEFT_NOEXCEPT;
+/** Corners, 4 * tetrahedron count, from 0, positively oriented: det[b-a, c-a, d-a] > 0; borrowed. \since 0.1 */
+CLEFT_API const int32_t* cleft_mesh_tets(const cleft_mesh* mesh) CLEFT_NOEXCEPT;
+/** The label of each tetrahedron; borrowed. \since 0.1 */
+CLEFT_API const int32_t* cleft_mesh_tet_labels(const cleft_mesh* mesh) CLEFT_NOEXCEPT;
+/** Number of different labels; 0 for NULL. \since 0.1 */
+CLEFT_API int64_t cleft_mesh_label_count(const cleft_mesh* mesh) CLEFT_NOEXCEPT;
+/** The different labels, ascending; borrowed. \since 0.1 */
+CLEFT_API const int32_t* cleft_mesh_labels(const cleft_mesh* mesh) CLEFT_NOEXCEPT;
+
+/** Copies the points; `capacity` is in doubles and must be at least 3 * point count. \since 0.1 */
+CLEFT_API cleft_status cleft_mesh_copy_points(const cleft_mesh* mesh, double* points, int64_t capacity) CLEFT_NOEXCEPT;
+/** Copies the corners, counted from index_base (0 or 1); `capacity` in int32_t, at least 4 * tetrahedron count.
+ *  \since 0.1 */
+CLEFT_API cleft_status cleft_mesh_copy_tets(const cleft_mesh* mesh, int32_t index_base, int32_t* tets,
+                                            int64_t capacity) CLEFT_NOEXCEPT;
+/** Copies the label of each tetrahedron; `capacity` at least the tetrahedron count. \since 0.1 */
+CLEFT_API cleft_status cleft_mesh_copy_tet_labels(const cleft_mesh* mesh, int32_t* labels,
+                                                  int64_t capacity) CLEFT_NOEXCEPT;
+/** Ten-node tetrahedra: adds a point at the middle of each edge. Corners of element t are tets[10 t .. 10 t + 3]; then
+ *  the middles of edges 01, 12, 02, 03, 13, 23 (the order of VTK, Abaqus C3D10). Call with NULL buffers and zero
+ *  capacities to get the counts. The first points are those of the mesh. \since 0.1 */
+CLEFT_API cleft_status cleft_mesh_copy_quadratic(const cleft_mesh* mesh, int32_t index_base, double* points,
+                                                 int64_t point_capacity, int32_t* tets, int64_t tet_capacity,
+                                                 int64_t* point_count) CLEFT_NOEXCEPT;
+
+/** The shape of a mesh in figures. The caller sets struct_size to sizeof(cleft_quality). \since 0.1 */
+typedef struct cleft_quality {
+    uint32_t struct_size;
+    uint32_t reserved;
+    int64_t tet_count;
+    double min_dihedral;  /**< degrees, over all angles */
+    double max_dihedral;  /**< degrees, over all angles */
+    int64_t tets_below_5; /**< tetrahedra whose least dihedral angle is below 5 degrees */
+    int64_t tets_below_10;
+    int64_t tets_below_15;
+    int64_t tets_below_20;
+    int64_t tets_above_165;     /**< tetrahedra whose greatest dihedral angle is above 165 degrees */
+    double radius_ratio_median; /**< circumradius / (3 inradius), 1 for the regular tetrahedron */
+    double radius_ratio_95;     /**< 95th percentile */
+    double radius_ratio_max;
+    double edge_ratio_max; /**< longest / shortest edge of one tetrahedron */
+    double min_edge;
+    double mean_edge;
+    double max_edge;
+    double min_volume;
+    double total_volume;
+    int64_t dihedral_histogram[36]; /**< all angles, in bins of 5 degrees */
+} cleft_quality;
+
+/** \since 0.1 */
+CLEFT_API cleft_status cleft_mesh_quality(cleft_context* context, const cleft_mesh* mesh,
+                                          cleft_quality* out) CLEFT_NOEXCEPT;
+
+/** What is wrong with a mesh; all counts are 0 for a sound one. The caller sets struct_size. \since 0.1 */
+typedef struct cleft_validation {
+    uint32_t struct_size;
+    int32_t valid;                /**< 1 if nothing is wrong */
+    int64_t negative_tets;        /**< by an exact predicate */
+    int64_t flat_tets;            /**< exactly flat, or of less volume than 1e-12 of the cube of the mean edge */
+    int64_t repeated_corners;     /**< tetrahedra that name a point twice */
+    int64_t crowded_faces;        /**< faces of more than two tetrahedra */
+    int64_t folded_faces;         /**< faces whose two tetrahedra lie on one side */
+    int64_t hull_off_box;         /**< hull triangles in no side of the bounding box */
+    int64_t open_interface_edges; /**< edges inside the box with one interface triangle only */
+    int64_t unused_points;
+    int64_t repeated_points;
+    double volume;
+    double box_volume;
+    double hull_area;
+    double box_area;
+} cleft_validation;
+
+/** Looks for faults. `fills_box` nonzero: the mesh is also asked to fill its bounding box. A fault is no failure of the
+ *  call; the first one and its place are then in cleft_context_last_error(). \since 0.1 */
+CLEFT_API cleft_status cleft_mesh_validate(cleft_context* context, const cleft_mesh* mesh, int32_t fills_box,
+                                           cleft_validation* out) CLEFT_NOEXCEPT;
+
+/* ------------------------------------------------------------------------------------------------ surfaces -- */
+
+/** Sides of the box in voxel axes; OTHER: hull triangles in no side. \since 0.1 */
+enum {
+    CLEFT_SIDE_X_MIN = 0,
+    CLEFT_SIDE_X_MAX = 1,
+    CLEFT_SIDE_Y_MIN = 2,
+    CLEFT_SIDE_Y_MAX = 3,
+    CLEFT_SIDE_Z_MIN = 4,
+    CLEFT_SIDE_Z_MAX = 5,
+    CLEFT_SIDE_OTHER = 6
+};
+
+/** The interfaces between labels and the hull of a mesh, as triangles that number the mesh's points. The caller owns
+ *  *out, which does not need the mesh afterwards. \since 0.1 */
+CLEFT_API cleft_status cleft_surface_create(cleft_context* context, const cleft_mesh* mesh,
+                                            cleft_surface** out) CLEFT_NOEXCEPT;
+/** \since 0.1 */
+CLEFT_API void cleft_surface_destroy(cleft_surface* surface) CLEFT_NOEXCEPT;
+/** Number of triangles between different labels; 0 for NULL. \since 0.1 */
+CLEFT_API int64_t cleft_surface_interface_count(const cleft_surface* surface) CLEFT_NOEXCEPT;
+/** Corners, 3 a triangle; the normal points from the first label of the pair to the second. Sorted by pair. Borrowed.
+ *  \since 0.1 */
+CLEFT_API const int32_t* cleft_surface_interface_triangles(const cleft_surface* surface) CLEFT_NOEXCEPT;
+/** Two labels a triangle, the lower first; borrowed. \since 0.1 */
+CLEFT_API const int32_t* cleft_surface_interface_labels(const cleft_surface* surface) CLEFT_NOEXCEPT;
+/** Number of hull triangles; 0 for NULL. \since 0.1 */
+CLEFT_API int64_t cleft_surface_hull_count(const cleft_surface* surface) CLEFT_NOEXCEPT;
+/** Corners, 3 a triangle, normals outward, sorted by side, then label; borrowed. \since 0.1 */
+CLEFT_API const int32_t* cleft_surface_hull_triangles(const cleft_surface* surface) CLEFT_NOEXCEPT;
+/** The label inside each hull triangle; borrowed. \since 0.1 */
+CLEFT_API const int32_t* cleft_surface_hull_labels(const cleft_surface* surface) CLEFT_NOEXCEPT;
+/** CLEFT_SIDE_... of each hull triangle; borrowed. \since 0.1 */
+CLEFT_API const int32_t* cleft_surface_hull_sides(const cleft_surface* surface) CLEFT_NOEXCEPT;
+
+/* ------------------------------------------------------------------------------------------ per-label report -- */
+
+/** What became of one label. Volumes in world units cubed. Components of voxels are joined by faces, components of
+ *  the mesh by faces of tetrahedra. The caller sets struct_size. \since 0.1 */
+typedef struct cleft_label_report {
+    uint32_t struct_size;
+    int32_t label;
+    int64_t voxels;
+    double voxel_volume;
+    double mesh_volume;
+    int64_t tets;
+    int64_t voxel_components;
+    int64_t mesh_components;
+    int64_t large_components;      /**< voxel components of more than 30 voxels */
+    int64_t large_components_lost; /**< of those, the ones in which no tetrahedron of the label lies */
+    int32_t lost;                  /**< 1 if the label has voxels but no tetrahedron */
+    int32_t reserved;
+} cleft_label_report;
+
+/** Compares a finished (not stripped) mesh with its volume, label by label. The caller owns *out. \since 0.1 */
+CLEFT_API cleft_status cleft_report_create(cleft_context* context, const cleft_volume* volume, const cleft_mesh* mesh,
+                                           cleft_report** out) CLEFT_NOEXCEPT;
+/** \since 0.1 */
+CLEFT_API void cleft_report_destroy(cleft_report* report) CLEFT_NOEXCEPT;
+/** Number of labels of the volume; 0 for NULL. \since 0.1 */
+CLEFT_API int64_t cleft_report_count(const cleft_report* report) CLEFT_NOEXCEPT;
+/** Row `index`, in the order of cleft_volume_labels(). \since 0.1 */
+CLEFT_API cleft_status cleft_report_label(const cleft_report* report, int64_t index,
+                                          cleft_label_report* out) CLEFT_NOEXCEPT;
+
+#ifdef __cplusplus
+}
+#endif
+
 #endif
