@@ -1,0 +1,206 @@
+#include "background/delaunay.hpp"
+
+#ifdef CLEFT_WITH_TETGEN
+
+#include "mesh/adjacency.hpp"
+#include "mesh/predicates.hpp"
+
+#include <tetgen.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <string>
+
+namespace cleft
+{
+namespace
+{
+
+// About seven tetrahedra a point, four numbers each, must stay below 2^31 in TetGen's arrays.
+constexpr size_t kMostPoints = 60'000'000;
+
+void check_points(const std::vector<Vec3>& points)
+{
+    if (points.size() < 4)
+        throw Error(CLEFT_ERROR_ARGUMENT,
+                    "a Delaunay mesh needs at least 4 points, not " + std::to_string(points.size()));
+    if (points.size() > kMostPoints)
+        throw Error(CLEFT_ERROR_TOO_LARGE,
+                    std::to_string(points.size()) + " points are too many for one Delaunay mesh");
+    for (size_t i = 0; i < points.size(); ++i)
+        if (!points[i].allFinite())
+            throw Error(CLEFT_ERROR_NOT_FINITE, "point " + std::to_string(i) + " has a coordinate that is not finite");
+}
+
+// Three corners of the widest triangle met, then any point off its plane (exactly).
+bool all_in_one_plane(const std::vector<Vec3>& points)
+{
+    const Vec3& a = points[0];
+    const auto farthest = [&](const auto& measure) {
+        size_t best = 0;
+        for (size_t i = 1; i < points.size(); ++i)
+            if (measure(points[i]) > measure(points[best]))
+                best = i;
+        return points[best];
+    };
+    const Vec3 b = farthest([&](const Vec3& p) { return (p - a).squaredNorm(); });
+    const Vec3 c = farthest([&](const Vec3& p) { return (p - a).cross(b - a).squaredNorm(); });
+    for (const Vec3& p : points)
+        if (orient_sign(a, b, c, p) != 0)
+            return false;
+    return true;
+}
+
+// TetGen's predicates multiply up to five coordinates: keep the products far from overflow and underflow. A power of
+// two, so that the scaling is exact.
+double safe_scale(const std::vector<Vec3>& points)
+{
+    double greatest = 0;
+    for (const Vec3& p : points)
+        greatest = std::max(greatest, p.cwiseAbs().maxCoeff());
+    return greatest > 0 ? std::ldexp(1.0, -std::ilogb(greatest)) : 1;
+}
+
+[[noreturn]] void throw_tetgen_error(int code)
+{
+    if (code == 1)
+        throw Error(CLEFT_ERROR_OUT_OF_MEMORY, "TetGen ran out of memory");
+    if (code == 10)
+        throw Error(CLEFT_ERROR_ARGUMENT, "TetGen found the points to be all but coplanar");
+    throw Error(CLEFT_ERROR_INTERNAL, "TetGen failed with its code " + std::to_string(code));
+}
+
+std::vector<Tet> run_tetgen(std::vector<Vec3>& scaled)
+{
+    // Quiet; zero-based; keep the numbering; no nodes, faces, boundary markers; the tolerance of its test of
+    // coplanarity.
+    char switches[] = "QzJNFBT1e-15";
+    tetgenio in, out;
+    // TetGen reads the points in place; its destructor must not free them, however this scope is left.
+    struct Lend {
+        tetgenio& io;
+        ~Lend() { io.pointlist = nullptr; }
+    } lend{in};
+    in.pointlist = scaled.data()->data();
+    in.numberofpoints = static_cast<int>(scaled.size());
+    try {
+        tetrahedralize(switches, &in, &out);
+    } catch (int code) {
+        throw_tetgen_error(code);
+    }
+    std::vector<Tet> tets(static_cast<size_t>(out.numberoftetrahedra));
+    for (size_t t = 0; t < tets.size(); ++t)
+        std::copy_n(out.tetrahedronlist + 4 * t, 4, tets[t].begin());
+    return tets;
+}
+
+// TetGen keeps its random state and error bounds in global variables.
+std::vector<Tet> run_tetgen_alone(std::vector<Vec3>& scaled, const Run& run)
+{
+    static std::mutex one_at_a_time;
+    const std::lock_guard<std::mutex> lock(one_at_a_time);
+    run.check();
+    return run_tetgen(scaled);
+}
+
+// Cospherical points in a plane of the hull may be joined by a tetrahedron of no volume that lies in that plane.
+// Without it the hull stays the same set of points.
+void drop_flat_hull_tets(std::vector<Tet>& tets, std::vector<char>& flat, int64_t point_count)
+{
+    const auto neighbours = tet_neighbours(tets, point_count);
+    std::vector<size_t> hull;
+    std::vector<char> dropped(tets.size(), 0);
+    const auto visit = [&](size_t t) {
+        if (flat[t] && !dropped[t]) {
+            dropped[t] = 1;
+            hull.push_back(t);
+        }
+    };
+    for (size_t t = 0; t < tets.size(); ++t)
+        if (std::count(neighbours[t].begin(), neighbours[t].end(), -1) > 0)
+            visit(t);
+    while (!hull.empty()) {
+        const size_t t = hull.back();
+        hull.pop_back();
+        for (const int32_t n : neighbours[t])
+            if (n >= 0)
+                visit(static_cast<size_t>(n));
+    }
+    size_t kept = 0;
+    for (size_t t = 0; t < tets.size(); ++t)
+        if (!dropped[t]) {
+            flat[kept] = flat[t];
+            tets[kept++] = tets[t];
+        }
+    tets.resize(kept);
+    flat.resize(kept);
+}
+
+void make_positive(std::vector<Tet>& tets, const std::vector<Vec3>& points)
+{
+    std::vector<char> flat(tets.size(), 0);
+    bool any_flat = false;
+    for (size_t t = 0; t < tets.size(); ++t) {
+        const Tet& v = tets[t];
+        const auto corner = [&](size_t i) -> const Vec3& { return points[static_cast<size_t>(v[i])]; };
+        const int sign = orient_sign(corner(0), corner(1), corner(2), corner(3));
+        if (sign < 0)
+            throw Error(CLEFT_ERROR_INTERNAL, "TetGen returned an inverted tetrahedron");
+        flat[t] = sign == 0;
+        any_flat = any_flat || sign == 0;
+    }
+    if (any_flat)
+        drop_flat_hull_tets(tets, flat, static_cast<int64_t>(points.size()));
+    if (std::count(flat.begin(), flat.end(), 1) > 0)
+        throw Error(CLEFT_ERROR_INTERNAL, "TetGen returned a flat tetrahedron inside the mesh");
+}
+
+void check_all_used(const std::vector<Tet>& tets, size_t point_count)
+{
+    std::vector<char> used(point_count, 0);
+    for (const Tet& tet : tets)
+        for (const int32_t v : tet)
+            used[static_cast<size_t>(v)] = 1;
+    const auto unused = std::find(used.begin(), used.end(), 0) - used.begin();
+    if (static_cast<size_t>(unused) < point_count)
+        throw Error(CLEFT_ERROR_ARGUMENT, "point " + std::to_string(unused) + " lies on another point");
+}
+
+}  // namespace
+
+std::vector<Tet> delaunay(const std::vector<Vec3>& points, const Run& run)
+{
+    run.report(0.0, "Delaunay");
+    check_points(points);
+    const double scale = safe_scale(points);
+    std::vector<Vec3> scaled(points.size());
+    for (size_t i = 0; i < points.size(); ++i)
+        scaled[i] = points[i] * scale;
+    if (all_in_one_plane(scaled))
+        throw Error(CLEFT_ERROR_ARGUMENT, "the points lie all in one plane");
+    std::vector<Tet> tets = run_tetgen_alone(scaled, run);
+    run.report(0.9, "Delaunay");
+    make_positive(tets, scaled);
+    check_all_used(tets, points.size());
+    run.report(1.0, "Delaunay");
+    return tets;
+}
+
+}  // namespace cleft
+
+#else
+
+namespace cleft
+{
+
+std::vector<Tet> delaunay(const std::vector<Vec3>&, const Run&)
+{
+    throw Error(
+        CLEFT_ERROR_UNSUPPORTED,
+        "this build has no TetGen: choose the background 'octree' or 'lattice', or build with CLEFT_WITH_TETGEN=ON");
+}
+
+}  // namespace cleft
+
+#endif
