@@ -180,6 +180,9 @@ CLEFT_API cleft_status cleft_option_info(int32_t index, cleft_option_description
 CLEFT_API cleft_status cleft_options_create(cleft_options** out) CLEFT_NOEXCEPT;
 /** \since 0.1 */
 CLEFT_API void cleft_options_destroy(cleft_options* options) CLEFT_NOEXCEPT;
+/** The sentence of the last value that these options refused, "" if none was; borrowed until the next call on them.
+ *  \since 0.1 */
+CLEFT_API const char* cleft_options_last_error(const cleft_options* options) CLEFT_NOEXCEPT;
 
 /** Sets an integer, choice or flag. CLEFT_ERROR_OPTION for an unknown key, a real option, or a value out of range.
  *  \since 0.1 */

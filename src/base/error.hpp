@@ -6,9 +6,11 @@
 #include <stdexcept>
 #include <string>
 
-namespace cleft {
+namespace cleft
+{
 
-class Error : public std::runtime_error {
+class Error : public std::runtime_error
+{
 public:
     Error(cleft_status status, const std::string& sentence) : std::runtime_error(sentence), status_(status) {}
     cleft_status status() const { return status_; }

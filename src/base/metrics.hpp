@@ -6,7 +6,8 @@
 #include <utility>
 #include <vector>
 
-namespace cleft {
+namespace cleft
+{
 
 struct Metrics {
     std::vector<std::pair<std::string, double>> items;

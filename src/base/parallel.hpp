@@ -13,7 +13,8 @@
 #include <thread>
 #include <vector>
 
-namespace cleft {
+namespace cleft
+{
 
 inline int64_t chunk_count(int64_t n, int64_t grain) { return (n + grain - 1) / grain; }
 

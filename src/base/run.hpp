@@ -8,7 +8,8 @@
 #include <functional>
 #include <string>
 
-namespace cleft {
+namespace cleft
+{
 
 struct Run {
     int threads = 1;

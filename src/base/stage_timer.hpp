@@ -5,12 +5,14 @@
 
 #include <chrono>
 
-namespace cleft {
+namespace cleft
+{
 
 double process_cpu_seconds();
 double process_peak_bytes();
 
-class StageTimer {
+class StageTimer
+{
 public:
     StageTimer(const Run& run, std::string name)
         : run_(run), name_(std::move(name)), wall_(std::chrono::steady_clock::now()), cpu_(process_cpu_seconds())

@@ -4,7 +4,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-namespace cleft {
+namespace cleft
+{
 
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;

@@ -1,0 +1,128 @@
+#include "capi/firewall.hpp"
+
+#include <cstdio>
+#include <thread>
+
+namespace cleft::capi
+{
+
+void set_message(Message* message, const char* sentence) noexcept
+{
+    if (message)
+        std::snprintf(message->data(), message->size(), "%s", sentence ? sentence : "");
+}
+
+}  // namespace cleft::capi
+
+using namespace cleft::capi;
+
+const char* cleft_version(int32_t* major, int32_t* minor, int32_t* patch) noexcept
+{
+    if (major)
+        *major = CLEFT_VERSION_MAJOR;
+    if (minor)
+        *minor = CLEFT_VERSION_MINOR;
+    if (patch)
+        *patch = CLEFT_VERSION_PATCH;
+    return CLEFT_VERSION_STRING;
+}
+
+const char* cleft_status_string(cleft_status status) noexcept
+{
+    switch (status) {
+#define CLEFT_STATUS_CASE(name, number, text) \
+    case number:                              \
+        return text;
+        CLEFT_STATUS_LIST(CLEFT_STATUS_CASE)
+#undef CLEFT_STATUS_CASE
+        default:
+            return "unknown status";
+    }
+}
+
+int32_t cleft_has_tetgen(void) noexcept
+{
+#ifdef CLEFT_WITH_TETGEN
+    return 1;
+#else
+    return 0;
+#endif
+}
+
+cleft_status cleft_context_create(cleft_context** out) noexcept
+{
+    return guarded(nullptr, [&] { *required(out, "out") = new cleft_context; });
+}
+
+void cleft_context_destroy(cleft_context* context) noexcept { destroy(context); }
+
+const char* cleft_context_last_error(const cleft_context* context) noexcept
+{
+    return is_sound(context) ? context->message.data() : "";
+}
+
+cleft_status cleft_context_set_error(cleft_context* context, cleft_status status, const char* sentence) noexcept
+{
+    set_message(message_of(context), sentence);
+    return status;
+}
+
+cleft_status cleft_context_set_threads(cleft_context* context, int32_t threads) noexcept
+{
+    return guarded(message_of(context), [&] {
+        checked(context, "context");
+        if (threads < 0 || threads > 1024)
+            throw cleft::Error(CLEFT_ERROR_ARGUMENT,
+                               "threads is " + std::to_string(threads) + "; it must be 0 .. 1024");
+        const auto machine = static_cast<int32_t>(std::thread::hardware_concurrency());
+        context->threads = threads > 0 ? threads : std::max<int32_t>(1, machine);
+    });
+}
+
+int32_t cleft_context_threads(const cleft_context* context) noexcept
+{
+    return is_sound(context) ? context->threads : 0;
+}
+
+cleft_status cleft_context_set_progress(cleft_context* context, cleft_progress_callback callback, void* user) noexcept
+{
+    return guarded(nullptr, [&] {
+        checked(context, "context").progress = callback;
+        context->progress_user = user;
+    });
+}
+
+cleft_status cleft_context_set_log(cleft_context* context, cleft_log_callback callback, void* user) noexcept
+{
+    return guarded(nullptr, [&] {
+        checked(context, "context").log = callback;
+        context->log_user = user;
+    });
+}
+
+cleft_status cleft_context_cancel(cleft_context* context) noexcept
+{
+    return guarded(nullptr, [&] { checked(context, "context").cancel = true; });
+}
+
+int64_t cleft_context_metric_count(const cleft_context* context) noexcept
+{
+    return is_sound(context) ? static_cast<int64_t>(context->metrics.items.size()) : 0;
+}
+
+cleft_status cleft_context_metric(const cleft_context* context, int64_t index, const char** name,
+                                  double* value) noexcept
+{
+    return guarded(nullptr, [&] {
+        const auto& items = checked(context, "context").metrics.items;
+        if (index < 0 || index >= static_cast<int64_t>(items.size()))
+            throw cleft::Error(CLEFT_ERROR_ARGUMENT, "there is no such metric");
+        *required(name, "name") = items[static_cast<size_t>(index)].first.c_str();
+        *required(value, "value") = items[static_cast<size_t>(index)].second;
+    });
+}
+
+cleft_status cleft_context_clear_metrics(cleft_context* context) noexcept
+{
+    return guarded(nullptr, [&] { checked(context, "context").metrics.items.clear(); });
+}

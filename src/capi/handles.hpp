@@ -1,0 +1,87 @@
+// What the opaque handles of the C interface hold. Each begins with a mark of its kind, so that a handle of another
+// kind, or one already destroyed, is met with a status rather than with a crash.
+#pragma once
+
+#include "base/metrics.hpp"
+#include "capi/option_table.hpp"
+#include "mesh/interfaces.hpp"
+#include "mesh/tet_mesh.hpp"
+#include "pipeline/label_report.hpp"
+#include "sizing/sizing.hpp"
+#include "volume/frame.hpp"
+#include "volume/volume.hpp"
+
+#include <array>
+#include <atomic>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace cleft::capi
+{
+
+enum class Mark : uint32_t {
+    dead = 0,
+    context = 0xC1EF0001,
+    options = 0xC1EF0002,
+    volume = 0xC1EF0003,
+    sizing = 0xC1EF0004,
+    mesh = 0xC1EF0005,
+    surface = 0xC1EF0006,
+    report = 0xC1EF0007
+};
+
+// One sentence. Not a std::string: telling of want of memory must not need memory.
+using Message = std::array<char, 1024>;
+
+}  // namespace cleft::capi
+
+struct cleft_context {
+    cleft::capi::Mark mark = cleft::capi::Mark::context;
+    int32_t threads = 1;
+    cleft_progress_callback progress = nullptr;
+    void* progress_user = nullptr;
+    cleft_log_callback log = nullptr;
+    void* log_user = nullptr;
+    std::atomic<bool> cancel{false};
+    cleft::Metrics metrics;
+    cleft::capi::Message message{};
+};
+
+struct cleft_options {
+    cleft::capi::Mark mark = cleft::capi::Mark::options;
+    std::array<double, cleft::capi::kOptionCount> values{};
+    std::vector<std::pair<int32_t, double>> label_sizes;
+    std::vector<int32_t> strip;
+    std::vector<int32_t> only;
+    cleft::capi::Message message{};
+};
+
+struct cleft_volume {
+    cleft::capi::Mark mark = cleft::capi::Mark::volume;
+    cleft::Frame frame;
+    cleft::Volume volume;
+};
+
+struct cleft_sizing {
+    cleft::capi::Mark mark = cleft::capi::Mark::sizing;
+    cleft::Frame frame;
+    cleft::SizingField field;
+};
+
+struct cleft_mesh {
+    cleft::capi::Mark mark = cleft::capi::Mark::mesh;
+    std::optional<cleft::Frame> frame;  // of the volume or sizing field that it came from
+    cleft::LabelledMesh mesh;           // world coordinates; `material` holds the user's labels
+    std::vector<int32_t> labels;        // the different ones, ascending
+};
+
+struct cleft_surface {
+    cleft::capi::Mark mark = cleft::capi::Mark::surface;
+    cleft::Interfaces interfaces;  // `Material` holds the user's labels
+};
+
+struct cleft_report {
+    cleft::capi::Mark mark = cleft::capi::Mark::report;
+    std::vector<cleft::LabelRow> rows;
+};

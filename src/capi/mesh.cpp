@@ -1,0 +1,199 @@
+// Meshes as arrays, in and out.
+#include "capi/firewall.hpp"
+#include "capi/mesh_frame.hpp"
+#include "mesh/adjacency.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+using namespace cleft::capi;
+using cleft::Error;
+using cleft::Run;
+
+namespace
+{
+
+void check_counts(int64_t point_count, int64_t tet_count, int32_t index_base)
+{
+    if (point_count < 0 || tet_count < 0)
+        throw Error(CLEFT_ERROR_ARGUMENT, "a count is negative");
+    if (point_count > INT32_MAX || tet_count > INT32_MAX)
+        throw Error(CLEFT_ERROR_TOO_LARGE, "more than 2147483647 points or tetrahedra");
+    if (index_base != 0 && index_base != 1)
+        throw Error(CLEFT_ERROR_ARGUMENT, "index_base is " + std::to_string(index_base) + "; it must be 0 or 1");
+}
+
+std::vector<cleft::Tet> checked_tets(const int32_t* tets, int64_t tet_count, int64_t point_count, int32_t index_base)
+{
+    std::vector<cleft::Tet> out(static_cast<size_t>(tet_count));
+    for (int64_t t = 0; t < tet_count; ++t)
+        for (size_t i = 0; i < 4; ++i) {
+            const int64_t corner = int64_t{tets[4 * t + static_cast<int64_t>(i)]} - index_base;
+            if (corner < 0 || corner >= point_count)
+                throw Error(CLEFT_ERROR_ARGUMENT, "tetrahedron " + std::to_string(t) + " names point " +
+                                                      std::to_string(corner + index_base) + ", which is not there");
+            out[static_cast<size_t>(t)][i] = static_cast<int32_t>(corner);
+        }
+    return out;
+}
+
+template <class T>
+const T* data_or_null(const std::vector<T>& v)
+{
+    return v.empty() ? nullptr : v.data();
+}
+
+void check_capacity(int64_t capacity, size_t needed)
+{
+    if (capacity < static_cast<int64_t>(needed))
+        throw Error(CLEFT_ERROR_BUFFER,
+                    "the buffer holds " + std::to_string(capacity) + " of " + std::to_string(needed) + " values");
+}
+
+}  // namespace
+
+cleft_status cleft_mesh_create(cleft_context* context, int64_t point_count, const double* points, int64_t tet_count,
+                               const int32_t* tets, const int32_t* labels, int32_t index_base,
+                               cleft_mesh** out) noexcept
+{
+    return guarded_create(context, out, [&](const Run&) {
+        check_counts(point_count, tet_count, index_base);
+        if (point_count > 0)
+            required(points, "points");
+        if (tet_count > 0)
+            required(tets, "tets");
+        cleft_mesh mesh;
+        mesh.mesh.points.resize(static_cast<size_t>(point_count));
+        for (int64_t i = 0; i < point_count; ++i) {
+            const cleft::Vec3 point(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
+            if (!point.allFinite())
+                throw Error(CLEFT_ERROR_NOT_FINITE, "point " + std::to_string(i) + " is NaN or infinite");
+            mesh.mesh.points[static_cast<size_t>(i)] = point;
+        }
+        mesh.mesh.tets = checked_tets(tets, tet_count, point_count, index_base);
+        if (labels)
+            mesh.mesh.material.assign(labels, labels + tet_count);
+        else
+            mesh.mesh.material.assign(static_cast<size_t>(tet_count), 0);
+        mesh.labels = distinct_labels(mesh.mesh.material);
+        return mesh;
+    });
+}
+
+void cleft_mesh_destroy(cleft_mesh* mesh) noexcept { destroy(mesh); }
+
+int64_t cleft_mesh_point_count(const cleft_mesh* mesh) noexcept
+{
+    return is_sound(mesh) ? static_cast<int64_t>(mesh->mesh.points.size()) : 0;
+}
+
+const double* cleft_mesh_points(const cleft_mesh* mesh) noexcept
+{
+    return is_sound(mesh) && !mesh->mesh.points.empty() ? mesh->mesh.points.front().data() : nullptr;
+}
+
+int64_t cleft_mesh_tet_count(const cleft_mesh* mesh) noexcept
+{
+    return is_sound(mesh) ? static_cast<int64_t>(mesh->mesh.tets.size()) : 0;
+}
+
+const int32_t* cleft_mesh_tets(const cleft_mesh* mesh) noexcept
+{
+    return is_sound(mesh) && !mesh->mesh.tets.empty() ? mesh->mesh.tets.front().data() : nullptr;
+}
+
+const int32_t* cleft_mesh_tet_labels(const cleft_mesh* mesh) noexcept
+{
+    return is_sound(mesh) ? data_or_null(mesh->mesh.material) : nullptr;
+}
+
+int64_t cleft_mesh_label_count(const cleft_mesh* mesh) noexcept
+{
+    return is_sound(mesh) ? static_cast<int64_t>(mesh->labels.size()) : 0;
+}
+
+const int32_t* cleft_mesh_labels(const cleft_mesh* mesh) noexcept
+{
+    return is_sound(mesh) ? data_or_null(mesh->labels) : nullptr;
+}
+
+cleft_status cleft_mesh_copy_points(const cleft_mesh* mesh, double* points, int64_t capacity) noexcept
+{
+    return guarded(nullptr, [&] {
+        const auto& from = checked(mesh, "mesh").mesh.points;
+        required(points, "points");
+        check_capacity(capacity, 3 * from.size());
+        if (!from.empty())
+            std::memcpy(points, from.front().data(), from.size() * sizeof(cleft::Vec3));
+    });
+}
+
+cleft_status cleft_mesh_copy_tets(const cleft_mesh* mesh, int32_t index_base, int32_t* tets, int64_t capacity) noexcept
+{
+    return guarded(nullptr, [&] {
+        const auto& from = checked(mesh, "mesh").mesh.tets;
+        required(tets, "tets");
+        check_counts(0, 0, index_base);
+        check_capacity(capacity, 4 * from.size());
+        for (const cleft::Tet& tet : from)
+            for (const int32_t corner : tet)
+                *tets++ = corner + index_base;
+    });
+}
+
+cleft_status cleft_mesh_copy_tet_labels(const cleft_mesh* mesh, int32_t* labels, int64_t capacity) noexcept
+{
+    return guarded(nullptr, [&] {
+        const auto& from = checked(mesh, "mesh").mesh.material;
+        required(labels, "labels");
+        check_capacity(capacity, from.size());
+        std::copy(from.begin(), from.end(), labels);
+    });
+}
+
+cleft_status cleft_mesh_copy_quadratic(const cleft_mesh* mesh, int32_t index_base, double* points,
+                                       int64_t point_capacity, int32_t* tets, int64_t tet_capacity,
+                                       int64_t* point_count) noexcept
+{
+    return guarded(nullptr, [&] {
+        const cleft::LabelledMesh& from = checked(mesh, "mesh").mesh;
+        required(point_count, "point_count");
+        check_counts(0, 0, index_base);
+        static constexpr int kMiddles[6][2] = {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}};
+        // Edges as sorted pairs, each once: the place in this list is the number of its middle.
+        std::vector<uint64_t> edges;
+        edges.reserve(6 * from.tets.size());
+        const auto key = [](int32_t a, int32_t b) {
+            return static_cast<uint64_t>(std::min(a, b)) << 32 | static_cast<uint32_t>(std::max(a, b));
+        };
+        for (const cleft::Tet& tet : from.tets)
+            for (const auto& ends : kMiddles)
+                edges.push_back(key(tet[static_cast<size_t>(ends[0])], tet[static_cast<size_t>(ends[1])]));
+        std::sort(edges.begin(), edges.end());
+        edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+        const size_t corners = from.points.size();
+        if (corners + edges.size() > static_cast<size_t>(INT32_MAX) - 1)
+            throw Error(CLEFT_ERROR_TOO_LARGE, "more than 2147483646 points");
+        *point_count = static_cast<int64_t>(corners + edges.size());
+        if (!points && !tets)
+            return;
+        check_capacity(point_capacity, 3 * (corners + edges.size()));
+        check_capacity(tet_capacity, 10 * from.tets.size());
+        if (corners > 0)
+            std::memcpy(required(points, "points"), from.points.front().data(), corners * sizeof(cleft::Vec3));
+        for (size_t e = 0; e < edges.size(); ++e) {
+            const cleft::Vec3 middle = 0.5 * (from.points[edges[e] >> 32] + from.points[edges[e] & 0xffffffffU]);
+            std::copy(middle.data(), middle.data() + 3, points + 3 * (corners + e));
+        }
+        required(tets, "tets");
+        for (const cleft::Tet& tet : from.tets) {
+            for (const int32_t corner : tet)
+                *tets++ = corner + index_base;
+            for (const auto& ends : kMiddles) {
+                const uint64_t edge = key(tet[static_cast<size_t>(ends[0])], tet[static_cast<size_t>(ends[1])]);
+                const auto at = std::lower_bound(edges.begin(), edges.end(), edge) - edges.begin();
+                *tets++ = static_cast<int32_t>(static_cast<int64_t>(corners) + at) + index_base;
+            }
+        }
+    });
+}

@@ -1,0 +1,194 @@
+// Quality, validation, surfaces and the per-label report of a mesh.
+#include "capi/firewall.hpp"
+#include "capi/mesh_frame.hpp"
+#include "mesh/quality.hpp"
+#include "mesh/validate.hpp"
+#include "pipeline/label_report.hpp"
+
+#include <algorithm>
+
+using namespace cleft::capi;
+using cleft::Error;
+using cleft::LabelledMesh;
+using cleft::Run;
+
+namespace
+{
+
+template <class Struct>
+void check_size(const Struct* out)
+{
+    if (required(out, "out")->struct_size < sizeof(Struct))
+        throw Error(CLEFT_ERROR_ARGUMENT, "struct_size is not that of the struct");
+}
+
+// The mesh in the frame in which the sides of its box lie across the axes.
+LabelledMesh upright(const cleft_mesh& mesh)
+{
+    if (!mesh.frame)
+        return mesh.mesh;
+    LabelledMesh local;
+    to_local(mesh, *mesh.frame, local.points, local.tets);
+    local.material = mesh.mesh.material;
+    return local;
+}
+
+void bounding_box(const LabelledMesh& mesh, cleft::Vec3& lo, cleft::Vec3& hi)
+{
+    lo = hi = mesh.points.empty() ? cleft::Vec3(0, 0, 0) : mesh.points.front();
+    for (const cleft::Vec3& p : mesh.points) {
+        lo = lo.cwiseMin(p);
+        hi = hi.cwiseMax(p);
+    }
+}
+
+}  // namespace
+
+cleft_status cleft_mesh_quality(cleft_context* context, const cleft_mesh* mesh, cleft_quality* out) noexcept
+{
+    return guarded_run(context, [&](const Run& run) {
+        const LabelledMesh& m = checked(mesh, "mesh").mesh;
+        check_size(out);
+        const cleft::Quality q = cleft::measure_quality(m.points, m.tets, run);
+        out->tet_count = q.tets;
+        out->min_dihedral = q.min_dihedral;
+        out->max_dihedral = q.max_dihedral;
+        out->tets_below_5 = q.below_5;
+        out->tets_below_10 = q.below_10;
+        out->tets_below_15 = q.below_15;
+        out->tets_below_20 = q.below_20;
+        out->tets_above_165 = q.above_165;
+        out->radius_ratio_median = q.radius_ratio_median;
+        out->radius_ratio_95 = q.radius_ratio_95;
+        out->radius_ratio_max = q.radius_ratio_max;
+        out->edge_ratio_max = q.edge_ratio_max;
+        out->min_edge = q.min_edge;
+        out->mean_edge = q.mean_edge;
+        out->max_edge = q.max_edge;
+        out->min_volume = q.min_volume;
+        out->total_volume = q.total_volume;
+        std::copy(q.dihedral_histogram.begin(), q.dihedral_histogram.end(), out->dihedral_histogram);
+    });
+}
+
+cleft_status cleft_mesh_validate(cleft_context* context, const cleft_mesh* mesh, int32_t fills_box,
+                                 cleft_validation* out) noexcept
+{
+    return guarded_run(context, [&](const Run& run) {
+        const cleft_mesh& m = checked(mesh, "mesh");
+        check_size(out);
+        const cleft::Validation v = cleft::validate(upright(m), fills_box != 0, run);
+        out->valid = v.valid();
+        out->negative_tets = v.negative;
+        out->flat_tets = v.flat;
+        out->repeated_corners = v.repeated_corner;
+        out->crowded_faces = v.crowded_faces;
+        out->folded_faces = v.folded_faces;
+        out->hull_off_box = v.hull_off_box;
+        out->open_interface_edges = v.open_interface_edges;
+        out->unused_points = v.unused_points;
+        out->repeated_points = v.repeated_points;
+        out->volume = v.volume;
+        out->box_volume = v.box_volume;
+        out->hull_area = v.hull_area;
+        out->box_area = v.box_area;
+        set_message(&context->message, v.first_fault.c_str());
+    });
+}
+
+cleft_status cleft_surface_create(cleft_context* context, const cleft_mesh* mesh, cleft_surface** out) noexcept
+{
+    return guarded_create(context, out, [&](const Run& run) {
+        const cleft_mesh& m = checked(mesh, "mesh");
+        const LabelledMesh local = upright(m);
+        cleft::Vec3 lo = cleft::Vec3::Zero(), hi = lo;
+        if (m.frame)
+            hi = m.frame->grid.extent();
+        else
+            bounding_box(local, lo, hi);
+        cleft_surface surface{Mark::surface, cleft::extract_interfaces(local, lo, hi, run)};
+        if (m.frame && m.frame->flips()) {
+            for (auto& triangle : surface.interfaces.triangles)
+                std::swap(triangle[1], triangle[2]);
+            for (auto& triangle : surface.interfaces.hull)
+                std::swap(triangle[1], triangle[2]);
+        }
+        return surface;
+    });
+}
+
+void cleft_surface_destroy(cleft_surface* surface) noexcept { destroy(surface); }
+
+int64_t cleft_surface_interface_count(const cleft_surface* surface) noexcept
+{
+    return is_sound(surface) ? static_cast<int64_t>(surface->interfaces.triangles.size()) : 0;
+}
+
+const int32_t* cleft_surface_interface_triangles(const cleft_surface* surface) noexcept
+{
+    return cleft_surface_interface_count(surface) ? surface->interfaces.triangles.front().data() : nullptr;
+}
+
+const int32_t* cleft_surface_interface_labels(const cleft_surface* surface) noexcept
+{
+    return cleft_surface_interface_count(surface) ? surface->interfaces.pairs.front().data() : nullptr;
+}
+
+int64_t cleft_surface_hull_count(const cleft_surface* surface) noexcept
+{
+    return is_sound(surface) ? static_cast<int64_t>(surface->interfaces.hull.size()) : 0;
+}
+
+const int32_t* cleft_surface_hull_triangles(const cleft_surface* surface) noexcept
+{
+    return cleft_surface_hull_count(surface) ? surface->interfaces.hull.front().data() : nullptr;
+}
+
+const int32_t* cleft_surface_hull_labels(const cleft_surface* surface) noexcept
+{
+    return cleft_surface_hull_count(surface) ? surface->interfaces.hull_material.data() : nullptr;
+}
+
+const int32_t* cleft_surface_hull_sides(const cleft_surface* surface) noexcept
+{
+    static_assert(sizeof(cleft::Side) == sizeof(int32_t), "sides are handed out as int32_t");
+    return cleft_surface_hull_count(surface) ? reinterpret_cast<const int32_t*>(surface->interfaces.hull_side.data())
+                                             : nullptr;
+}
+
+cleft_status cleft_report_create(cleft_context* context, const cleft_volume* volume, const cleft_mesh* mesh,
+                                 cleft_report** out) noexcept
+{
+    return guarded_create(context, out, [&](const Run& run) {
+        const cleft_volume& v = checked(volume, "volume");
+        return cleft_report{Mark::report, cleft::label_report(v.volume, to_stage(checked(mesh, "mesh"), v), run)};
+    });
+}
+
+void cleft_report_destroy(cleft_report* report) noexcept { destroy(report); }
+
+int64_t cleft_report_count(const cleft_report* report) noexcept
+{
+    return is_sound(report) ? static_cast<int64_t>(report->rows.size()) : 0;
+}
+
+cleft_status cleft_report_label(const cleft_report* report, int64_t index, cleft_label_report* out) noexcept
+{
+    return guarded(nullptr, [&] {
+        check_size(out);
+        if (index < 0 || index >= static_cast<int64_t>(checked(report, "report").rows.size()))
+            throw Error(CLEFT_ERROR_ARGUMENT, "there is no such row");
+        const cleft::LabelRow& row = report->rows[static_cast<size_t>(index)];
+        out->label = row.label;
+        out->voxels = row.voxels;
+        out->voxel_volume = row.voxel_volume;
+        out->mesh_volume = row.mesh_volume;
+        out->tets = row.tets;
+        out->voxel_components = row.voxel_components;
+        out->mesh_components = row.mesh_components;
+        out->large_components = row.large_components;
+        out->large_components_lost = row.large_components_lost;
+        out->lost = row.voxels > 0 && row.tets == 0;
+        out->reserved = 0;
+    });
+}

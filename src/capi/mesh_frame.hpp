@@ -1,0 +1,21 @@
+// Between the meshes of the stages (local frame, dense materials) and those of the user (world, labels).
+#pragma once
+
+#include "capi/handles.hpp"
+
+namespace cleft::capi
+{
+
+// World coordinates and labels for a stage's result; an affine that mirrors turns the tetrahedra round.
+cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const std::vector<int32_t>& labels);
+
+// The points and tetrahedra of a user's mesh in the local frame of a volume.
+void to_local(const cleft_mesh& mesh, const Frame& frame, std::vector<Vec3>& points, std::vector<Tet>& tets);
+
+// The same with labels turned into the volume's materials; a label that the volume lacks is an Error.
+LabelledMesh to_stage(const cleft_mesh& mesh, const cleft_volume& volume);
+
+// The different labels of a mesh, ascending.
+std::vector<int32_t> distinct_labels(const std::vector<int32_t>& tet_labels);
+
+}  // namespace cleft::capi

@@ -1,0 +1,152 @@
+// The entries that make meshes from volumes: background, cleaving, improving, stripping, and all at once.
+#include "base/stage_timer.hpp"
+#include "capi/firewall.hpp"
+#include "capi/mesh_frame.hpp"
+#include "capi/options.hpp"
+#include "mesh/finish.hpp"
+
+#include <algorithm>
+
+using namespace cleft::capi;
+using cleft::Error;
+using cleft::LabelledMesh;
+using cleft::Run;
+
+namespace
+{
+
+bool contains(const std::vector<int32_t>& list, int32_t label)
+{
+    return std::find(list.begin(), list.end(), label) != list.end();
+}
+
+void strip(cleft_mesh& mesh, const cleft_options* options)
+{
+    if (!options || (options->strip.empty() && options->only.empty()))
+        return;
+    const auto kept = [&](int32_t label) {
+        return !contains(options->strip, label) && (options->only.empty() || contains(options->only, label));
+    };
+    if (std::all_of(mesh.labels.begin(), mesh.labels.end(), kept))
+        return;
+    // strip_materials numbers materials densely: labels become their place in the list, and back.
+    std::vector<char> keep;
+    for (const int32_t label : mesh.labels)
+        keep.push_back(kept(label));
+    const auto place = [&](int32_t label) {
+        return static_cast<cleft::Material>(std::lower_bound(mesh.labels.begin(), mesh.labels.end(), label) -
+                                            mesh.labels.begin());
+    };
+    for (int32_t& label : mesh.mesh.material)
+        label = place(label);
+    cleft::strip_materials(mesh.mesh, keep);
+    for (int32_t& label : mesh.mesh.material)
+        label = mesh.labels[static_cast<size_t>(label)];
+    mesh.labels = distinct_labels(mesh.mesh.material);
+}
+
+// Stages build on positively oriented, conforming backgrounds; a user's own mesh is looked at first.
+cleft::TetMesh checked_background(const cleft_mesh& mesh, const cleft::Frame& frame)
+{
+    cleft::TetMesh out;
+    to_local(mesh, frame, out.points, out.tets);
+    if (out.tets.empty())
+        throw Error(CLEFT_ERROR_ARGUMENT, "the background has no tetrahedra");
+    for (size_t t = 0; t < out.tets.size(); ++t) {
+        const auto p = [&](size_t i) -> const cleft::Vec3& { return out.points[static_cast<size_t>(out.tets[t][i])]; };
+        if (!((p(1) - p(0)).cross(p(2) - p(0)).dot(p(3) - p(0)) > 0))
+            throw Error(CLEFT_ERROR_INVALID_MESH,
+                        "tetrahedron " + std::to_string(t) + " of the background is flat or not positively oriented");
+    }
+    return out;
+}
+
+void note_result(const Run& run, const LabelledMesh& mesh)
+{
+    run.note("mesh.points", static_cast<double>(mesh.points.size()));
+    run.note("mesh.tets", static_cast<double>(mesh.tets.size()));
+}
+
+LabelledMesh meshed(const cleft_volume& volume, const cleft_sizing* sizing, const cleft_mesh* background,
+                    const cleft::PipelineOptions& p, const Run& run)
+{
+    if (background)
+        return cleft::mesh_from_background(volume.volume,
+                                           checked_background(checked(background, "background"), volume.frame), p, run);
+    if (sizing) {
+        if (checked(sizing, "sizing").frame.grid.dims != volume.frame.grid.dims)
+            throw Error(CLEFT_ERROR_ARGUMENT, "the sizing field and the volume have different dims");
+        return cleft::mesh_from_sizing(volume.volume, sizing->field, p, run);
+    }
+    cleft::SizingField field;
+    {
+        const cleft::StageTimer timer(run, "sizing");
+        field = cleft::compute_sizing(volume.volume, p.sizing, cleft::part_of(run, 0.0, 0.1));
+    }
+    cleft::fit_to_number(field, p.tets);
+    return cleft::mesh_from_sizing(volume.volume, std::move(field), p, cleft::part_of(run, 0.1, 1.0));
+}
+
+}  // namespace
+
+cleft_status cleft_background_create(cleft_context* context, const cleft_sizing* sizing, const cleft_options* options,
+                                     cleft_mesh** out) noexcept
+{
+    return guarded_create(context, out, [&](const Run& run) {
+        const cleft_sizing& s = checked(sizing, "sizing");
+        cleft::TetMesh mesh = cleft::make_background(s.field, pipeline_options(options), run);
+        LabelledMesh labelled{std::move(mesh.points), std::move(mesh.tets), {}};
+        labelled.material.assign(labelled.tets.size(), 0);
+        return to_user(std::move(labelled), s.frame, {0});
+    });
+}
+
+cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volume, const cleft_mesh* background,
+                               const cleft_options* options, cleft_mesh** out) noexcept
+{
+    return guarded_create(context, out, [&](const Run& run) {
+        const cleft_volume& v = checked(volume, "volume");
+        cleft::PipelineOptions p = pipeline_options(options);
+        p.improve.effort = cleft::Effort::off;
+        cleft::TetMesh mesh = checked_background(checked(background, "background"), v.frame);
+        cleft::repair_background(mesh, p, cleft::part_of(run, 0.0, 0.3));
+        return to_user(cleft::cleave_and_improve(v.volume, mesh, p, cleft::part_of(run, 0.3, 1.0)), v.frame,
+                       v.volume.labels());
+    });
+}
+
+cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volume, const cleft_mesh* mesh,
+                                const cleft_options* options, cleft_mesh** out) noexcept
+{
+    return guarded_create(context, out, [&](const Run& run) {
+        const cleft_volume& v = checked(volume, "volume");
+        const cleft::PipelineOptions p = pipeline_options(options);
+        LabelledMesh work = to_stage(checked(mesh, "mesh"), v);
+        const cleft::StageTimer timer(run, "improving");
+        cleft::improve(work, v.volume, p.improve, run);
+        return to_user(std::move(work), v.frame, v.volume.labels());
+    });
+}
+
+cleft_status cleft_mesh_strip(cleft_context* context, const cleft_mesh* mesh, const cleft_options* options,
+                              cleft_mesh** out) noexcept
+{
+    return guarded_create(context, out, [&](const Run&) {
+        cleft_mesh copy = checked(mesh, "mesh");
+        strip(copy, &checked(options, "options"));
+        return copy;
+    });
+}
+
+cleft_status cleft_mesh_volume(cleft_context* context, const cleft_volume* volume, const cleft_sizing* sizing,
+                               const cleft_mesh* background, const cleft_options* options, cleft_mesh** out) noexcept
+{
+    return guarded_create(context, out, [&](const Run& run) {
+        const cleft_volume& v = checked(volume, "volume");
+        LabelledMesh mesh = meshed(v, sizing, background, pipeline_options(options), run);
+        cleft_mesh result = to_user(std::move(mesh), v.frame, v.volume.labels());
+        strip(result, options);
+        note_result(run, result.mesh);
+        return result;
+    });
+}

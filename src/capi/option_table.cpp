@@ -1,0 +1,70 @@
+#include "capi/option_table.hpp"
+
+#include <cfloat>
+
+namespace cleft::capi
+{
+
+namespace
+{
+constexpr double kMost = DBL_MAX;
+constexpr double kWhole = 9007199254740992.0;  // 2^53: the whole numbers that a double holds exactly
+}  // namespace
+
+const OptionRow kOptionTable[kOptionCount] = {
+    {CLEFT_OPTION_BACKGROUND, CLEFT_OPTION_TYPE_CHOICE, "background", CLEFT_BACKGROUND_PARTICLES, 0, 2,
+     "particles|lattice|octree", "kind of background mesh"},
+    {CLEFT_OPTION_SIZE, CLEFT_OPTION_TYPE_REAL, "size", 0, 0, kMost, "",
+     "one edge length everywhere, in world units; 0: computed from the features of the volume"},
+    {CLEFT_OPTION_SIZE_MIN, CLEFT_OPTION_TYPE_REAL, "size_min", 0, 0, kMost, "",
+     "least edge length, in world units; 0: the least voxel spacing"},
+    {CLEFT_OPTION_SIZE_MAX, CLEFT_OPTION_TYPE_REAL, "size_max", 0, 0, kMost, "",
+     "greatest edge length, in world units; 0: a quarter of the longest side of the box"},
+    {CLEFT_OPTION_FEATURE_SCALE, CLEFT_OPTION_TYPE_REAL, "feature_scale", 1, 1e-3, 1e3, "",
+     "edge length at an interface over the local feature size; 0.5 is fine, 2 is coarse"},
+    {CLEFT_OPTION_GRADATION, CLEFT_OPTION_TYPE_REAL, "gradation", 0.3, 0.01, 1, "",
+     "greatest growth of the edge length over a distance (Lipschitz constant of the sizing field)"},
+    {CLEFT_OPTION_INTERFACE_SIZE, CLEFT_OPTION_TYPE_REAL, "interface_size", 0, 0, kMost, "",
+     "greatest edge length at interfaces, in world units; 0: none"},
+    {CLEFT_OPTION_TETS, CLEFT_OPTION_TYPE_INTEGER, "tets", 0, 0, 2147483647.0, "",
+     "wanted number of tetrahedra, met within 10 %; 0: as the sizes say"},
+    {CLEFT_OPTION_SMOOTH, CLEFT_OPTION_TYPE_INTEGER, "smooth", 5, 2, 6, "",
+     "width in voxels of the kernel that smooths label maps"},
+    {CLEFT_OPTION_SNAP, CLEFT_OPTION_TYPE_CHOICE, "snap", CLEFT_SNAP_QUALITY, 0, 2, "quality|safe|none",
+     "rule that moves background points onto interfaces: quality of the elements around, the paper's safe distances, "
+     "or none"},
+    {CLEFT_OPTION_IMPROVE, CLEFT_OPTION_TYPE_CHOICE, "improve", CLEFT_IMPROVE_FAST, 0, 2, "off|fast|best",
+     "effort spent on the worst dihedral angles after cleaving"},
+    {CLEFT_OPTION_STEPS, CLEFT_OPTION_TYPE_INTEGER, "steps", 10, 0, 1000, "", "relaxation steps of the particles"},
+    {CLEFT_OPTION_SEED, CLEFT_OPTION_TYPE_INTEGER, "seed", 0, 0, kWhole, "",
+     "varies the arrangement of the particles; the same seed gives the same mesh"},
+    {CLEFT_OPTION_STRICT, CLEFT_OPTION_TYPE_FLAG, "strict", 0, 0, 1, "", "fail when a label is lost"},
+    {CLEFT_OPTION_REPAIR, CLEFT_OPTION_TYPE_REAL, "repair", 30, 0, 35, "",
+     "dihedral angle in degrees below which tetrahedra of a background from a file are repaired before cleaving; 0: "
+     "none"},
+};
+
+int option_row(cleft_option key)
+{
+    for (size_t i = 0; i < kOptionCount; ++i)
+        if (kOptionTable[i].key == key)
+            return static_cast<int>(i);
+    return -1;
+}
+
+int option_row(const char* name)
+{
+    for (size_t i = 0; i < kOptionCount; ++i) {
+        const char* a = kOptionTable[i].name;
+        const char* b = name;
+        while (*a && (*a == *b || (*a == '_' && *b == '-'))) {
+            ++a;
+            ++b;
+        }
+        if (!*a && !*b)
+            return static_cast<int>(i);
+    }
+    return -1;
+}
+
+}  // namespace cleft::capi

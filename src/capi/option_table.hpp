@@ -1,0 +1,30 @@
+// The one table of options: C interface, command line, documents and bindings all read it.
+#pragma once
+
+#include "cleft/cleft.h"
+
+#include <cstddef>
+
+namespace cleft::capi
+{
+
+struct OptionRow {
+    cleft_option key;
+    int32_t type;
+    const char* name;
+    double value;
+    double least;
+    double greatest;
+    const char* choices;
+    const char* text;
+};
+
+inline constexpr size_t kOptionCount = 15;
+extern const OptionRow kOptionTable[kOptionCount];
+
+// The row of a key, or -1.
+int option_row(cleft_option key);
+// The row of a name ('-' and '_' are the same), or -1.
+int option_row(const char* name);
+
+}  // namespace cleft::capi

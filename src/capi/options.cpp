@@ -1,0 +1,213 @@
+#include "capi/options.hpp"
+
+#include "capi/firewall.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+namespace cleft::capi
+{
+
+namespace
+{
+
+const OptionRow& checked_row(int row, const std::string& what)
+{
+    if (row < 0)
+        throw Error(CLEFT_ERROR_OPTION, "there is no option " + what);
+    return kOptionTable[row];
+}
+
+void assign(cleft_options& options, const OptionRow& row, double value)
+{
+    if (!std::isfinite(value))
+        throw Error(CLEFT_ERROR_NOT_FINITE, std::string(row.name) + " is NaN or infinite");
+    if (value < row.least || value > row.greatest)
+        throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is out of its range");
+    options.values[static_cast<size_t>(&row - kOptionTable)] = value;
+}
+
+double choice_number(const OptionRow& row, const char* text)
+{
+    const std::string wanted = "|" + std::string(text) + "|";
+    const std::string all = "|" + std::string(row.choices) + "|";
+    const size_t at = all.find(wanted);
+    if (*text == '\0' || std::strchr(text, '|') || at == std::string::npos)
+        throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is none of " + row.choices);
+    double number = 0;
+    for (size_t i = 0; i < at; ++i)
+        number += all[i] == '|';
+    return number;
+}
+
+double parsed(const OptionRow& row, const char* text)
+{
+    if (row.type == CLEFT_OPTION_TYPE_CHOICE)
+        return choice_number(row, text);
+    if (row.type == CLEFT_OPTION_TYPE_FLAG && !std::strcmp(text, "true"))
+        return 1;
+    if (row.type == CLEFT_OPTION_TYPE_FLAG && !std::strcmp(text, "false"))
+        return 0;
+    char* end = nullptr;
+    const double value = std::strtod(text, &end);
+    if (end == text || *end != '\0')
+        throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is not a number: " + text);
+    if (row.type != CLEFT_OPTION_TYPE_REAL && value != std::floor(value))
+        throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is not a whole number: " + text);
+    return value;
+}
+
+void set_labels(std::vector<int32_t>& list, const int32_t* labels, int64_t count)
+{
+    if (count < 0)
+        throw Error(CLEFT_ERROR_ARGUMENT, "count is negative");
+    if (count > 0)
+        required(labels, "labels");
+    list.assign(labels, labels + count);
+}
+
+}  // namespace
+
+double option_value(const cleft_options* options, cleft_option key)
+{
+    const auto row = static_cast<size_t>(option_row(key));
+    return options ? options->values[row] : kOptionTable[row].value;
+}
+
+PipelineOptions pipeline_options(const cleft_options* options)
+{
+    if (options)
+        checked(options, "options");
+    const auto value = [&](cleft_option key) { return option_value(options, key); };
+    PipelineOptions out;
+    out.sizing.size = value(CLEFT_OPTION_SIZE);
+    out.sizing.size_min = value(CLEFT_OPTION_SIZE_MIN);
+    out.sizing.size_max = value(CLEFT_OPTION_SIZE_MAX);
+    if (out.sizing.size_max > 0 && out.sizing.size_max < out.sizing.size_min)
+        throw Error(CLEFT_ERROR_OPTION, "size_max is less than size_min");
+    out.sizing.feature_scale = value(CLEFT_OPTION_FEATURE_SCALE);
+    out.sizing.gradation = value(CLEFT_OPTION_GRADATION);
+    out.sizing.interface_size = value(CLEFT_OPTION_INTERFACE_SIZE);
+    if (options)
+        out.sizing.label_sizes = options->label_sizes;
+    out.background = static_cast<BackgroundKind>(static_cast<int>(value(CLEFT_OPTION_BACKGROUND)));
+    out.particles.steps = static_cast<int>(value(CLEFT_OPTION_STEPS));
+    out.particles.seed = static_cast<uint64_t>(value(CLEFT_OPTION_SEED));
+    out.cleave.snap = static_cast<Snap>(static_cast<int>(value(CLEFT_OPTION_SNAP)));
+    out.improve.effort = static_cast<Effort>(static_cast<int>(value(CLEFT_OPTION_IMPROVE)));
+    out.repair_angle = value(CLEFT_OPTION_REPAIR);
+    out.tets = static_cast<int64_t>(value(CLEFT_OPTION_TETS));
+    out.strict = value(CLEFT_OPTION_STRICT) != 0;
+    return out;
+}
+
+}  // namespace cleft::capi
+
+using namespace cleft::capi;
+
+int32_t cleft_option_count(void) noexcept { return static_cast<int32_t>(kOptionCount); }
+
+cleft_status cleft_option_info(int32_t index, cleft_option_description* out) noexcept
+{
+    return guarded(nullptr, [&] {
+        required(out, "out");
+        if (index < 0 || index >= cleft_option_count() || out->struct_size < sizeof(cleft_option_description))
+            throw cleft::Error(CLEFT_ERROR_ARGUMENT, "index or struct_size is out of its range");
+        const OptionRow& row = kOptionTable[index];
+        out->key = row.key;
+        out->type = row.type;
+        out->name = row.name;
+        out->value = row.value;
+        out->least = row.least;
+        out->greatest = row.greatest;
+        out->choices = row.choices;
+        out->text = row.text;
+    });
+}
+
+cleft_status cleft_options_create(cleft_options** out) noexcept
+{
+    return guarded(nullptr, [&] {
+        required(out, "out");
+        *out = new cleft_options;
+        for (size_t i = 0; i < kOptionCount; ++i)
+            (*out)->values[i] = kOptionTable[i].value;
+    });
+}
+
+void cleft_options_destroy(cleft_options* options) noexcept { destroy(options); }
+
+const char* cleft_options_last_error(const cleft_options* options) noexcept
+{
+    return is_sound(options) ? options->message.data() : "";
+}
+
+cleft_status cleft_options_set_integer(cleft_options* options, cleft_option key, int64_t value) noexcept
+{
+    return guarded(message_of(options), [&] {
+        const OptionRow& row = checked_row(option_row(key), std::to_string(key));
+        if (row.type == CLEFT_OPTION_TYPE_REAL)
+            throw cleft::Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is a real option");
+        assign(checked(options, "options"), row, static_cast<double>(value));
+    });
+}
+
+cleft_status cleft_options_set_real(cleft_options* options, cleft_option key, double value) noexcept
+{
+    return guarded(message_of(options), [&] {
+        const OptionRow& row = checked_row(option_row(key), std::to_string(key));
+        if (row.type != CLEFT_OPTION_TYPE_REAL)
+            throw cleft::Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is not a real option");
+        assign(checked(options, "options"), row, value);
+    });
+}
+
+cleft_status cleft_options_set_text(cleft_options* options, const char* name, const char* value) noexcept
+{
+    return guarded(message_of(options), [&] {
+        const OptionRow& row = checked_row(option_row(required(name, "name")), name);
+        assign(checked(options, "options"), row, parsed(row, required(value, "value")));
+    });
+}
+
+cleft_status cleft_options_get_integer(const cleft_options* options, cleft_option key, int64_t* value) noexcept
+{
+    return guarded(nullptr, [&] {
+        checked_row(option_row(key), std::to_string(key));
+        *required(value, "value") = static_cast<int64_t>(option_value(&checked(options, "options"), key));
+    });
+}
+
+cleft_status cleft_options_get_real(const cleft_options* options, cleft_option key, double* value) noexcept
+{
+    return guarded(nullptr, [&] {
+        checked_row(option_row(key), std::to_string(key));
+        *required(value, "value") = option_value(&checked(options, "options"), key);
+    });
+}
+
+cleft_status cleft_options_set_label_size(cleft_options* options, int32_t label, double size) noexcept
+{
+    return guarded(message_of(options), [&] {
+        auto& sizes = checked(options, "options").label_sizes;
+        if (!std::isfinite(size))
+            throw cleft::Error(CLEFT_ERROR_NOT_FINITE, "the label size is NaN or infinite");
+        if (size < 0)
+            throw cleft::Error(CLEFT_ERROR_OPTION, "the label size is negative");
+        sizes.erase(std::remove_if(sizes.begin(), sizes.end(), [&](const auto& row) { return row.first == label; }),
+                    sizes.end());
+        if (size > 0)
+            sizes.emplace_back(label, size);
+    });
+}
+
+cleft_status cleft_options_set_strip(cleft_options* options, const int32_t* labels, int64_t count) noexcept
+{
+    return guarded(message_of(options), [&] { set_labels(checked(options, "options").strip, labels, count); });
+}
+
+cleft_status cleft_options_set_only(cleft_options* options, const int32_t* labels, int64_t count) noexcept
+{
+    return guarded(message_of(options), [&] { set_labels(checked(options, "options").only, labels, count); });
+}

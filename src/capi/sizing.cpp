@@ -1,0 +1,110 @@
+#include "base/stage_timer.hpp"
+#include "capi/firewall.hpp"
+#include "capi/options.hpp"
+
+#include <cmath>
+
+using namespace cleft::capi;
+using cleft::Error;
+using cleft::Run;
+using cleft::SizingField;
+
+namespace
+{
+
+std::vector<double> as_doubles(cleft_type type, const void* values, int64_t count)
+{
+    const auto n = static_cast<size_t>(count);
+    if (type == CLEFT_TYPE_FLOAT32)
+        return std::vector<double>(static_cast<const float*>(values), static_cast<const float*>(values) + n);
+    if (type == CLEFT_TYPE_FLOAT64)
+        return std::vector<double>(static_cast<const double*>(values), static_cast<const double*>(values) + n);
+    throw Error(CLEFT_ERROR_ARGUMENT, "the values of a sizing field must be FLOAT32 or FLOAT64");
+}
+
+}  // namespace
+
+cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* volume, const cleft_options* options,
+                                 cleft_sizing** out) noexcept
+{
+    return guarded_create(context, out, [&](const Run& run) {
+        const cleft_volume& v = checked(volume, "volume");
+        const cleft::PipelineOptions p = pipeline_options(options);
+        const cleft::StageTimer timer(run, "sizing");
+        cleft_sizing sizing{Mark::sizing, v.frame, cleft::compute_sizing(v.volume, p.sizing, run)};
+        cleft::fit_to_number(sizing.field, p.tets);
+        return sizing;
+    });
+}
+
+cleft_status cleft_sizing_create_constant(cleft_context* context, const cleft_volume* volume, double size,
+                                          cleft_sizing** out) noexcept
+{
+    return guarded_create(context, out, [&](const Run&) {
+        const cleft_volume& v = checked(volume, "volume");
+        if (!std::isfinite(size) || size <= 0)
+            throw Error(CLEFT_ERROR_ARGUMENT, "the size must be a positive number");
+        return cleft_sizing{Mark::sizing, v.frame, cleft::constant_sizing(v.frame.grid, size)};
+    });
+}
+
+cleft_status cleft_sizing_create_values(cleft_context* context, const cleft_volume* volume, cleft_type type,
+                                        const void* values, int32_t combine, const cleft_options* options,
+                                        cleft_sizing** out) noexcept
+{
+    return guarded_create(context, out, [&](const Run& run) {
+        const cleft_volume& v = checked(volume, "volume");
+        required(values, "values");
+        cleft::PipelineOptions p = pipeline_options(options);
+        const std::vector<double> doubles = as_doubles(type, values, v.frame.grid.size());
+        SizingField field = cleft::sizing_from_values(v.frame.grid, doubles.data());
+        if (combine) {
+            p.sizing.user = field.h.data();
+            field = cleft::compute_sizing(v.volume, p.sizing, run);
+        }
+        cleft::fit_to_number(field, p.tets);
+        return cleft_sizing{Mark::sizing, v.frame, std::move(field)};
+    });
+}
+
+void cleft_sizing_destroy(cleft_sizing* sizing) noexcept { destroy(sizing); }
+
+cleft_status cleft_sizing_dims(const cleft_sizing* sizing, int64_t dims[3]) noexcept
+{
+    return guarded(nullptr, [&] {
+        const auto& from = checked(sizing, "sizing").frame.grid.dims;
+        std::copy(from.begin(), from.end(), required(dims, "dims"));
+    });
+}
+
+cleft_status cleft_sizing_affine(const cleft_sizing* sizing, double affine[12]) noexcept
+{
+    return guarded(nullptr, [&] {
+        const auto& from = checked(sizing, "sizing").frame.affine;
+        std::copy(from.begin(), from.end(), required(affine, "affine"));
+    });
+}
+
+const float* cleft_sizing_values(const cleft_sizing* sizing) noexcept
+{
+    return is_sound(sizing) ? sizing->field.h.data() : nullptr;
+}
+
+cleft_status cleft_sizing_at(const cleft_sizing* sizing, const double point[3], double* size) noexcept
+{
+    return guarded(nullptr, [&] {
+        const cleft_sizing& s = checked(sizing, "sizing");
+        required(point, "point");
+        const cleft::Vec3 world(point[0], point[1], point[2]);
+        if (!world.allFinite())
+            throw Error(CLEFT_ERROR_NOT_FINITE, "the point is NaN or infinite");
+        *required(size, "size") = s.field.at(s.frame.to_local(world));
+    });
+}
+
+double cleft_sizing_expected_tets(const cleft_sizing* sizing) noexcept
+{
+    double tets = 0;
+    guarded(nullptr, [&] { tets = is_sound(sizing) ? cleft::expected_background_tets(sizing->field) : 0; });
+    return tets;
+}

@@ -1,0 +1,137 @@
+#include "capi/firewall.hpp"
+#include "capi/options.hpp"
+
+#include "base/stage_timer.hpp"
+
+using namespace cleft::capi;
+using cleft::Error;
+using cleft::Run;
+
+namespace
+{
+
+cleft::VoxelType voxel_type(cleft_type type)
+{
+    switch (type) {
+        case CLEFT_TYPE_UINT8:
+            return cleft::VoxelType::uint8;
+        case CLEFT_TYPE_UINT16:
+            return cleft::VoxelType::uint16;
+        case CLEFT_TYPE_INT16:
+            return cleft::VoxelType::int16;
+        case CLEFT_TYPE_UINT32:
+            return cleft::VoxelType::uint32;
+        case CLEFT_TYPE_INT32:
+            return cleft::VoxelType::int32;
+        default:
+            throw Error(CLEFT_ERROR_ARGUMENT, "type " + std::to_string(type) + " is none of a label map's voxels");
+    }
+}
+
+template <class T>
+cleft::Volume indicators(const void* const* fields, int64_t count, const cleft::Grid& grid, const int32_t* labels,
+                         const Run& run)
+{
+    std::vector<const T*> typed;
+    for (int64_t k = 0; k < count; ++k)
+        typed.push_back(static_cast<const T*>(required(fields[k], "a field")));
+    const int64_t names = count == 1 ? 2 : count;
+    return cleft::Volume::from_indicators(
+        typed, grid, labels ? std::vector<int32_t>(labels, labels + names) : std::vector<int32_t>(), run);
+}
+
+}  // namespace
+
+cleft_status cleft_volume_create_labels(cleft_context* context, cleft_type type, const void* voxels,
+                                        const int64_t dims[3], const double affine[12], const cleft_options* options,
+                                        cleft_volume** out) noexcept
+{
+    return guarded_create(context, out, [&](const Run& run) {
+        required(voxels, "voxels");
+        if (options)
+            checked(options, "options");
+        const cleft::Frame frame = cleft::make_frame(required(dims, "dims"), affine);
+        const int kernel = static_cast<int>(option_value(options, CLEFT_OPTION_SMOOTH));
+        const cleft::StageTimer timer(run, "volume");
+        return cleft_volume{Mark::volume, frame,
+                            cleft::Volume::from_labels(voxel_type(type), voxels, frame.grid, kernel, run)};
+    });
+}
+
+cleft_status cleft_volume_create_indicators(cleft_context* context, cleft_type type, const void* const* fields,
+                                            int64_t count, const int64_t dims[3], const double affine[12],
+                                            const int32_t* labels, cleft_volume** out) noexcept
+{
+    return guarded_create(context, out, [&](const Run& run) {
+        required(fields, "fields");
+        if (count < 1 || count > 65535)
+            throw Error(CLEFT_ERROR_ARGUMENT, "count is " + std::to_string(count) + "; it must be 1 .. 65535");
+        const cleft::Frame frame = cleft::make_frame(required(dims, "dims"), affine);
+        const cleft::StageTimer timer(run, "volume");
+        if (type == CLEFT_TYPE_FLOAT32)
+            return cleft_volume{Mark::volume, frame, indicators<float>(fields, count, frame.grid, labels, run)};
+        if (type == CLEFT_TYPE_FLOAT64)
+            return cleft_volume{Mark::volume, frame, indicators<double>(fields, count, frame.grid, labels, run)};
+        throw Error(CLEFT_ERROR_ARGUMENT, "indicator functions must be FLOAT32 or FLOAT64");
+    });
+}
+
+void cleft_volume_destroy(cleft_volume* volume) noexcept { destroy(volume); }
+
+cleft_status cleft_volume_dims(const cleft_volume* volume, int64_t dims[3]) noexcept
+{
+    return guarded(nullptr, [&] {
+        const auto& from = checked(volume, "volume").frame.grid.dims;
+        std::copy(from.begin(), from.end(), required(dims, "dims"));
+    });
+}
+
+cleft_status cleft_volume_affine(const cleft_volume* volume, double affine[12]) noexcept
+{
+    return guarded(nullptr, [&] {
+        const auto& from = checked(volume, "volume").frame.affine;
+        std::copy(from.begin(), from.end(), required(affine, "affine"));
+    });
+}
+
+int64_t cleft_volume_label_count(const cleft_volume* volume) noexcept
+{
+    return is_sound(volume) ? static_cast<int64_t>(volume->volume.labels().size()) : 0;
+}
+
+const int32_t* cleft_volume_labels(const cleft_volume* volume) noexcept
+{
+    return is_sound(volume) ? volume->volume.labels().data() : nullptr;
+}
+
+cleft_status cleft_volume_copy_voxel_counts(const cleft_volume* volume, int64_t* counts, int64_t capacity) noexcept
+{
+    return guarded(nullptr, [&] {
+        required(counts, "counts");
+        const std::vector<int64_t> all = checked(volume, "volume").volume.voxel_counts();
+        if (capacity < static_cast<int64_t>(all.size()))
+            throw Error(CLEFT_ERROR_BUFFER, "the buffer is too small");
+        std::copy(all.begin(), all.end(), counts);
+    });
+}
+
+cleft_status cleft_volume_sample(const cleft_volume* volume, const double* points, int64_t count,
+                                 int32_t* labels) noexcept
+{
+    return guarded(nullptr, [&] {
+        checked(volume, "volume");
+        if (count < 0)
+            throw Error(CLEFT_ERROR_ARGUMENT, "count is negative");
+        if (count == 0)
+            return;
+        required(points, "points");
+        required(labels, "labels");
+        for (int64_t i = 0; i < count; ++i) {
+            const cleft::Vec3 world(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
+            if (!world.allFinite())
+                throw Error(CLEFT_ERROR_NOT_FINITE, "a point is NaN or infinite");
+            const cleft::Material m = volume->volume.material_at(volume->frame.to_local(world));
+            labels[i] = volume->volume.labels()[static_cast<size_t>(m)];
+        }
+    });
+}

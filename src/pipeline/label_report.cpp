@@ -1,0 +1,105 @@
+#include "pipeline/label_report.hpp"
+
+#include "mesh/finish.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace cleft
+{
+
+namespace
+{
+
+int32_t root(std::vector<int32_t>& parent, int32_t v)
+{
+    while (parent[static_cast<size_t>(v)] != v) {
+        int32_t& up = parent[static_cast<size_t>(v)];
+        up = parent[static_cast<size_t>(up)];
+        v = up;
+    }
+    return v;
+}
+
+// Union-find over faces of voxels; a component is named by its least voxel, so the result has one form only.
+std::vector<int32_t> voxel_components(const Volume& volume, const Run& run)
+{
+    const Grid& grid = volume.grid();
+    std::vector<int32_t> parent(static_cast<size_t>(grid.size()));
+    const int64_t step[3] = {1, grid.dims[0], int64_t{grid.dims[0]} * grid.dims[1]};
+    int64_t v = 0;
+    for (int32_t k = 0; k < grid.dims[2]; ++k) {
+        run.report(k / static_cast<double>(grid.dims[2]), "counting components");
+        for (int32_t j = 0; j < grid.dims[1]; ++j)
+            for (int32_t i = 0; i < grid.dims[0]; ++i, ++v) {
+                parent[static_cast<size_t>(v)] = static_cast<int32_t>(v);
+                const int32_t at[3] = {i, j, k};
+                for (int axis = 0; axis < 3; ++axis) {
+                    const int64_t w = v - step[axis];
+                    if (at[axis] == 0 || volume.voxel_material(v) != volume.voxel_material(w))
+                        continue;
+                    const int32_t a = root(parent, static_cast<int32_t>(v)), b = root(parent, static_cast<int32_t>(w));
+                    parent[static_cast<size_t>(std::max(a, b))] = std::min(a, b);
+                }
+            }
+    }
+    for (int32_t u = 0; u < static_cast<int32_t>(parent.size()); ++u)
+        parent[static_cast<size_t>(u)] = parent[static_cast<size_t>(parent[static_cast<size_t>(u)])];
+    return parent;
+}
+
+int64_t voxel_of(const Grid& grid, const Vec3& x)
+{
+    int32_t at[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        const int32_t last = grid.dims[static_cast<size_t>(axis)] - 1;
+        at[axis] = std::clamp(static_cast<int32_t>(x[axis] / grid.spacing[axis]), 0, last);
+    }
+    return grid.index(at[0], at[1], at[2]);
+}
+
+}  // namespace
+
+std::vector<LabelRow> label_report(const Volume& volume, const LabelledMesh& mesh, const Run& run)
+{
+    const Grid& grid = volume.grid();
+    const Material count = volume.material_count();
+    std::vector<LabelRow> rows(static_cast<size_t>(count));
+    const std::vector<int64_t> voxels = volume.voxel_counts();
+    const std::vector<double> volumes = material_volumes(mesh, count);
+    const auto parts = material_parts(mesh, count, run);
+    for (size_t m = 0; m < rows.size(); ++m) {
+        rows[m].label = volume.labels()[m];
+        rows[m].voxels = voxels[m];
+        rows[m].voxel_volume = static_cast<double>(voxels[m]) * grid.spacing.prod();
+        rows[m].mesh_volume = volumes[m];
+        rows[m].mesh_components = static_cast<int64_t>(parts[m].size());
+    }
+
+    const std::vector<int32_t> roots = voxel_components(volume, run);
+    std::vector<int32_t> sizes(roots.size(), 0);  // at each root: voxels; made negative when a tetrahedron lies in it
+    for (const int32_t r : roots)
+        ++sizes[static_cast<size_t>(r)];
+    for (size_t t = 0; t < mesh.tets.size(); ++t) {
+        const Tet& tet = mesh.tets[t];
+        const auto point = [&](size_t i) -> const Vec3& { return mesh.points[static_cast<size_t>(tet[i])]; };
+        const int64_t voxel = voxel_of(grid, (point(0) + point(1) + point(2) + point(3)) / 4);
+        ++rows[static_cast<size_t>(mesh.material[t])].tets;
+        int32_t& size = sizes[static_cast<size_t>(roots[static_cast<size_t>(voxel)])];
+        if (volume.voxel_material(voxel) == mesh.material[t])
+            size = -std::abs(size);
+    }
+    for (size_t v = 0; v < roots.size(); ++v) {
+        if (roots[v] != static_cast<int32_t>(v))
+            continue;
+        LabelRow& row = rows[static_cast<size_t>(volume.voxel_material(static_cast<int64_t>(v)))];
+        ++row.voxel_components;
+        if (std::abs(sizes[v]) > kLargeComponent) {
+            ++row.large_components;
+            row.large_components_lost += sizes[v] > 0;
+        }
+    }
+    return rows;
+}
+
+}  // namespace cleft

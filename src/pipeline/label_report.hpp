@@ -1,0 +1,26 @@
+// What became of each label: volumes and connected components in the volume and in the mesh.
+#pragma once
+
+#include "mesh/tet_mesh.hpp"
+#include "volume/volume.hpp"
+
+#include <vector>
+
+namespace cleft
+{
+
+struct LabelRow {
+    int32_t label = 0;
+    int64_t voxels = 0;
+    double voxel_volume = 0, mesh_volume = 0;
+    int64_t tets = 0;
+    int64_t voxel_components = 0, mesh_components = 0;
+    int64_t large_components = 0, large_components_lost = 0;  // of more than kLargeComponent voxels
+};
+
+inline constexpr int64_t kLargeComponent = 30;
+
+// `mesh` in the local frame of the volume.
+std::vector<LabelRow> label_report(const Volume& volume, const LabelledMesh& mesh, const Run& run);
+
+}  // namespace cleft

@@ -1,0 +1,168 @@
+#include "pipeline/pipeline.hpp"
+
+#include "background/repair.hpp"
+#include "base/stage_timer.hpp"
+#include "mesh/finish.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace cleft
+{
+
+namespace
+{
+
+// Refuses to give back a mesh without one of the volume's labels when the user asked for all.
+void require_all_labels(const Volume& volume, const LabelledMesh& mesh)
+{
+    std::vector<char> met(volume.labels().size(), 0);
+    for (const Material m : mesh.material)
+        met[static_cast<size_t>(m)] = 1;
+    const std::vector<int64_t> voxels = volume.voxel_counts();
+    for (size_t m = 0; m < met.size(); ++m)
+        if (!met[m] && voxels[m] > 0)
+            throw Error(CLEFT_ERROR_LABEL_LOST, "label " + std::to_string(volume.labels()[m]) + " (" +
+                                                    std::to_string(voxels[m]) +
+                                                    " voxels) has no tetrahedron; a smaller size would keep it");
+}
+
+LabelledMesh finished(const Volume& volume, LabelledMesh mesh, const PipelineOptions& options, const Run& run)
+{
+    if (options.strict)
+        require_all_labels(volume, mesh);
+    const StageTimer timer(run, "finish");
+    order_spatially(mesh, run);
+    return mesh;
+}
+
+// One run at one size, without the finishing.
+LabelledMesh attempt(const Volume& volume, const SizingField& field, const PipelineOptions& options, const Run& run)
+{
+    const TetMesh background = make_background(field, options, part_of(run, 0.0, 0.5));
+    return cleave_and_improve(volume, background, options, part_of(run, 0.5, 1.0));
+}
+
+// The number of tetrahedra grows between the square (all at interfaces) and the cube of 1 / size. Corrects the size by
+// the secant in logarithms until the number is met within 10 %; a handful of rounds is always enough for a smooth law.
+LabelledMesh attempt_number(const Volume& volume, SizingField& field, const PipelineOptions& options, const Run& run)
+{
+    constexpr int kRounds = 5;
+    constexpr double kTolerance = 0.08;
+    const double wanted = static_cast<double>(options.tets);
+    double exponent = 2.6, factor = 1, last_factor = 0, last_count = 0;
+    LabelledMesh mesh;
+    for (int round = 0; round < kRounds; ++round) {
+        mesh = attempt(volume, field, options, part_of(run, round / double(kRounds), (round + 1) / double(kRounds)));
+        const double count = static_cast<double>(mesh.tets.size());
+        run.note("pipeline.rounds", round + 1);
+        if (std::abs(count - wanted) <= kTolerance * wanted)
+            return mesh;
+        if (last_factor > 0 && factor != last_factor && count != last_count) {
+            const double slope = -std::log(count / last_count) / std::log(factor / last_factor);
+            exponent = std::min(3.5, std::max(1.0, slope));
+        }
+        last_factor = factor;
+        last_count = count;
+        const double step = std::pow(count / wanted, 1 / exponent);
+        factor *= step;
+        if (round + 1 < kRounds) {
+            mesh = LabelledMesh();
+            scale_sizing(field, step);
+        }
+    }
+    if (std::abs(static_cast<double>(mesh.tets.size()) - wanted) > 0.1 * wanted)
+        run.say(CLEFT_LOG_WARNING, "the wanted number of tetrahedra, " + std::to_string(options.tets) +
+                                       ", was not met: " + std::to_string(mesh.tets.size()));
+    return mesh;
+}
+
+}  // namespace
+
+Run part_of(const Run& run, double from, double to)
+{
+    Run part = run;
+    if (run.progress)
+        part.progress = [progress = run.progress, from, to](double fraction, const char* stage) {
+            return progress(from + (to - from) * fraction, stage);
+        };
+    return part;
+}
+
+void fit_to_number(SizingField& field, int64_t tets)
+{
+    // A finished mesh has about 2.2 times the tetrahedra of its background where interfaces are as dense as in an
+    // atlas, and as many where there are none: a first guess takes the middle.
+    constexpr double kCleavedOverBackground = 1.6;
+    if (tets > 0)
+        scale_sizing(field,
+                     std::cbrt(kCleavedOverBackground * expected_background_tets(field) / static_cast<double>(tets)));
+}
+
+TetMesh make_background(const SizingField& field, const PipelineOptions& options, const Run& run)
+{
+    const StageTimer timer(run, "background");
+    TetMesh mesh;
+    switch (options.background) {
+        case BackgroundKind::particles:
+            mesh = particle_background(field, options.particles, run);
+            break;
+        case BackgroundKind::lattice:
+        case BackgroundKind::octree:
+            throw Error(CLEFT_ERROR_UNSUPPORTED, "this version makes no lattice or octree background; use particles");
+    }
+    run.note("background.points", static_cast<double>(mesh.points.size()));
+    run.note("background.tets", static_cast<double>(mesh.tets.size()));
+    return mesh;
+}
+
+void repair_background(TetMesh& background, const PipelineOptions& options, const Run& run)
+{
+    if (options.repair_angle <= 0)
+        return;
+    const StageTimer timer(run, "background");
+    RepairOptions repair_options;
+    repair_options.target_angle = options.repair_angle;
+    repair_options.sweeps = 0;  // a user's points stay where they are unless a bad tetrahedron needs them moved
+    repair(background, repair_options, run);
+}
+
+LabelledMesh cleave_and_improve(const Volume& volume, const TetMesh& background, const PipelineOptions& options,
+                                const Run& run)
+{
+    LabelledMesh mesh;
+    {
+        const StageTimer timer(run, "cleaving");
+        mesh = cleave(volume, background, options.cleave, part_of(run, 0.0, 0.7));
+    }
+    if (options.improve.effort != Effort::off) {
+        const StageTimer timer(run, "improving");
+        improve(mesh, volume, options.improve, part_of(run, 0.7, 1.0));
+    }
+    return mesh;
+}
+
+LabelledMesh mesh_from_sizing(const Volume& volume, SizingField field, const PipelineOptions& options, const Run& run)
+{
+    if (options.tets > 0) {
+        LabelledMesh mesh = attempt_number(volume, field, options, run);
+        field = SizingField();
+        return finished(volume, std::move(mesh), options, run);
+    }
+    TetMesh background = make_background(field, options, part_of(run, 0.0, 0.5));
+    field = SizingField();
+    LabelledMesh mesh = cleave_and_improve(volume, background, options, part_of(run, 0.5, 1.0));
+    background = TetMesh();
+    return finished(volume, std::move(mesh), options, run);
+}
+
+LabelledMesh mesh_from_background(const Volume& volume, TetMesh background, const PipelineOptions& options,
+                                  const Run& run)
+{
+    repair_background(background, options, part_of(run, 0.0, 0.2));
+    LabelledMesh mesh = cleave_and_improve(volume, background, options, part_of(run, 0.2, 1.0));
+    background = TetMesh();
+    return finished(volume, std::move(mesh), options, run);
+}
+
+}  // namespace cleft

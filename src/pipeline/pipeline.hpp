@@ -1,0 +1,50 @@
+// The stages one after the other.
+#pragma once
+
+#include "background/particles.hpp"
+#include "cleaving/cleave.hpp"
+#include "improving/improve.hpp"
+#include "sizing/sizing.hpp"
+#include "volume/volume.hpp"
+
+#include <vector>
+
+namespace cleft
+{
+
+enum class BackgroundKind { particles, lattice, octree };
+
+struct PipelineOptions {
+    SizingOptions sizing;
+    BackgroundKind background = BackgroundKind::particles;
+    ParticleOptions particles;
+    CleaveOptions cleave;
+    ImproveOptions improve;
+    double repair_angle = 30;  // degrees; 0: a user's background is cleaved as it is
+    int64_t tets = 0;          // wanted number of tetrahedra; 0: as the sizing field says
+    bool strict = false;
+};
+
+// The same run with its progress squeezed into [from, to].
+Run part_of(const Run& run, double from, double to);
+
+// Scales a sizing field so that about `tets` tetrahedra are to be expected of the finished mesh; 0: leaves it.
+void fit_to_number(SizingField& field, int64_t tets);
+
+TetMesh make_background(const SizingField& field, const PipelineOptions& options, const Run& run);
+
+// Repairs poor tetrahedra of a user's own background, as the options say.
+void repair_background(TetMesh& background, const PipelineOptions& options, const Run& run);
+
+// Cleaving and improving.
+LabelledMesh cleave_and_improve(const Volume& volume, const TetMesh& background, const PipelineOptions& options,
+                                const Run& run);
+
+// From the sizing field on; the field is given away so that its memory is free when cleaving begins.
+LabelledMesh mesh_from_sizing(const Volume& volume, SizingField field, const PipelineOptions& options, const Run& run);
+
+// From a user's background on.
+LabelledMesh mesh_from_background(const Volume& volume, TetMesh background, const PipelineOptions& options,
+                                  const Run& run);
+
+}  // namespace cleft

@@ -1,0 +1,78 @@
+#include "volume/frame.hpp"
+
+#include "base/error.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <string>
+
+namespace cleft
+{
+
+namespace
+{
+
+Grid checked_grid(const int64_t dims[3])
+{
+    Grid grid;
+    for (size_t axis = 0; axis < 3; ++axis) {
+        if (dims[axis] < 1)
+            throw Error(CLEFT_ERROR_ARGUMENT, "dims[" + std::to_string(axis) + "] is " + std::to_string(dims[axis]) +
+                                                  "; each must be at least 1");
+        if (dims[axis] > INT32_MAX / 4)
+            throw Error(CLEFT_ERROR_TOO_LARGE, "dims[" + std::to_string(axis) + "] is " + std::to_string(dims[axis]) +
+                                                   ", too many for 32-bit numbering");
+        grid.dims[axis] = static_cast<int32_t>(dims[axis]);
+    }
+    if (static_cast<double>(dims[0]) * static_cast<double>(dims[1]) * static_cast<double>(dims[2]) > INT32_MAX)
+        throw Error(CLEFT_ERROR_TOO_LARGE, "the volume has more than 2147483647 voxels");
+    return grid;
+}
+
+}  // namespace
+
+Vec3 Frame::to_local(const Vec3& world) const
+{
+    Vec3 local = inverse * (world - offset);
+    const Vec3 extent = grid.extent();
+    const double tolerance = 1e-9 * extent.maxCoeff();
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(local[axis]) < tolerance)
+            local[axis] = 0;
+        else if (std::abs(local[axis] - extent[axis]) < tolerance)
+            local[axis] = extent[axis];
+    }
+    return local;
+}
+
+Frame make_frame(const int64_t dims[3], const double* affine)
+{
+    static const double unit[12] = {1, 0, 0, 0.5, 0, 1, 0, 0.5, 0, 0, 1, 0.5};
+    const double* a = affine ? affine : unit;
+    Frame frame;
+    frame.grid = checked_grid(dims);
+    Mat3 columns;
+    Vec3 origin;
+    for (int i = 0; i < 12; ++i) {
+        if (!std::isfinite(a[i]))
+            throw Error(CLEFT_ERROR_NOT_FINITE, "affine[" + std::to_string(i) + "] is NaN or infinite");
+        frame.affine[static_cast<size_t>(i)] = a[i];
+        if (i % 4 == 3)
+            origin[i / 4] = a[i];
+        else
+            columns(i / 4, i % 4) = a[i];
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        frame.grid.spacing[axis] = columns.col(axis).stableNorm();
+        if (!(frame.grid.spacing[axis] > 0) || !std::isfinite(frame.grid.spacing[axis]))
+            throw Error(CLEFT_ERROR_ARGUMENT, "column " + std::to_string(axis) + " of the affine has no length");
+        frame.linear.col(axis) = columns.col(axis) / frame.grid.spacing[axis];
+    }
+    if (std::abs(frame.linear.determinant()) < 1e-6)
+        throw Error(CLEFT_ERROR_ARGUMENT, "the affine flattens the volume: its columns lie in one plane");
+    frame.offset = origin - columns * Vec3(0.5, 0.5, 0.5);
+    frame.inverse = frame.linear.inverse();
+    return frame;
+}
+
+}  // namespace cleft

@@ -1,0 +1,30 @@
+// From the local frame of the stages to the world of the user, and back.
+#pragma once
+
+#include "base/vec.hpp"
+#include "volume/grid.hpp"
+
+#include <array>
+#include <vector>
+
+namespace cleft
+{
+
+struct Frame {
+    Grid grid;
+    std::array<double, 12> affine{};  // voxel index -> world, 3 rows of 4
+    Mat3 linear = Mat3::Identity();   // local -> world: world = linear * local + offset
+    Vec3 offset = Vec3::Zero();
+    Mat3 inverse = Mat3::Identity();
+
+    Vec3 to_world(const Vec3& local) const { return linear * local + offset; }
+    // A point within 1e-9 of the longest side of a box plane is put exactly on it, so that planes survive the way to
+    // the world and back.
+    Vec3 to_local(const Vec3& world) const;
+    bool flips() const { return linear.determinant() < 0; }
+};
+
+// Throws an Error naming the entry at fault. `affine` may be null: spacing 1, the corner of the box at the origin.
+Frame make_frame(const int64_t dims[3], const double* affine);
+
+}  // namespace cleft
