@@ -3,7 +3,8 @@
 
 #include "mesh/tet_mesh.hpp"
 
-namespace cleft {
+namespace cleft
+{
 
 // Corners of the face opposite corner i, wound so that it looks outward from a positive tetrahedron.
 inline constexpr int kFaceCorners[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};

@@ -4,7 +4,8 @@
 #include "base/run.hpp"
 #include "mesh/tet_mesh.hpp"
 
-namespace cleft {
+namespace cleft
+{
 
 // Renumbers points and tetrahedra along a Hilbert curve, for solvers; drops unused points.
 void order_spatially(LabelledMesh& mesh, const Run& run);

@@ -4,7 +4,8 @@
 #include "base/run.hpp"
 #include "mesh/tet_mesh.hpp"
 
-namespace cleft {
+namespace cleft
+{
 
 using Triangle = std::array<int32_t, 3>;
 

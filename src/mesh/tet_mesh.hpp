@@ -7,7 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-namespace cleft {
+namespace cleft
+{
 
 // Corners of a tetrahedron, positively oriented: det[b-a, c-a, d-a] > 0.
 using Tet = std::array<int32_t, 4>;

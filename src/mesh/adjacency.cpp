@@ -1,0 +1,55 @@
+#include "mesh/adjacency.hpp"
+
+#include "base/error.hpp"
+#include "mesh/face_buckets.hpp"
+
+namespace cleft
+{
+
+std::vector<std::array<int32_t, 4>> tet_neighbours(const std::vector<Tet>& tets, int64_t point_count)
+{
+    for (size_t t = 0; t < tets.size(); ++t)
+        if (has_bad_index(tets[t], point_count) || has_repeated_corner(tets[t]))
+            throw Error(CLEFT_ERROR_INVALID_MESH,
+                        "tetrahedron " + std::to_string(t) + " does not have four different points of the mesh");
+    const FaceBuckets buckets(tets, point_count);
+    std::vector<std::array<int32_t, 4>> neighbours(tets.size(), {-1, -1, -1, -1});
+    const auto link = [&](const HalfFace& from, const HalfFace& to) {
+        neighbours[static_cast<size_t>(from.tet())][static_cast<size_t>(from.corner())] = to.tet();
+    };
+    buckets.for_each_face(0, point_count, [&](const HalfFace* faces, size_t count) {
+        if (count > 2)
+            throw Error(CLEFT_ERROR_INVALID_MESH, std::to_string(count) +
+                                                      " tetrahedra share one face: " + std::to_string(faces[0].tet()) +
+                                                      ", " + std::to_string(faces[1].tet()) + ", " +
+                                                      std::to_string(faces[2].tet()) + (count > 3 ? ", ..." : ""));
+        if (count == 2) {
+            link(faces[0], faces[1]);
+            link(faces[1], faces[0]);
+        }
+    });
+    return neighbours;
+}
+
+std::vector<uint8_t> frozen_axes(const std::vector<Vec3>& points, const std::vector<Tet>& tets,
+                                 const std::vector<std::array<int32_t, 4>>& neighbours)
+{
+    std::vector<uint8_t> frozen(points.size(), 0);
+    for (size_t t = 0; t < tets.size(); ++t)
+        for (size_t i = 0; i < 4; ++i) {
+            if (neighbours[t][i] >= 0)
+                continue;
+            std::array<size_t, 3> face{};
+            for (size_t k = 0; k < 3; ++k)
+                face[k] = static_cast<size_t>(tets[t][static_cast<size_t>(kFaceCorners[i][k])]);
+            unsigned axes = 0;
+            for (int axis = 0; axis < 3; ++axis)
+                if (points[face[0]][axis] == points[face[1]][axis] && points[face[0]][axis] == points[face[2]][axis])
+                    axes |= 1u << axis;
+            for (const size_t p : face)
+                frozen[p] = static_cast<uint8_t>(frozen[p] | (axes ? axes : 7u));
+        }
+    return frozen;
+}
+
+}  // namespace cleft
