@@ -1,0 +1,82 @@
+// cleft convert: a mesh from one format to another, or some of its labels.
+#include "commands.hpp"
+#include "guarded.hpp"
+#include "json_report.hpp"
+#include "option_arguments.hpp"
+#include "output_files.hpp"
+#include "text.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <memory>
+
+namespace cleft_cli
+{
+namespace
+{
+
+struct ConvertArguments {
+    std::string from, to;
+    std::string msh_version = "4.1";
+    OptionArguments options;
+    RunArguments run;
+};
+
+int run_convert(const ConvertArguments& arguments)
+{
+    const Options options = arguments.options.make();
+    const OutputFile output = checked_mesh_output(arguments.to, arguments.msh_version);
+    check_json_output(arguments.run.json);
+    Session session(arguments.run);
+    Mesh mesh;
+    session.timed("read", "reading the mesh", [&] {
+        mesh = session.make<Mesh>(EXIT_CANNOT_READ, [&](cleft_mesh** out) {
+            return cleft_io_read_mesh(session.context(), arguments.from.c_str(), out);
+        });
+    });
+    session.timed("strip", "leaving labels out", [&] {
+        mesh = session.make<Mesh>(EXIT_MESHING_FAILED, [&](cleft_mesh** out) {
+            return cleft_mesh_strip(session.context(), mesh.get(), options.get(), out);
+        });
+    });
+    session.timed("write", "writing", [&] { write_mesh(session, mesh.get(), {output}); });
+    session.clear_progress();
+    if (arguments.run.prints())
+        std::cout << grouped(cleft_mesh_tet_count(mesh.get())) << " tetrahedra, "
+                  << grouped(cleft_mesh_point_count(mesh.get())) << " points written to " << arguments.to << "\n";
+    if (!arguments.run.json.empty()) {
+        auto report = report_head("convert");
+        report["inputs"] = {arguments.from};
+        report["outputs"] = {arguments.to};
+        report["points"] = cleft_mesh_point_count(mesh.get());
+        report["tets"] = cleft_mesh_tet_count(mesh.get());
+        add_run(report, session);
+        write_json(report, arguments.run.json);
+    }
+    return EXIT_OK;
+}
+
+}  // namespace
+
+Command add_convert_command(CLI::App& app)
+{
+    auto arguments = std::make_shared<ConvertArguments>();
+    CLI::App& parser = *app.add_subcommand("convert", "Write a mesh in another format");
+    parser.add_option("A", arguments->from, "The mesh to read")->required()->type_name("");
+    parser.add_option("B", arguments->to, "The file to write")->required()->type_name("");
+    parser.add_option("--msh-version", arguments->msh_version, "Version of Gmsh's format for .msh (default 4.1)")
+        ->check(CLI::IsMember({"4.1", "2.2"}))
+        ->type_name("4.1|2.2");
+    arguments->options.add_label_lists_to(parser);
+    arguments->run.add_to(parser);
+    parser.footer(
+        "Formats that can be read:\n" + format_help(CLEFT_IO_READS_MESH) + "\nFormats that can be written:\n" +
+        format_help(CLEFT_IO_WRITES_MESH) +
+        "\nExamples:\n  cleft convert head.vtu head.inp --strip 0\n  cleft convert head.msh interfaces.stl\n\n" +
+        exit_code_help());
+    return {&parser,
+            [arguments] { return guarded("convert", arguments->run, [&] { return run_convert(*arguments); }); }};
+}
+
+}  // namespace cleft_cli

@@ -1,0 +1,44 @@
+// How the command ends, and the exception that ends it.
+#pragma once
+
+#include "cleft/cleft.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace cleft_cli
+{
+
+// Part of the command's interface: scripts rely on the numbers. 128 + n: ended by signal n.
+enum ExitCode {
+    EXIT_OK = 0,
+    EXIT_CHECK_FAILED = 1,
+    EXIT_USAGE = 2,
+    EXIT_CANNOT_READ = 3,
+    EXIT_CANNOT_WRITE = 4,
+    EXIT_MESHING_FAILED = 5,
+    EXIT_LABEL_LOST = 6,
+    EXIT_OUT_OF_MEMORY = 7,
+    EXIT_INTERRUPTED = 130
+};
+
+// The list of exit codes as --help prints it.
+inline const char* exit_code_help()
+{
+    return "Exit codes: 0 done; 1 the mesh is not valid; 2 usage; 3 an input cannot be read; 4 an output cannot\n"
+           "be written; 5 meshing failed; 6 a label was lost (--strict); 7 out of memory; 130 stopped by Ctrl-C\n"
+           "(128 + the number of the signal). A failed or stopped run leaves no output and no part of one.";
+}
+
+struct Failure : std::runtime_error {
+    Failure(int exit_code_, cleft_status status_, const std::string& sentence)
+        : std::runtime_error(sentence), exit_code(exit_code_), status(status_)
+    {
+    }
+    int exit_code;
+    cleft_status status;
+};
+
+inline Failure usage_failure(const std::string& sentence) { return {EXIT_USAGE, CLEFT_ERROR_OPTION, sentence}; }
+
+}  // namespace cleft_cli

@@ -1,0 +1,144 @@
+#include "findings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cleft_cli
+{
+namespace
+{
+
+using Point = std::array<double, 3>;
+
+Point point_at(const double* points, int32_t number)
+{
+    const double* p = points + 3 * static_cast<int64_t>(number);
+    return {p[0], p[1], p[2]};
+}
+
+double tet_volume(const double* points, const int32_t* tet)
+{
+    const Point a = point_at(points, tet[0]);
+    double edges[3][3];
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        const Point p = point_at(points, tet[corner + 1]);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            edges[corner][axis] = p[axis] - a[axis];
+    }
+    const auto& [u, v, w] = edges;
+    return (u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) +
+            u[2] * (v[0] * w[1] - v[1] * w[0])) /
+           6;
+}
+
+void note_bounds(const double* points, int64_t count, Point& low, Point& high)
+{
+    if (count == 0)
+        return;
+    low = high = point_at(points, 0);
+    for (int64_t i = 0; i < 3 * count; ++i) {
+        const auto axis = static_cast<std::size_t>(i % 3);
+        low[axis] = std::min(low[axis], points[i]);
+        high[axis] = std::max(high[axis], points[i]);
+    }
+}
+
+std::map<int32_t, LabelTotals> label_totals(const cleft_mesh* mesh)
+{
+    // Labels are few and ascending: sums by place, then by name.
+    const int32_t* names = cleft_mesh_labels(mesh);
+    const int64_t name_count = cleft_mesh_label_count(mesh);
+    std::vector<LabelTotals> sums(static_cast<std::size_t>(name_count));
+    const double* points = cleft_mesh_points(mesh);
+    const int32_t* tets = cleft_mesh_tets(mesh);
+    const int32_t* labels = cleft_mesh_tet_labels(mesh);
+    for (int64_t t = 0; t < cleft_mesh_tet_count(mesh); ++t) {
+        const auto place = std::lower_bound(names, names + name_count, labels[t]) - names;
+        LabelTotals& sum = sums[static_cast<std::size_t>(place)];
+        ++sum.tets;
+        sum.volume += tet_volume(points, tets + 4 * t);
+    }
+    std::map<int32_t, LabelTotals> totals;
+    for (std::size_t place = 0; place < sums.size(); ++place)
+        totals[names[place]] = sums[place];
+    return totals;
+}
+
+}  // namespace
+
+MeshFindings look_at_mesh(const Session& session, const cleft_mesh* mesh)
+{
+    MeshFindings found;
+    found.points = cleft_mesh_point_count(mesh);
+    found.tets = cleft_mesh_tet_count(mesh);
+    note_bounds(cleft_mesh_points(mesh), found.points, found.low, found.high);
+    found.labels = label_totals(mesh);
+    const auto surface = session.make<Surface>(
+        EXIT_MESHING_FAILED, [&](cleft_surface** out) { return cleft_surface_create(session.context(), mesh, out); });
+    found.interface_triangles = cleft_surface_interface_count(surface.get());
+    found.hull_triangles = cleft_surface_hull_count(surface.get());
+    found.quality.struct_size = sizeof found.quality;
+    session.check(cleft_mesh_quality(session.context(), mesh, &found.quality), EXIT_MESHING_FAILED);
+    return found;
+}
+
+double VolumeFindings::voxel_volume() const
+{
+    const auto& a = affine;
+    return std::fabs(a[0] * (a[5] * a[10] - a[6] * a[9]) - a[1] * (a[4] * a[10] - a[6] * a[8]) +
+                     a[2] * (a[4] * a[9] - a[5] * a[8]));
+}
+
+void VolumeFindings::bounds(Point& low, Point& high) const
+{
+    low.fill(std::numeric_limits<double>::infinity());
+    high.fill(-std::numeric_limits<double>::infinity());
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        for (std::size_t row = 0; row < 3; ++row) {
+            double value = affine[4 * row + 3];
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const double index = (corner >> axis & 1U) != 0 ? static_cast<double>(dims[axis]) - 0.5 : -0.5;
+                value += affine[4 * row + axis] * index;
+            }
+            low[row] = std::min(low[row], value);
+            high[row] = std::max(high[row], value);
+        }
+    }
+}
+
+VolumeFindings look_at_volume(const Session& session, const cleft_volume* volume)
+{
+    VolumeFindings found;
+    session.check(cleft_volume_dims(volume, found.dims.data()), EXIT_MESHING_FAILED);
+    session.check(cleft_volume_affine(volume, found.affine.data()), EXIT_MESHING_FAILED);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        found.spacing[axis] = std::hypot(found.affine[axis], found.affine[4 + axis], found.affine[8 + axis]);
+    const int64_t count = cleft_volume_label_count(volume);
+    std::vector<int64_t> voxels(static_cast<std::size_t>(count));
+    session.check(cleft_volume_copy_voxel_counts(volume, voxels.data(), count), EXIT_MESHING_FAILED);
+    for (std::size_t i = 0; i < voxels.size(); ++i)
+        found.voxels[cleft_volume_labels(volume)[i]] += voxels[i];
+    return found;
+}
+
+std::vector<cleft_label_report> label_reports(const Session& session, const cleft_volume* volume,
+                                              const cleft_mesh* mesh)
+{
+    const auto report = session.make<Report>(EXIT_MESHING_FAILED, [&](cleft_report** out) {
+        return cleft_report_create(session.context(), volume, mesh, out);
+    });
+    std::vector<cleft_label_report> rows(static_cast<std::size_t>(cleft_report_count(report.get())));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i].struct_size = sizeof rows[i];
+        session.check(cleft_report_label(report.get(), static_cast<int64_t>(i), &rows[i]), EXIT_MESHING_FAILED);
+    }
+    return rows;
+}
+
+double difference_percent(const cleft_label_report& row)
+{
+    return row.voxel_volume > 0 ? 100 * (row.mesh_volume / row.voxel_volume - 1) : 0;
+}
+
+}  // namespace cleft_cli

@@ -1,0 +1,49 @@
+// What is found out about a mesh, for the summary and the machine-readable report.
+#pragma once
+
+#include "session.hpp"
+
+#include <array>
+#include <map>
+#include <vector>
+
+namespace cleft_cli
+{
+
+struct LabelTotals {
+    int64_t tets = 0;
+    double volume = 0;
+};
+
+struct MeshFindings {
+    int64_t points = 0;
+    int64_t tets = 0;
+    int64_t interface_triangles = 0;
+    int64_t hull_triangles = 0;
+    std::array<double, 3> low{}, high{};  // bounding box
+    std::map<int32_t, LabelTotals> labels;
+    cleft_quality quality{};
+};
+
+MeshFindings look_at_mesh(const Session& session, const cleft_mesh* mesh);
+
+struct VolumeFindings {
+    std::array<int64_t, 3> dims{};
+    std::array<double, 12> affine{};
+    std::array<double, 3> spacing{};
+    std::map<int32_t, int64_t> voxels;  // of each label
+
+    int64_t voxel_count() const { return dims[0] * dims[1] * dims[2]; }
+    double voxel_volume() const;
+    // The corners of the box in world coordinates, least and greatest.
+    void bounds(std::array<double, 3>& low, std::array<double, 3>& high) const;
+};
+
+VolumeFindings look_at_volume(const Session& session, const cleft_volume* volume);
+
+// The library's per-label report as values.
+std::vector<cleft_label_report> label_reports(const Session& session, const cleft_volume* volume,
+                                              const cleft_mesh* mesh);
+double difference_percent(const cleft_label_report& row);
+
+}  // namespace cleft_cli

@@ -1,0 +1,15 @@
+// The one place where failures end.
+#pragma once
+
+#include "session.hpp"
+
+#include <functional>
+#include <string>
+
+namespace cleft_cli
+{
+
+// Runs a command. A failure is told on stderr and in the JSON file, and becomes the exit code.
+int guarded(const std::string& command, const RunArguments& arguments, const std::function<int()>& body);
+
+}  // namespace cleft_cli

@@ -1,0 +1,108 @@
+// cleft info: what is in a volume or a mesh.
+#include "commands.hpp"
+#include "findings.hpp"
+#include "guarded.hpp"
+#include "json_report.hpp"
+#include "output_files.hpp"
+#include "summary.hpp"
+#include "volume_arguments.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <memory>
+
+namespace cleft_cli
+{
+namespace
+{
+
+struct InfoArguments {
+    VolumeArguments input;
+    RunArguments run;
+};
+
+bool is_mesh(const InfoArguments& arguments)
+{
+    return arguments.input.dims.empty() && arguments.input.inputs.size() == 1 &&
+           cleft_io_guess(arguments.input.inputs.front().c_str()) == CLEFT_IO_MESH;
+}
+
+std::string affine_lines(const VolumeFindings& volume)
+{
+    std::string text;
+    for (std::size_t row = 0; row < 3; ++row) {
+        char buffer[160];
+        const double* a = volume.affine.data() + 4 * row;
+        std::snprintf(buffer, sizeof buffer, "%-11s%11.6g %11.6g %11.6g   %12.6g\n", row == 0 ? "Affine" : "", a[0],
+                      a[1], a[2], a[3]);
+        text += buffer;
+    }
+    return text;
+}
+
+int tell_volume(Session& session, const InfoArguments& arguments)
+{
+    VolumeFindings found;
+    session.timed("read", "reading the volume", [&] {
+        const Volume volume = arguments.input.read(session, nullptr);
+        found = look_at_volume(session, volume.get());
+    });
+    session.clear_progress();
+    if (arguments.run.prints())
+        std::cout << volume_line(found) << affine_lines(found) << "\n" << labels_table(found);
+    if (!arguments.run.json.empty()) {
+        auto report = report_head("info");
+        report["inputs"] = arguments.input.inputs;
+        report["world"] = arguments.input.world;
+        report["volume"] = volume_json(found);
+        add_run(report, session);
+        write_json(report, arguments.run.json);
+    }
+    return EXIT_OK;
+}
+
+int tell_mesh(Session& session, const InfoArguments& arguments)
+{
+    MeshFindings found;
+    session.timed("read", "reading the mesh", [&] {
+        const auto mesh = session.make<Mesh>(EXIT_CANNOT_READ, [&](cleft_mesh** out) {
+            return cleft_io_read_mesh(session.context(), arguments.input.inputs.front().c_str(), out);
+        });
+        found = look_at_mesh(session, mesh.get());
+    });
+    session.clear_progress();
+    if (arguments.run.prints())
+        std::cout << mesh_lines(found) << "\n" << dihedral_histogram(found.quality) << "\n" << labels_table(found);
+    if (!arguments.run.json.empty()) {
+        auto report = report_head("info");
+        report["inputs"] = arguments.input.inputs;
+        report["mesh"] = mesh_json(found);
+        report["quality"] = quality_json(found.quality);
+        add_run(report, session);
+        write_json(report, arguments.run.json);
+    }
+    return EXIT_OK;
+}
+
+}  // namespace
+
+Command add_info_command(CLI::App& app)
+{
+    auto arguments = std::make_shared<InfoArguments>();
+    CLI::App& parser = *app.add_subcommand("info", "Tell what is in a volume or a mesh");
+    arguments->input.add_inputs_to(parser);
+    parser.get_option("INPUT")->description("A volume (or several indicator functions) or a mesh");
+    arguments->input.add_reading_to(parser);
+    arguments->run.add_to(parser);
+    parser.footer("Examples:\n  cleft info atlas.nii.gz\n  cleft info atlas.vtu --json -\n\n" +
+                  std::string(exit_code_help()));
+    const auto run = [arguments] {
+        check_json_output(arguments->run.json);
+        Session session(arguments->run);
+        return is_mesh(*arguments) ? tell_mesh(session, *arguments) : tell_volume(session, *arguments);
+    };
+    return {&parser, [arguments, run] { return guarded("info", arguments->run, run); }};
+}
+
+}  // namespace cleft_cli

@@ -1,0 +1,147 @@
+#include "json_report.hpp"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+
+namespace cleft_cli
+{
+
+using Json = nlohmann::ordered_json;
+
+Json report_head(const std::string& command)
+{
+    return {{"program", "cleft"}, {"version", cleft_version(nullptr, nullptr, nullptr)}, {"command", command}};
+}
+
+Json volume_json(const VolumeFindings& volume)
+{
+    Json labels = Json::array();
+    for (const auto& [label, voxels] : volume.voxels)
+        labels.push_back({{"label", label}, {"voxels", voxels}});
+    return {{"dims", volume.dims},
+            {"spacing", volume.spacing},
+            {"affine", volume.affine},
+            {"voxels", volume.voxel_count()},
+            {"labels", labels}};
+}
+
+Json quality_json(const cleft_quality& q)
+{
+    return {{"min_dihedral", q.min_dihedral},
+            {"max_dihedral", q.max_dihedral},
+            {"tets_below_5", q.tets_below_5},
+            {"tets_below_10", q.tets_below_10},
+            {"tets_below_15", q.tets_below_15},
+            {"tets_below_20", q.tets_below_20},
+            {"tets_above_165", q.tets_above_165},
+            {"radius_ratio_median", q.radius_ratio_median},
+            {"radius_ratio_95", q.radius_ratio_95},
+            {"radius_ratio_max", q.radius_ratio_max},
+            {"edge_ratio_max", q.edge_ratio_max},
+            {"min_edge", q.min_edge},
+            {"mean_edge", q.mean_edge},
+            {"max_edge", q.max_edge},
+            {"min_volume", q.min_volume},
+            {"total_volume", q.total_volume},
+            {"dihedral_histogram", q.dihedral_histogram}};
+}
+
+Json mesh_json(const MeshFindings& mesh)
+{
+    Json labels = Json::array();
+    for (const auto& [label, totals] : mesh.labels)
+        labels.push_back({{"label", label}, {"tets", totals.tets}, {"volume", totals.volume}});
+    return {{"points", mesh.points},
+            {"tets", mesh.tets},
+            {"interface_triangles", mesh.interface_triangles},
+            {"hull_triangles", mesh.hull_triangles},
+            {"low", mesh.low},
+            {"high", mesh.high},
+            {"labels", labels}};
+}
+
+Json validation_json(const cleft_validation& v, const std::string& first_fault)
+{
+    return {{"valid", v.valid != 0},
+            {"first_fault", first_fault},
+            {"negative_tets", v.negative_tets},
+            {"flat_tets", v.flat_tets},
+            {"repeated_corners", v.repeated_corners},
+            {"crowded_faces", v.crowded_faces},
+            {"folded_faces", v.folded_faces},
+            {"hull_off_box", v.hull_off_box},
+            {"open_interface_edges", v.open_interface_edges},
+            {"unused_points", v.unused_points},
+            {"repeated_points", v.repeated_points},
+            {"volume", v.volume},
+            {"box_volume", v.box_volume},
+            {"hull_area", v.hull_area},
+            {"box_area", v.box_area}};
+}
+
+Json label_reports_json(const std::vector<cleft_label_report>& rows, const std::function<bool(int32_t)>& left_out)
+{
+    Json labels = Json::array();
+    for (const cleft_label_report& row : rows)
+        labels.push_back({{"label", row.label},
+                          {"left_out", left_out(row.label)},
+                          {"lost", row.lost != 0 && !left_out(row.label)},
+                          {"voxels", row.voxels},
+                          {"tets", row.tets},
+                          {"voxel_volume", row.voxel_volume},
+                          {"mesh_volume", row.mesh_volume},
+                          {"difference_percent", difference_percent(row)},
+                          {"voxel_components", row.voxel_components},
+                          {"mesh_components", row.mesh_components},
+                          {"large_components", row.large_components},
+                          {"large_components_lost", row.large_components_lost}});
+    return labels;
+}
+
+void add_run(Json& report, const Session& session)
+{
+    Json stages = Json::array();
+    for (const StageFigures& stage : session.stages()) {
+        stages.push_back({{"name", stage.name},
+                          {"seconds", stage.seconds},
+                          {"cpu_seconds", stage.cpu_seconds},
+                          {"peak_bytes", stage.peak_bytes}});
+    }
+    const StageFigures process = process_figures();
+    report["threads"] = cleft_context_threads(session.context());
+    report["seconds"] = session.elapsed_seconds();
+    report["cpu_seconds"] = process.cpu_seconds;
+    report["peak_bytes"] = process.peak_bytes;
+    report["stages"] = stages;
+    Json metrics = Json::object();
+    for (const auto& [name, value] : session.metrics())
+        metrics[name] = value;
+    report["metrics"] = metrics;
+    report["warnings"] = session.warnings();
+}
+
+void write_json(const Json& report, const std::string& path)
+{
+    const std::string text = report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    if (path == "-") {
+        std::cout << text << std::flush;
+        return;
+    }
+    struct stat status = {};
+    const bool device = stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
+    const std::string part = device ? path : path + ".part" + std::to_string(getpid());
+    std::ofstream file(part, std::ios::binary);
+    file << text;
+    file.close();
+    if (!file || (!device && std::rename(part.c_str(), path.c_str()) != 0)) {
+        if (!device)
+            unlink(part.c_str());
+        throw Failure(EXIT_CANNOT_WRITE, CLEFT_ERROR_FILE, "'" + path + "' cannot be written");
+    }
+}
+
+}  // namespace cleft_cli

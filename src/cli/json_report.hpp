@@ -1,0 +1,31 @@
+// The machine-readable report. docs/guide.md describes its fields.
+#pragma once
+
+#include "findings.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cleft_cli
+{
+
+// Program, version and command: the beginning of every report.
+nlohmann::ordered_json report_head(const std::string& command);
+
+nlohmann::ordered_json volume_json(const VolumeFindings& volume);
+nlohmann::ordered_json mesh_json(const MeshFindings& mesh);
+nlohmann::ordered_json quality_json(const cleft_quality& quality);
+nlohmann::ordered_json validation_json(const cleft_validation& validation, const std::string& first_fault);
+nlohmann::ordered_json label_reports_json(const std::vector<cleft_label_report>& rows,
+                                          const std::function<bool(int32_t label)>& left_out);
+
+// Adds what the run cost and told: stages, metrics, warnings.
+void add_run(nlohmann::ordered_json& report, const Session& session);
+
+// "-" is standard output. Throws Failure.
+void write_json(const nlohmann::ordered_json& report, const std::string& path);
+
+}  // namespace cleft_cli

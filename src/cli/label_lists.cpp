@@ -1,0 +1,37 @@
+#include "label_lists.hpp"
+
+#include <unistd.h>
+
+#include <regex>
+
+namespace cleft_cli
+{
+namespace
+{
+
+bool is_label(const std::string& word)
+{
+    static const std::regex labels("-?[0-9]+(,-?[0-9]+)*,?");
+    return std::regex_match(word, labels) && access(word.c_str(), F_OK) != 0;
+}
+
+}  // namespace
+
+void join_label_lists(std::vector<std::string>& arguments)
+{
+    std::vector<std::string> joined;
+    bool in_list = false;  // is the last word a list that may go on?
+    bool begins = false;   // is the last word --strip or --only?
+    for (const std::string& word : arguments) {
+        if (in_list && is_label(word)) {
+            joined.back() += (joined.back().back() == ',' ? "" : ",") + word;
+            continue;
+        }
+        in_list = begins && is_label(word);
+        begins = word == "--strip" || word == "--only";
+        joined.push_back(word);
+    }
+    arguments = std::move(joined);
+}
+
+}  // namespace cleft_cli

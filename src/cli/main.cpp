@@ -1,0 +1,71 @@
+// The command `cleft`. It uses the public headers of libcleft and libcleft_io and nothing else of the project.
+#include "commands.hpp"
+#include "exit_code.hpp"
+#include "label_lists.hpp"
+
+#include "cleft/cleft.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using cleft_cli::Command;
+
+void describe(CLI::App& app)
+{
+    app.name("cleft");
+    app.description("Makes conforming multi-material tetrahedral meshes from labelled volumes.");
+    app.footer(std::string("Examples:\n"
+                           "  cleft mesh atlas.nii.gz -o atlas.vtu           mesh all labels, sizes from the features\n"
+                           "  cleft mesh head.nrrd -o head.msh --strip 0     leave the background label out\n"
+                           "  cleft info head.nrrd                           what is in a volume or a mesh\n"
+                           "  cleft check head.msh && cleft convert head.msh head.inp\n"
+                           "`cleft COMMAND --help` tells all options of a command.\n\n") +
+               cleft_cli::exit_code_help());
+    app.set_version_flag("--version",
+                         std::string("cleft ") + cleft_version(nullptr, nullptr, nullptr) +
+                             (cleft_has_tetgen() != 0 ? "" : " (without particles: built without TetGen)"));
+    app.require_subcommand(1);
+}
+
+int parse_and_run(int argc, char** argv)
+{
+    CLI::App app;
+    describe(app);
+    const std::vector<Command> commands = {
+        cleft_cli::add_mesh_command(app),    cleft_cli::add_info_command(app),   cleft_cli::add_check_command(app),
+        cleft_cli::add_convert_command(app), cleft_cli::add_sizing_command(app),
+    };
+    for (const Command& command : commands)
+        command.parser->get_formatter()->column_width(32);
+    std::vector<std::string> arguments(argv + 1, argv + argc);
+    cleft_cli::join_label_lists(arguments);
+    try {
+        // CLI11 takes the arguments in reverse order.
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? cleft_cli::EXIT_OK : cleft_cli::EXIT_USAGE;
+    }
+    for (const Command& command : commands)
+        if (command.parser->parsed())
+            return command.run();
+    return cleft_cli::EXIT_USAGE;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    try {
+        return parse_and_run(argc, argv);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "cleft: %s\n", error.what());
+        return cleft_cli::EXIT_USAGE;
+    }
+}

@@ -1,0 +1,287 @@
+// cleft mesh: from a volume to a mesh.
+#include "commands.hpp"
+#include "findings.hpp"
+#include "guarded.hpp"
+#include "json_report.hpp"
+#include "option_arguments.hpp"
+#include "output_files.hpp"
+#include "summary.hpp"
+#include "text.hpp"
+#include "volume_arguments.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+namespace cleft_cli
+{
+namespace
+{
+
+const std::size_t labels_shown = 20;
+
+struct MeshArguments {
+    VolumeArguments input;
+    OptionArguments options;
+    RunArguments run;
+    std::vector<std::string> outputs;
+    std::string msh_version = "4.1";
+    std::string sizing_file;
+    std::string background_file;
+    bool combine = false;
+    bool check = false;
+    bool estimate = false;
+
+    bool left_out(int32_t label) const { return options.leaves_out(label); }
+};
+
+// What is known when the mesh is done.
+struct Result {
+    VolumeFindings volume;
+    MeshFindings mesh;
+    std::vector<cleft_label_report> labels;
+    std::vector<OutputFile> outputs;
+};
+
+std::vector<OutputFile> checked_outputs(const MeshArguments& arguments)
+{
+    if (arguments.outputs.empty() && !arguments.estimate)
+        throw usage_failure("--output is required (or --estimate)");
+    std::vector<OutputFile> outputs;
+    for (const std::string& path : arguments.outputs)
+        outputs.push_back(checked_mesh_output(path, arguments.msh_version));
+    check_json_output(arguments.run.json);
+    return outputs;
+}
+
+Volume read_volume(Session& session, const MeshArguments& arguments, const cleft_options* options)
+{
+    Volume volume;
+    session.timed("read", "reading the volume", [&] { volume = arguments.input.read(session, options); });
+    return volume;
+}
+
+Sizing read_sizing(Session& session, const MeshArguments& arguments, const cleft_volume* volume,
+                   const cleft_options* options)
+{
+    if (arguments.sizing_file.empty())
+        return {};
+    const cleft_io_reading reading = arguments.input.reading();
+    Sizing sizing;
+    session.timed("read_sizing", "reading the sizing field", [&] {
+        sizing = session.make<Sizing>(EXIT_CANNOT_READ, [&](cleft_sizing** out) {
+            return cleft_io_read_sizing(session.context(), volume, arguments.sizing_file.c_str(), &reading,
+                                        arguments.combine ? 1 : 0, options, out);
+        });
+    });
+    return sizing;
+}
+
+Mesh read_background(Session& session, const std::string& path)
+{
+    if (path.empty())
+        return {};
+    Mesh background;
+    session.timed("read_background", "reading the background", [&] {
+        background = session.make<Mesh>(EXIT_CANNOT_READ, [&](cleft_mesh** out) {
+            return cleft_io_read_mesh(session.context(), path.c_str(), out);
+        });
+    });
+    return background;
+}
+
+int tell_estimate(Session& session, const MeshArguments& arguments, const cleft_volume* volume, Sizing sizing,
+                  const cleft_mesh* background, const cleft_options* options)
+{
+    if (!sizing && background == nullptr)
+        session.timed("sizing", "sizing field", [&] {
+            sizing = session.make<Sizing>(EXIT_MESHING_FAILED, [&](cleft_sizing** out) {
+                return cleft_sizing_create(session.context(), volume, options, out);
+            });
+        });
+    const VolumeFindings found = look_at_volume(session, volume);
+    const double tets =
+        sizing ? cleft_sizing_expected_tets(sizing.get()) : static_cast<double>(cleft_mesh_tet_count(background));
+    // The bound that the library keeps to: bytes a voxel and bytes a tetrahedron of the result.
+    const double bytes = 12.0 * static_cast<double>(found.voxel_count()) + 600.0 * tets;
+    session.clear_progress();
+    if (arguments.run.prints())
+        std::cout << volume_line(found) << left("Estimate", 11) << grouped(std::llround(tets))
+                  << " tetrahedra, at most " << bytes_text(bytes) << " of memory\n";
+    if (!arguments.run.json.empty()) {
+        auto report = report_head("mesh");
+        report["volume"] = volume_json(found);
+        report["estimate"] = {{"tets", tets}, {"peak_bytes", bytes}};
+        add_run(report, session);
+        write_json(report, arguments.run.json);
+    }
+    return EXIT_OK;
+}
+
+void check_result(Session& session, const MeshArguments& arguments, const cleft_mesh* mesh)
+{
+    bool whole = arguments.background_file.empty();
+    for (int64_t i = 0; i < cleft_mesh_label_count(mesh); ++i)
+        whole = whole && !arguments.left_out(cleft_mesh_labels(mesh)[i]);
+    cleft_validation validation = {};
+    validation.struct_size = sizeof validation;
+    session.timed("check", "checking the mesh", [&] {
+        session.check(cleft_mesh_validate(session.context(), mesh, whole ? 1 : 0, &validation), EXIT_MESHING_FAILED);
+    });
+    if (validation.valid == 0)
+        throw Failure(
+            EXIT_CHECK_FAILED, CLEFT_ERROR_INVALID_MESH,
+            std::string("the mesh is not valid, and was not written: ") + cleft_context_last_error(session.context()));
+}
+
+void warn_of_lost_labels(Session& session, const MeshArguments& arguments, const Result& result)
+{
+    for (const cleft_label_report& row : result.labels) {
+        if (arguments.left_out(row.label))
+            continue;
+        const std::string name = "label " + std::to_string(row.label);
+        if (row.lost != 0)
+            session.warn(name + " (" + plural(row.voxels, "voxel") + ") is not in the mesh");
+        else if (row.large_components_lost > 0)
+            session.warn(name + ": " + grouped(row.large_components_lost) + " of its " + grouped(row.large_components) +
+                         " pieces of more than 30 voxels are not in the mesh");
+    }
+}
+
+void print_summary(const Session& session, const MeshArguments& arguments, const Result& result)
+{
+    const auto left_out = [&](int32_t label) { return arguments.left_out(label); };
+    const std::size_t limit = arguments.run.verbose ? result.labels.size() : labels_shown;
+    std::cout << volume_line(result.volume) << mesh_lines(result.mesh) << "\n"
+              << dihedral_histogram(result.mesh.quality) << "\n"
+              << label_report_table(result.labels, left_out, limit) << "\n";
+    if (arguments.run.verbose)
+        std::cout << stages_table(session) << "\n";
+    std::cout << time_line(session, result.mesh.tets);
+    for (const OutputFile& output : result.outputs) {
+        const double bytes = file_bytes(output.path);
+        std::cout << left("Written", 11) << output.path << (bytes > 0 ? " (" + bytes_text(bytes) + ")" : "") << "\n";
+    }
+}
+
+void write_report(const Session& session, const MeshArguments& arguments, const cleft_options* options,
+                  const Result& result)
+{
+    auto report = report_head("mesh");
+    report["inputs"] = arguments.input.inputs;
+    report["outputs"] = arguments.outputs;
+    report["world"] = arguments.input.world;
+    report["options"] = arguments.options.as_json(options);
+    if (!arguments.background_file.empty())
+        report["options"]["background"] = arguments.background_file;
+    report["options"]["sizing"] = arguments.sizing_file;
+    report["volume"] = volume_json(result.volume);
+    report["mesh"] = mesh_json(result.mesh);
+    report["quality"] = quality_json(result.mesh.quality);
+    report["labels"] = label_reports_json(result.labels, [&](int32_t label) { return arguments.left_out(label); });
+    add_run(report, session);
+    write_json(report, arguments.run.json);
+}
+
+int run_mesh(MeshArguments& arguments)
+{
+    arguments.background_file = arguments.options.take_background_file();
+    const Options options = arguments.options.make();
+    Result result;
+    result.outputs = checked_outputs(arguments);
+    Session session(arguments.run);
+
+    Volume volume = read_volume(session, arguments, options.get());
+    Sizing sizing = read_sizing(session, arguments, volume.get(), options.get());
+    Mesh background = read_background(session, arguments.background_file);
+    if (arguments.estimate)
+        return tell_estimate(session, arguments, volume.get(), std::move(sizing), background.get(), options.get());
+
+    Mesh mesh;
+    session.timed("mesh", "meshing", [&] {
+        mesh = session.make<Mesh>(EXIT_MESHING_FAILED, [&](cleft_mesh** out) {
+            return cleft_mesh_volume(session.context(), volume.get(), sizing.get(), background.get(), options.get(),
+                                     out);
+        });
+    });
+    sizing.reset();
+    background.reset();
+    if (arguments.check)
+        check_result(session, arguments, mesh.get());
+    if (arguments.run.prints() || !arguments.run.json.empty()) {
+        session.timed("report", "looking at the mesh", [&] {
+            result.volume = look_at_volume(session, volume.get());
+            result.mesh = look_at_mesh(session, mesh.get());
+            result.labels = label_reports(session, volume.get(), mesh.get());
+        });
+        warn_of_lost_labels(session, arguments, result);
+    }
+    volume.reset();
+    session.timed("write", "writing", [&] { write_mesh(session, mesh.get(), result.outputs); });
+
+    session.clear_progress();
+    if (arguments.run.prints())
+        print_summary(session, arguments, result);
+    if (!arguments.run.json.empty())
+        write_report(session, arguments, options.get(), result);
+    return EXIT_OK;
+}
+
+std::string mesh_footer()
+{
+    return "Formats of OUTPUT, by extension:\n" + format_help(CLEFT_IO_WRITES_MESH) +
+           "\nExamples:\n"
+           "  cleft mesh atlas.nii.gz -o atlas.vtu --json atlas.json\n"
+           "  cleft mesh head.nrrd -o head.msh -o skin.stl --strip 0 --tets 500000\n"
+           "  cleft mesh head.nrrd -o head.inp --size-max 8 --label-size 3=1.5 --gradation 0.2\n"
+           "  cleft mesh a.nrrd b.nrrd c.nrrd -o scene.vtu        indicator functions, the largest wins\n"
+           "  cleft mesh voxels.raw --dims 256 256 256 --type uint8 --spacing 0.1 0.1 0.1 -o rock.vtu\n"
+           "  cleft mesh head.nrrd --estimate                     how many tetrahedra, how much memory\n"
+           "  cleft sizing head.nrrd -o h.nrrd; cleft mesh head.nrrd --sizing h.nrrd -o head.vtu\n\n" +
+           exit_code_help();
+}
+
+}  // namespace
+
+Command add_mesh_command(CLI::App& app)
+{
+    auto arguments = std::make_shared<MeshArguments>();
+    CLI::App& parser = *app.add_subcommand("mesh", "Make a mesh of a volume");
+    arguments->input.add_inputs_to(parser);
+    parser
+        .add_option("-o,--output", arguments->outputs,
+                    "The mesh; may be repeated for several formats. Missing folders\n"
+                    "and unknown extensions are told before the work begins")
+        ->allow_extra_args(false)
+        ->type_name("OUTPUT");
+    parser.add_option("--msh-version", arguments->msh_version, "Version of Gmsh's format for .msh (default 4.1)")
+        ->check(CLI::IsMember({"4.1", "2.2"}))
+        ->type_name("4.1|2.2");
+    parser.add_flag("--check", arguments->check, "Validate the mesh before it is written; exit code 1 if it fails");
+    parser.add_flag("--estimate", arguments->estimate,
+                    "Tell the expected number of tetrahedra and the memory needed,\n"
+                    "and stop there");
+    arguments->options.add_to(parser);
+    arguments->options.add_label_sizes_to(parser);
+    parser.get_option("--background")->type_name("particles|lattice|octree|FILE");
+    const std::string sizes = parser.get_option("--size")->get_group();
+    parser
+        .add_option("--sizing", arguments->sizing_file,
+                    "Your own sizing field: a volume on the same grid, with an edge\n"
+                    "length for each voxel (see `cleft sizing`)")
+        ->check(CLI::ExistingFile)
+        ->type_name("FILE")
+        ->group(sizes);
+    parser
+        .add_flag("--combine", arguments->combine, "With --sizing: take the smaller of your field and the computed one")
+        ->group(sizes);
+    arguments->options.add_label_lists_to(parser);
+    arguments->input.add_reading_to(parser);
+    arguments->run.add_to(parser);
+    parser.footer(mesh_footer());
+    return {&parser, [arguments] { return guarded("mesh", arguments->run, [&] { return run_mesh(*arguments); }); }};
+}
+
+}  // namespace cleft_cli

@@ -1,0 +1,214 @@
+#include "option_arguments.hpp"
+
+#include "text.hpp"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cleft_cli
+{
+namespace
+{
+
+const char* group_of(cleft_option key)
+{
+    switch (key) {
+        case CLEFT_OPTION_SIZE:
+        case CLEFT_OPTION_SIZE_MIN:
+        case CLEFT_OPTION_SIZE_MAX:
+        case CLEFT_OPTION_FEATURE_SCALE:
+        case CLEFT_OPTION_GRADATION:
+        case CLEFT_OPTION_INTERFACE_SIZE:
+        case CLEFT_OPTION_TETS:
+            return "Sizes, in units of the world";
+        default:
+            return "Meshing";
+    }
+}
+
+// "--interface-size NAME" in help: what stands for the value.
+std::string value_name(const cleft_option_description& info)
+{
+    switch (info.type) {
+        case CLEFT_OPTION_TYPE_CHOICE:
+            return info.choices;
+        case CLEFT_OPTION_TYPE_INTEGER:
+            return "N";
+        default:
+            return "X";
+    }
+}
+
+// The name of choice number `index` of "a|b|c".
+std::string choice_name(const std::string& choices, int64_t index)
+{
+    std::size_t begin = 0;
+    for (; index > 0 && begin != std::string::npos; --index)
+        begin = choices.find('|', begin) + 1;
+    return choices.substr(begin, choices.find('|', begin) - begin);
+}
+
+bool is_choice(const std::string& choices, const std::string& name)
+{
+    return ("|" + choices + "|").find("|" + name + "|") != std::string::npos;
+}
+
+std::string range_text(const cleft_option_description& info)
+{
+    const double huge = 1e15;  // beyond it, the bound is there to have one
+    if (info.greatest >= huge)
+        return "at least " + significant(info.least);
+    return significant(info.least) + " .. " + significant(info.greatest, 10);
+}
+
+void set_label_size(cleft_options* options, const std::string& wish)
+{
+    const std::size_t equals = wish.find('=');
+    int32_t label = 0;
+    double size = 0;
+    if (equals == std::string::npos || !CLI::detail::lexical_cast(wish.substr(0, equals), label) ||
+        !CLI::detail::lexical_cast(wish.substr(equals + 1), size))
+        throw usage_failure("--label-size: '" + wish + "' is not of the form LABEL=SIZE");
+    if (!(size > 0) || cleft_options_set_label_size(options, label, size) != CLEFT_OK)
+        throw usage_failure("--label-size: '" + wish + "': the size must be a positive number");
+}
+
+}  // namespace
+
+std::string flag_name(const cleft_option_description& info)
+{
+    std::string name = info.name;
+    std::replace(name.begin(), name.end(), '_', '-');
+    return "--" + name;
+}
+
+std::string option_help(const cleft_option_description& info)
+{
+    std::string help = info.text;
+    if (info.type == CLEFT_OPTION_TYPE_CHOICE)
+        help += " (default " + choice_name(info.choices, std::llround(info.value)) + ")";
+    else if (info.type != CLEFT_OPTION_TYPE_FLAG)
+        help += " (" + range_text(info) + "; default " + significant(info.value) + ")";
+    return wrapped(help, 66);
+}
+
+void OptionArguments::add_to(CLI::App& app, const OptionFilter& wanted)
+{
+    for (int32_t index = 0; index < cleft_option_count(); ++index) {
+        cleft_option_description info = {};
+        info.struct_size = sizeof info;
+        if (cleft_option_info(index, &info) != CLEFT_OK || (wanted && !wanted(info.key)))
+            continue;
+        Row& row = rows_.emplace_back(Row{info, nullptr, {}, false});
+        if (info.type == CLEFT_OPTION_TYPE_FLAG)
+            row.option = app.add_flag(flag_name(info), row.flag, option_help(info));
+        else
+            row.option = app.add_option(flag_name(info), row.text, option_help(info))->type_name(value_name(info));
+        row.option->group(group_of(info.key));
+    }
+}
+
+void OptionArguments::add_label_sizes_to(CLI::App& app)
+{
+    app.add_option("--label-size", label_sizes_,
+                   "Greatest edge length inside label L; may be repeated:\n--label-size 3=0.5 --label-size 7=0.8")
+        ->allow_extra_args(false)
+        ->type_name("L=H")
+        ->group(group_of(CLEFT_OPTION_SIZE));
+}
+
+void OptionArguments::add_label_lists_to(CLI::App& app)
+{
+    const char* group = "Labels";
+    app.add_option("--strip", strip_, "Labels to leave out of the mesh: --strip 0, --strip 0,4 or --strip 0 4")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name("LABEL...")
+        ->group(group);
+    app.add_option("--only", only_, "Labels to keep; all others are left out")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name("LABEL...")
+        ->group(group);
+}
+
+std::string OptionArguments::take_background_file()
+{
+    for (Row& row : rows_)
+        if (row.info.key == CLEFT_OPTION_BACKGROUND && !row.text.empty() && !is_choice(row.info.choices, row.text)) {
+            std::string path;
+            std::swap(path, row.text);
+            if (!CLI::ExistingFile(path).empty())
+                throw usage_failure("--background: '" + path + "' is none of " + row.info.choices +
+                                    ", and there is no such file");
+            return path;
+        }
+    return {};
+}
+
+Options OptionArguments::make() const
+{
+    cleft_options* handle = nullptr;
+    if (cleft_options_create(&handle) != CLEFT_OK)
+        throw std::bad_alloc();
+    Options options(handle);
+    for (const Row& row : rows_) {
+        if (row.flag && cleft_options_set_integer(handle, row.info.key, 1) != CLEFT_OK)
+            throw usage_failure(flag_name(row.info) + " is refused by the library");
+        if (!row.text.empty() && cleft_options_set_text(handle, row.info.name, row.text.c_str()) != CLEFT_OK)
+            throw usage_failure(flag_name(row.info) + ": '" + row.text + "' is not " +
+                                (row.info.type == CLEFT_OPTION_TYPE_CHOICE
+                                     ? "one of " + std::string(row.info.choices)
+                                     : "a number in its range (" + range_text(row.info) + ")"));
+    }
+    for (const std::string& wish : label_sizes_)
+        set_label_size(handle, wish);
+    const auto list = [](const std::vector<int32_t>& labels) { return static_cast<int64_t>(labels.size()); };
+    if (cleft_options_set_strip(handle, strip_.data(), list(strip_)) != CLEFT_OK ||
+        cleft_options_set_only(handle, only_.data(), list(only_)) != CLEFT_OK)
+        throw std::bad_alloc();
+    return options;
+}
+
+nlohmann::json OptionArguments::as_json(const cleft_options* options) const
+{
+    nlohmann::json json = nlohmann::json::object();
+    for (const Row& row : rows_) {
+        int64_t integer = 0;
+        double real = 0;
+        if (row.info.type == CLEFT_OPTION_TYPE_REAL) {
+            if (cleft_options_get_real(options, row.info.key, &real) == CLEFT_OK)
+                json[row.info.name] = real;
+        } else if (cleft_options_get_integer(options, row.info.key, &integer) == CLEFT_OK) {
+            if (row.info.type == CLEFT_OPTION_TYPE_CHOICE)
+                json[row.info.name] = choice_name(row.info.choices, integer);
+            else if (row.info.type == CLEFT_OPTION_TYPE_FLAG)
+                json[row.info.name] = integer != 0;
+            else
+                json[row.info.name] = integer;
+        }
+    }
+    json["label_sizes"] = label_sizes_;
+    json["strip"] = strip_;
+    json["only"] = only_;
+    return json;
+}
+
+bool OptionArguments::given(const std::string& name) const
+{
+    return std::any_of(rows_.begin(), rows_.end(),
+                       [&](const Row& row) { return row.info.name == name && row.option->count() > 0; });
+}
+
+bool OptionArguments::leaves_out(int32_t label) const
+{
+    const auto holds = [label](const std::vector<int32_t>& list) {
+        return std::find(list.begin(), list.end(), label) != list.end();
+    };
+    return holds(strip_) || (!only_.empty() && !holds(only_));
+}
+
+}  // namespace cleft_cli

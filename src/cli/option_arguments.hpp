@@ -1,0 +1,61 @@
+// The library's options as arguments: names, ranges, defaults and texts come from its table.
+#pragma once
+
+#include "exit_code.hpp"
+#include "handles.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <deque>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CLI
+{
+class App;
+class Option;
+}  // namespace CLI
+
+namespace cleft_cli
+{
+
+// Which rows of the table a command offers.
+using OptionFilter = std::function<bool(cleft_option)>;
+
+class OptionArguments
+{
+public:
+    void add_to(CLI::App& app, const OptionFilter& wanted = {});
+    void add_label_sizes_to(CLI::App& app);
+    void add_label_lists_to(CLI::App& app);
+
+    // If the value of --background is no choice of the table, it is the path of a mesh: it is taken out and returned.
+    std::string take_background_file();
+
+    // Throws a usage failure that names the option.
+    Options make() const;
+    nlohmann::json as_json(const cleft_options* options) const;
+
+    bool given(const std::string& name) const;
+    // Do the strip and only lists leave this label out?
+    bool leaves_out(int32_t label) const;
+
+private:
+    struct Row {
+        cleft_option_description info;
+        CLI::Option* option;
+        std::string text;
+        bool flag;
+    };
+    std::deque<Row> rows_;  // a deque: CLI11 keeps the addresses of the values
+    std::vector<std::string> label_sizes_;
+    std::vector<int32_t> strip_, only_;
+};
+
+// The table's row as the text of --help.
+std::string option_help(const cleft_option_description& info);
+// "feature_scale" as "--feature-scale".
+std::string flag_name(const cleft_option_description& info);
+
+}  // namespace cleft_cli

@@ -1,0 +1,129 @@
+#include "output_files.hpp"
+
+#include "text.hpp"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <sstream>
+
+namespace cleft_cli
+{
+namespace
+{
+
+Failure cannot_write(const std::string& sentence) { return {EXIT_CANNOT_WRITE, CLEFT_ERROR_FILE, sentence}; }
+
+std::vector<cleft_io_format_description> formats(int32_t direction)
+{
+    std::vector<cleft_io_format_description> rows;
+    for (int32_t index = 0; index < cleft_io_format_count(); ++index) {
+        cleft_io_format_description row = {};
+        row.struct_size = sizeof row;
+        if (cleft_io_format_info(index, &row) == CLEFT_OK && (row.directions & direction) != 0)
+            rows.push_back(row);
+    }
+    return rows;
+}
+
+bool ends_with_nocase(const std::string& text, const std::string& end)
+{
+    return text.size() > end.size() && strcasecmp(text.c_str() + text.size() - end.size(), end.c_str()) == 0;
+}
+
+bool has_extension_of(const std::string& path, const cleft_io_format_description& row)
+{
+    std::istringstream extensions(row.extensions);
+    for (std::string extension; extensions >> extension;)
+        if (ends_with_nocase(path, extension))
+            return true;
+    return false;
+}
+
+std::string extensions_text(int32_t direction)
+{
+    std::string text;
+    for (const auto& row : formats(direction)) {
+        std::istringstream extensions(row.extensions);
+        for (std::string extension; extensions >> extension;)
+            if ((" " + text + " ").find(" " + extension + " ") == std::string::npos)
+                text += (text.empty() ? "" : " ") + extension;
+    }
+    return text;
+}
+
+void check_extension(const std::string& path, int32_t direction)
+{
+    for (const auto& row : formats(direction))
+        if (has_extension_of(path, row))
+            return;
+    throw cannot_write("'" + path + "': no format that can be written has this extension; there are " +
+                       extensions_text(direction));
+}
+
+// The only way to know whether a file can be made in a folder is to make one.
+void check_place(const std::string& path)
+{
+    struct stat status = {};
+    if (stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode))
+        throw cannot_write("'" + path + "' is a folder");
+    const std::size_t slash = path.rfind('/');
+    const std::string folder = slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+    std::string probe = folder + "/.cleft-XXXXXX";
+    const int file = mkstemp(probe.data());
+    if (file < 0)
+        throw cannot_write("'" + path + "' cannot be written: no file can be made in the folder '" + folder +
+                           "': " + std::strerror(errno));
+    close(file);
+    unlink(probe.c_str());
+}
+
+}  // namespace
+
+OutputFile checked_mesh_output(const std::string& path, const std::string& msh_version)
+{
+    check_extension(path, CLEFT_IO_WRITES_MESH);
+    check_place(path);
+    const bool old = msh_version == "2.2" && ends_with_nocase(path, ".msh");
+    return {path, old ? CLEFT_FORMAT_MSH22 : CLEFT_FORMAT_BY_NAME};
+}
+
+void check_sizing_output(const std::string& path)
+{
+    check_extension(path, CLEFT_IO_WRITES_SIZING);
+    check_place(path);
+}
+
+void check_json_output(const std::string& path)
+{
+    struct stat status = {};
+    const bool device = stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+    if (!path.empty() && path != "-" && !device)
+        check_place(path);
+}
+
+void write_mesh(Session& session, const cleft_mesh* mesh, const std::vector<OutputFile>& outputs)
+{
+    for (const OutputFile& output : outputs)
+        session.check(cleft_io_write_mesh(session.context(), mesh, output.path.c_str(), output.format),
+                      EXIT_CANNOT_WRITE);
+}
+
+std::string format_help(int32_t direction)
+{
+    std::ostringstream help;
+    for (const auto& row : formats(direction))
+        help << "  " << left(row.extensions, 18) << " " << row.text << "\n";
+    return help.str();
+}
+
+double file_bytes(const std::string& path)
+{
+    struct stat status = {};
+    return stat(path.c_str(), &status) == 0 ? static_cast<double>(status.st_size) : 0;
+}
+
+}  // namespace cleft_cli

@@ -1,0 +1,32 @@
+// Where results go: looked at before the work starts, so that hours are not lost to a misspelt folder.
+#pragma once
+
+#include "session.hpp"
+
+#include "cleft/cleft_io.h"
+
+#include <string>
+#include <vector>
+
+namespace cleft_cli
+{
+
+struct OutputFile {
+    std::string path;
+    cleft_io_format format = CLEFT_FORMAT_BY_NAME;
+};
+
+// Refuses a path whose extension no writer has, or whose folder cannot be written to. ".msh" becomes version 2.2 if
+// `msh_version` says so.
+OutputFile checked_mesh_output(const std::string& path, const std::string& msh_version);
+void check_sizing_output(const std::string& path);
+// Nothing to check for "" and "-".
+void check_json_output(const std::string& path);
+
+void write_mesh(Session& session, const cleft_mesh* mesh, const std::vector<OutputFile>& outputs);
+
+// The help text of formats that go in `direction` (CLEFT_IO_WRITES_MESH ...), from the component's table.
+std::string format_help(int32_t direction);
+double file_bytes(const std::string& path);
+
+}  // namespace cleft_cli

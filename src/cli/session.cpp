@@ -1,0 +1,167 @@
+#include "session.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+
+namespace cleft_cli
+{
+namespace
+{
+
+Context make_context(int threads)
+{
+    cleft_context* context = nullptr;
+    if (cleft_context_create(&context) != CLEFT_OK)
+        throw std::bad_alloc();
+    Context owner(context);
+    if (cleft_context_set_threads(context, threads) != CLEFT_OK)
+        throw usage_failure("--threads: " + std::to_string(threads) + " is not in 0 .. 1024");
+    return owner;
+}
+
+int exit_code_of(cleft_status status, int otherwise)
+{
+    switch (status) {
+        case CLEFT_ERROR_OUT_OF_MEMORY:
+            return EXIT_OUT_OF_MEMORY;
+        case CLEFT_ERROR_CANCELLED:
+            return EXIT_INTERRUPTED;
+        case CLEFT_ERROR_LABEL_LOST:
+            return EXIT_LABEL_LOST;
+        case CLEFT_ERROR_OPTION:
+            return EXIT_USAGE;
+        default:
+            return otherwise;
+    }
+}
+
+bool ends_with(const std::string& text, const std::string& end)
+{
+    return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+}  // namespace
+
+void RunArguments::add_to(CLI::App& app)
+{
+    app.add_option("--threads", threads,
+                   "Threads to use; 0: as many as the machine has. The result does\n"
+                   "not depend on it (default 0)")
+        ->type_name("N")
+        ->group("Run");
+    app.add_option("--json", json,
+                   "Write a machine-readable report, also of a failure; \"-\": to\n"
+                   "standard output, instead of the summary")
+        ->type_name("FILE")
+        ->group("Run");
+    app.add_flag("-q,--quiet", quiet, "Print nothing but errors")->group("Run");
+    app.add_flag("-v,--verbose", verbose, "Print all labels and what the library tells on its way")->group("Run");
+}
+
+StageFigures process_figures()
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    StageFigures figures;
+    figures.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    figures.cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+    figures.peak_bytes = 1024.0 * static_cast<double>(usage.ru_maxrss);
+    return figures;
+}
+
+Session::Session(const RunArguments& arguments)
+    : quiet_(!arguments.prints()),
+      verbose_(arguments.verbose),
+      bar_(!arguments.quiet && isatty(STDERR_FILENO) == 1),
+      context_(make_context(arguments.threads)),
+      interrupts_(context_.get())
+{
+    check(cleft_context_set_progress(context(), on_progress, this), EXIT_MESHING_FAILED);
+    check(cleft_context_set_log(context(), on_log, this), EXIT_MESHING_FAILED);
+}
+
+void Session::check(cleft_status status, int otherwise) const
+{
+    // A signal that arrived between two calls of the library was forgotten there.
+    if (const int signal = interrupt_signal())
+        throw Failure(128 + signal, CLEFT_ERROR_CANCELLED, "stopped by a signal; nothing was written");
+    if (status == CLEFT_OK)
+        return;
+    std::string sentence = cleft_context_last_error(context());
+    if (sentence.empty())
+        sentence = cleft_status_string(status);
+    throw Failure(exit_code_of(status, otherwise), status, sentence);
+}
+
+std::vector<std::pair<std::string, double>> Session::metrics() const
+{
+    std::vector<std::pair<std::string, double>> all;
+    for (int64_t index = 0; index < cleft_context_metric_count(context()); ++index) {
+        const char* name = nullptr;
+        double value = 0;
+        if (cleft_context_metric(context(), index, &name, &value) == CLEFT_OK)
+            all.emplace_back(name, value);
+    }
+    return all;
+}
+
+double Session::elapsed_seconds() const { return process_figures().seconds - start_; }
+
+void Session::warn(const std::string& sentence)
+{
+    warnings_.push_back(sentence);
+    if (!quiet_) {
+        bar_.clear();
+        std::fprintf(stderr, "cleft: warning: %s\n", sentence.c_str());
+    }
+}
+
+void Session::note_stages(const char* name, const StageFigures& before, int64_t metrics_before)
+{
+    const auto all = metrics();
+    const auto value_of = [&](const std::string& metric) {
+        for (const auto& [key, value] : all)
+            if (key == metric)
+                return value;
+        return 0.0;
+    };
+    const std::string end = ".cpu_seconds";
+    const std::size_t count = stages_.size();
+    for (std::size_t i = static_cast<std::size_t>(metrics_before); i < all.size(); ++i) {
+        const std::string& metric = all[i].first;
+        if (!ends_with(metric, end))
+            continue;
+        const std::string stage = metric.substr(0, metric.size() - end.size());
+        stages_.push_back({stage, value_of(stage + ".seconds"), all[i].second, value_of(stage + ".peak_bytes")});
+    }
+    const StageFigures now = process_figures();
+    if (stages_.size() == count)
+        stages_.push_back({name, now.seconds - before.seconds, now.cpu_seconds - before.cpu_seconds, now.peak_bytes});
+}
+
+int Session::on_progress(double fraction, const char* stage, void* user)
+{
+    static_cast<Session*>(user)->bar_.show(fraction, stage);
+    return interrupt_signal() != 0;
+}
+
+void Session::on_log(int32_t level, const char* sentence, void* user)
+{
+    auto& session = *static_cast<Session*>(user);
+    if (level == CLEFT_LOG_WARNING) {
+        session.warn(sentence);
+    } else if (session.verbose_ && !session.quiet_) {
+        session.bar_.clear();
+        std::fprintf(stderr, "cleft: %s\n", sentence);
+    }
+}
+
+}  // namespace cleft_cli

@@ -1,0 +1,99 @@
+// One run of the command: the library's context with progress, warnings, interrupts and the clock of the stages.
+#pragma once
+
+#include "exit_code.hpp"
+#include "handles.hpp"
+#include "interrupt.hpp"
+#include "progress_bar.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CLI
+{
+class App;
+}
+
+namespace cleft_cli
+{
+
+// What every command has.
+struct RunArguments {
+    int threads = 0;
+    bool quiet = false;
+    bool verbose = false;
+    std::string json;  // path of the machine-readable report; "-": standard output; "": none
+
+    void add_to(CLI::App& app);
+    bool prints() const { return !quiet && json != "-"; }
+};
+
+struct StageFigures {
+    std::string name;
+    double seconds = 0;
+    double cpu_seconds = 0;  // of all threads
+    double peak_bytes = 0;   // of the process, up to the end of the stage
+};
+
+// Of the process so far, seconds by the clock; the name is left empty.
+StageFigures process_figures();
+
+class Session
+{
+public:
+    explicit Session(const RunArguments& arguments);
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    cleft_context* context() const { return context_.get(); }
+    // Throws if a call of the library failed or a signal arrived. `otherwise` is the exit code of failures that have
+    // no code of their own.
+    void check(cleft_status status, int otherwise) const;
+
+    // Makes a handle by call(&handle), which answers a status.
+    template <class Owner, class Call>
+    Owner make(int otherwise, const Call& call) const
+    {
+        typename Owner::pointer handle = nullptr;
+        const cleft_status status = call(&handle);
+        Owner owner(handle);
+        check(status, otherwise);
+        return owner;
+    }
+
+    // Runs body() with `words` on the progress bar and notes its figures: those of the stages that the library
+    // measured in it, else those of the whole under `name`.
+    template <class Body>
+    void timed(const char* name, const char* words, const Body& body)
+    {
+        bar_.show(0, words);
+        const StageFigures before = process_figures();
+        const int64_t metrics_before = cleft_context_metric_count(context());
+        body();
+        note_stages(name, before, metrics_before);
+    }
+
+    const std::vector<StageFigures>& stages() const { return stages_; }
+    std::vector<std::pair<std::string, double>> metrics() const;
+    const std::vector<std::string>& warnings() const { return warnings_; }
+    void warn(const std::string& sentence);
+    double elapsed_seconds() const;
+    // To be called before anything is printed.
+    void clear_progress() { bar_.clear(); }
+
+private:
+    void note_stages(const char* name, const StageFigures& before, int64_t metrics_before);
+    static int on_progress(double fraction, const char* stage, void* user);
+    static void on_log(int32_t level, const char* sentence, void* user);
+
+    double start_ = process_figures().seconds;
+    bool quiet_, verbose_;
+    ProgressBar bar_;
+    Context context_;
+    InterruptGuard interrupts_;
+    std::vector<std::string> warnings_;
+    std::vector<StageFigures> stages_;
+};
+
+}  // namespace cleft_cli

@@ -1,0 +1,129 @@
+// cleft sizing: the sizing field of a volume, as a volume to look at or to change.
+#include "commands.hpp"
+#include "findings.hpp"
+#include "guarded.hpp"
+#include "json_report.hpp"
+#include "option_arguments.hpp"
+#include "output_files.hpp"
+#include "summary.hpp"
+#include "text.hpp"
+#include "volume_arguments.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+namespace cleft_cli
+{
+namespace
+{
+
+struct SizingArguments {
+    VolumeArguments input;
+    OptionArguments options;
+    RunArguments run;
+    std::string output;
+};
+
+bool shapes_the_field(cleft_option key)
+{
+    switch (key) {
+        case CLEFT_OPTION_SIZE:
+        case CLEFT_OPTION_SIZE_MIN:
+        case CLEFT_OPTION_SIZE_MAX:
+        case CLEFT_OPTION_FEATURE_SCALE:
+        case CLEFT_OPTION_GRADATION:
+        case CLEFT_OPTION_INTERFACE_SIZE:
+        case CLEFT_OPTION_TETS:
+        case CLEFT_OPTION_SMOOTH:
+            return true;
+        default:
+            return false;
+    }
+}
+
+struct FieldFigures {
+    double least = 0, median = 0, greatest = 0, tets = 0;
+};
+
+FieldFigures look_at_field(const cleft_sizing* sizing, const VolumeFindings& volume)
+{
+    const float* values = cleft_sizing_values(sizing);
+    std::vector<float> sorted(values, values + volume.voxel_count());
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    const auto [least, greatest] = std::minmax_element(sorted.begin(), sorted.end());
+    return {*least, *middle, *greatest, cleft_sizing_expected_tets(sizing)};
+}
+
+int run_sizing(const SizingArguments& arguments)
+{
+    const Options options = arguments.options.make();
+    check_sizing_output(arguments.output);
+    check_json_output(arguments.run.json);
+    Session session(arguments.run);
+    Volume volume;
+    session.timed("read", "reading the volume", [&] { volume = arguments.input.read(session, options.get()); });
+    Sizing sizing;
+    session.timed("sizing", "sizing field", [&] {
+        sizing = session.make<Sizing>(EXIT_MESHING_FAILED, [&](cleft_sizing** out) {
+            return cleft_sizing_create(session.context(), volume.get(), options.get(), out);
+        });
+    });
+    session.timed("write", "writing", [&] {
+        session.check(cleft_io_write_sizing(session.context(), sizing.get(), arguments.output.c_str(),
+                                            arguments.input.world_number()),
+                      EXIT_CANNOT_WRITE);
+    });
+    const VolumeFindings found = look_at_volume(session, volume.get());
+    const FieldFigures field = look_at_field(sizing.get(), found);
+    session.clear_progress();
+    if (arguments.run.prints())
+        std::cout << volume_line(found) << left("Sizes", 11) << significant(field.least) << " to "
+                  << significant(field.greatest) << ", median " << significant(field.median) << "\n"
+                  << left("Estimate", 11) << grouped(std::llround(field.tets)) << " tetrahedra\n"
+                  << left("Written", 11) << arguments.output << " (" << bytes_text(file_bytes(arguments.output))
+                  << ")\n";
+    if (!arguments.run.json.empty()) {
+        auto report = report_head("sizing");
+        report["inputs"] = arguments.input.inputs;
+        report["outputs"] = {arguments.output};
+        report["world"] = arguments.input.world;
+        report["options"] = arguments.options.as_json(options.get());
+        report["volume"] = volume_json(found);
+        report["sizing"] = {{"least", field.least},
+                            {"median", field.median},
+                            {"greatest", field.greatest},
+                            {"expected_tets", field.tets}};
+        add_run(report, session);
+        write_json(report, arguments.run.json);
+    }
+    return EXIT_OK;
+}
+
+}  // namespace
+
+Command add_sizing_command(CLI::App& app)
+{
+    auto arguments = std::make_shared<SizingArguments>();
+    CLI::App& parser =
+        *app.add_subcommand("sizing", "Write the sizing field of a volume: the wanted edge length at each voxel");
+    arguments->input.add_inputs_to(parser);
+    parser.add_option("-o,--output", arguments->output, "The field, as a volume of float")
+        ->required()
+        ->type_name("FIELD");
+    arguments->options.add_to(parser, shapes_the_field);
+    arguments->options.add_label_sizes_to(parser);
+    arguments->input.add_reading_to(parser);
+    arguments->run.add_to(parser);
+    parser.footer("Formats of FIELD, by extension:\n" + format_help(CLEFT_IO_WRITES_SIZING) +
+                  "\nExamples:\n  cleft sizing head.nrrd -o h.nrrd --gradation 0.2\n"
+                  "  cleft mesh head.nrrd --sizing h.nrrd -o head.vtu\n\n" +
+                  exit_code_help());
+    return {&parser, [arguments] { return guarded("sizing", arguments->run, [&] { return run_sizing(*arguments); }); }};
+}
+
+}  // namespace cleft_cli

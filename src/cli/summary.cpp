@@ -1,0 +1,187 @@
+#include "summary.hpp"
+
+#include "text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace cleft_cli
+{
+namespace
+{
+
+const std::size_t first_column = 11;
+
+std::string line(const std::string& name, const std::string& text) { return left(name, first_column) + text + "\n"; }
+
+std::string triple(const std::array<double, 3>& numbers, const char* between = " x ")
+{
+    return significant(numbers[0]) + between + significant(numbers[1]) + between + significant(numbers[2]);
+}
+
+std::string box_text(const std::array<double, 3>& low, const std::array<double, 3>& high)
+{
+    return "(" + triple(low, ", ") + ") to (" + triple(high, ", ") + ")";
+}
+
+std::string row_of(const std::vector<std::string>& cells, const std::vector<std::size_t>& widths)
+{
+    std::string row;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        row += right(cells[i], widths[i]) + (i + 1 < cells.size() ? "  " : "\n");
+    return row;
+}
+
+std::string share_text(double part, double whole) { return whole > 0 ? decimals(100 * part / whole, 2) + " %" : "-"; }
+
+}  // namespace
+
+std::string volume_line(const VolumeFindings& volume)
+{
+    std::array<double, 3> low{}, high{};
+    volume.bounds(low, high);
+    const std::string dims =
+        grouped(volume.dims[0]) + " x " + grouped(volume.dims[1]) + " x " + grouped(volume.dims[2]);
+    return line("Volume", dims + " voxels of " + triple(volume.spacing) + ", " +
+                              plural(static_cast<int64_t>(volume.voxels.size()), "label")) +
+           line("Box", box_text(low, high));
+}
+
+std::string labels_table(const VolumeFindings& volume)
+{
+    const std::vector<std::size_t> widths = {11, 13, 13, 9};
+    std::string table = row_of({"label", "voxels", "volume", "share"}, widths);
+    for (const auto& [label, voxels] : volume.voxels)
+        table += row_of({std::to_string(label), grouped(voxels),
+                         significant(static_cast<double>(voxels) * volume.voxel_volume(), 6),
+                         share_text(static_cast<double>(voxels), static_cast<double>(volume.voxel_count()))},
+                        widths);
+    return table;
+}
+
+std::string labels_table(const MeshFindings& mesh)
+{
+    const std::vector<std::size_t> widths = {11, 13, 13, 9};
+    std::string table = row_of({"label", "tetrahedra", "volume", "share"}, widths);
+    for (const auto& [label, totals] : mesh.labels)
+        table += row_of({std::to_string(label), grouped(totals.tets), significant(totals.volume, 6),
+                         share_text(totals.volume, mesh.quality.total_volume)},
+                        widths);
+    return table;
+}
+
+std::string mesh_lines(const MeshFindings& mesh)
+{
+    const cleft_quality& q = mesh.quality;
+    std::string text = line("Mesh", grouped(mesh.tets) + " tetrahedra, " + grouped(mesh.points) + " points, " +
+                                        plural(static_cast<int64_t>(mesh.labels.size()), "label") + ", " +
+                                        grouped(mesh.interface_triangles) + " interface triangles");
+    if (mesh.tets == 0)
+        return text;
+    text += line("Box", box_text(mesh.low, mesh.high));
+    text += line("Angles", decimals(q.min_dihedral, 2) + " to " + decimals(q.max_dihedral, 2) +
+                               " degrees between faces; tetrahedra below 5, 10, 15, 20: " + grouped(q.tets_below_5) +
+                               ", " + grouped(q.tets_below_10) + ", " + grouped(q.tets_below_15) + ", " +
+                               grouped(q.tets_below_20));
+    text += line("Shapes", "radius ratio " + decimals(q.radius_ratio_median, 2) + " (median), " +
+                               decimals(q.radius_ratio_95, 2) + " (95 %), " + decimals(q.radius_ratio_max, 2) +
+                               " (greatest); 1 is the regular tetrahedron");
+    text += line("Edges",
+                 significant(q.min_edge) + " to " + significant(q.max_edge) + ", mean " + significant(q.mean_edge));
+    return text;
+}
+
+std::string dihedral_histogram(const cleft_quality& quality)
+{
+    const int64_t* counts = quality.dihedral_histogram;
+    const int64_t most = std::max<int64_t>(1, *std::max_element(counts, counts + 36));
+    int64_t total = 0;
+    for (int bin = 0; bin < 36; ++bin)
+        total += counts[bin];
+    std::string text = "Dihedral angles, six a tetrahedron\n";
+    for (int bin = 0; bin < 36; ++bin) {
+        if (counts[bin] == 0)
+            continue;
+        const double share = static_cast<double>(counts[bin]) / static_cast<double>(most);
+        text += right(std::to_string(5 * bin), 5) + " -" + right(std::to_string(5 * bin + 5), 4) +
+                right(grouped(counts[bin]), 14) +
+                right(share_text(static_cast<double>(counts[bin]), static_cast<double>(total)), 10) + "  " +
+                std::string(static_cast<std::size_t>(std::ceil(40 * share)), '#') + "\n";
+    }
+    return text;
+}
+
+std::string label_report_table(const std::vector<cleft_label_report>& rows,
+                               const std::function<bool(int32_t)>& left_out, std::size_t limit)
+{
+    std::vector<cleft_label_report> kept;
+    for (const cleft_label_report& row : rows)
+        if (!left_out(row.label))
+            kept.push_back(row);
+    std::string text = "Labels";
+    if (rows.size() > kept.size())
+        text += ", " + grouped(static_cast<int64_t>(rows.size() - kept.size())) + " left out as asked";
+    if (kept.size() > limit) {
+        std::stable_sort(kept.begin(), kept.end(), [](const auto& a, const auto& b) {
+            return std::fabs(difference_percent(a)) > std::fabs(difference_percent(b));
+        });
+        text += ", the " + std::to_string(limit) + " of " + std::to_string(kept.size()) +
+                " whose volumes differ most (all of them: --verbose, --json)";
+        kept.resize(limit);
+    }
+    text += "\n";
+    const std::vector<std::size_t> widths = {11, 12, 13, 13, 8, 12, 11};
+    text += row_of({"label", "voxels", "voxel volume", "mesh volume", "differ", "tetrahedra", "pieces"}, widths);
+    for (const cleft_label_report& row : kept) {
+        const std::string pieces = std::to_string(row.voxel_components) + " -> " + std::to_string(row.mesh_components);
+        text += row_of({std::to_string(row.label), grouped(row.voxels), significant(row.voxel_volume, 6),
+                        significant(row.mesh_volume, 6), decimals(difference_percent(row), 2) + " %", grouped(row.tets),
+                        row.lost != 0 ? "LOST" : pieces},
+                       widths);
+    }
+    return text;
+}
+
+std::string time_line(const Session& session, int64_t tets)
+{
+    const StageFigures process = process_figures();
+    std::string text = seconds_text(session.elapsed_seconds()) + ", " + seconds_text(process.cpu_seconds) + " of CPU";
+    if (process.cpu_seconds > 0)
+        text +=
+            ", " + grouped(std::llround(static_cast<double>(tets) / process.cpu_seconds)) + " tetrahedra a CPU second";
+    return line("Time", text) + line("Memory", bytes_text(process.peak_bytes) + " at the peak");
+}
+
+std::string stages_table(const Session& session)
+{
+    std::string text = "Stages\n";
+    for (const StageFigures& stage : session.stages())
+        text += "  " + left(stage.name, 24) + right(seconds_text(stage.seconds), 12) +
+                right(seconds_text(stage.cpu_seconds), 12) + " of CPU" + right(bytes_text(stage.peak_bytes), 10) + "\n";
+    return text;
+}
+
+std::string validation_lines(const cleft_validation& validation, const std::string& first_fault)
+{
+    if (validation.valid != 0)
+        return line("Valid", "yes");
+    std::string text = line("Valid", "NO: " + first_fault);
+    const std::pair<const char*, int64_t> counts[] = {
+        {"tetrahedra turned inside out", validation.negative_tets},
+        {"flat tetrahedra", validation.flat_tets},
+        {"tetrahedra that name a point twice", validation.repeated_corners},
+        {"faces of more than two tetrahedra", validation.crowded_faces},
+        {"faces whose two tetrahedra lie on one side", validation.folded_faces},
+        {"hull triangles off the box", validation.hull_off_box},
+        {"open edges of interfaces", validation.open_interface_edges},
+        {"points of no tetrahedron", validation.unused_points},
+        {"repeated points", validation.repeated_points},
+    };
+    for (const auto& [what, count] : counts)
+        if (count > 0)
+            text += std::string(first_column, ' ') + grouped(count) + " " + what + "\n";
+    return text;
+}
+
+}  // namespace cleft_cli

@@ -1,0 +1,29 @@
+// What the command tells a person, as text.
+#pragma once
+
+#include "findings.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cleft_cli
+{
+
+std::string volume_line(const VolumeFindings& volume);
+std::string labels_table(const VolumeFindings& volume);
+std::string labels_table(const MeshFindings& mesh);
+
+// Counts, angles and shapes: some lines.
+std::string mesh_lines(const MeshFindings& mesh);
+std::string dihedral_histogram(const cleft_quality& quality);
+
+// One line a label; at most `limit` of them, those whose volumes differ most.
+std::string label_report_table(const std::vector<cleft_label_report>& rows,
+                               const std::function<bool(int32_t label)>& left_out, std::size_t limit);
+
+std::string time_line(const Session& session, int64_t tets);
+std::string stages_table(const Session& session);
+std::string validation_lines(const cleft_validation& validation, const std::string& first_fault);
+
+}  // namespace cleft_cli

@@ -1,0 +1,119 @@
+#include "volume_arguments.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace cleft_cli
+{
+namespace
+{
+
+const std::map<std::string, cleft_type> voxel_types = {
+    {"uint8", CLEFT_TYPE_UINT8},     {"uint16", CLEFT_TYPE_UINT16}, {"int16", CLEFT_TYPE_INT16},
+    {"uint32", CLEFT_TYPE_UINT32},   {"int32", CLEFT_TYPE_INT32},   {"float32", CLEFT_TYPE_FLOAT32},
+    {"float64", CLEFT_TYPE_FLOAT64},
+};
+
+std::vector<std::string> type_names()
+{
+    std::vector<std::string> names;
+    for (const auto& [name, number] : voxel_types)
+        names.push_back(name);
+    return names;
+}
+
+cleft_io_raw raw_layout(const VolumeArguments& arguments)
+{
+    cleft_io_raw raw = {};
+    raw.struct_size = sizeof raw;
+    raw.type = voxel_types.at(arguments.type);
+    raw.big_endian = arguments.big_endian ? 1 : 0;
+    raw.skip = arguments.skip;
+    std::copy(arguments.dims.begin(), arguments.dims.end(), raw.dims);
+    std::copy(arguments.spacing.begin(), arguments.spacing.end(), raw.spacing);
+    return raw;
+}
+
+}  // namespace
+
+void VolumeArguments::add_inputs_to(CLI::App& app)
+{
+    app.add_option("INPUT", inputs,
+                   "A label map (NRRD, NIfTI, MetaImage, TIFF stack, DICOM folder ...),\n"
+                   "or several files: one indicator function a material, the largest\n"
+                   "wins; materials are called 0, 1, 2, ... in the order of the files")
+        ->required()
+        ->type_name("");
+}
+
+void VolumeArguments::add_reading_to(CLI::App& app)
+{
+    const char* group = "Input";
+    app.add_option("--world", world,
+                   "Directions of the coordinates that come out: lps (ITK, DICOM, 3D\n"
+                   "Slicer's files) or ras (NIfTI): x and y change their sign (default lps)")
+        ->check(CLI::IsMember({"lps", "ras"}))
+        ->type_name("lps|ras")
+        ->group(group);
+    app.add_option("--as", kind,
+                   "What the voxels mean; auto: whole numbers are labels, others\n"
+                   "indicator functions, inside where > 0 (default auto)")
+        ->check(CLI::IsMember({"auto", "labels", "indicators"}))
+        ->type_name("auto|labels|indicators")
+        ->group(group);
+    app.add_option("--spacing", spacing, "Size of a voxel, instead of the file's")
+        ->expected(3)
+        ->delimiter(',')
+        ->check(CLI::PositiveNumber)
+        ->type_name("X Y Z")
+        ->group(group);
+    app.add_option("--dims", dims, "Read raw voxels without a header: voxels along x (fastest), y, z")
+        ->expected(3)
+        ->delimiter(',')
+        ->check(CLI::PositiveNumber)
+        ->type_name("NX NY NZ")
+        ->group(group);
+    app.add_option("--type", type,
+                   "Type of raw voxels: uint8, uint16, int16, uint32, int32, float32,\nfloat64 (default uint8)")
+        ->check(CLI::IsMember(type_names()))
+        ->type_name("TYPE")
+        ->group(group);
+    app.add_option("--skip", skip, "Bytes before the first raw voxel (default 0)")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("BYTES")
+        ->group(group);
+    app.add_flag("--big-endian", big_endian, "Raw voxels have their most significant byte first")->group(group);
+}
+
+cleft_io_reading VolumeArguments::reading() const
+{
+    cleft_io_reading reading = {};
+    reading.struct_size = sizeof reading;
+    reading.world = world_number();
+    reading.kind = kind == "labels"       ? CLEFT_IO_KIND_LABELS
+                   : kind == "indicators" ? CLEFT_IO_KIND_INDICATORS
+                                          : CLEFT_IO_KIND_AUTO;
+    std::copy(spacing.begin(), spacing.end(), reading.spacing);
+    return reading;
+}
+
+Volume VolumeArguments::read(Session& session, const cleft_options* options) const
+{
+    std::vector<const char*> paths;
+    for (const std::string& input : inputs)
+        paths.push_back(input.c_str());
+    const auto count = static_cast<int64_t>(paths.size());
+    return session.make<Volume>(EXIT_CANNOT_READ, [&](cleft_volume** out) {
+        if (dims.empty()) {
+            const cleft_io_reading how = reading();
+            return cleft_io_read_volume(session.context(), options, paths.data(), count, &how, out);
+        }
+        const cleft_io_raw layout = raw_layout(*this);
+        return cleft_io_read_raw(session.context(), options, paths.data(), count, &layout, out);
+    });
+}
+
+}  // namespace cleft_cli

@@ -1,0 +1,33 @@
+// The arguments that tell what to read: files, world, raw layout.
+#pragma once
+
+#include "session.hpp"
+
+#include "cleft/cleft_io.h"
+
+#include <string>
+#include <vector>
+
+namespace cleft_cli
+{
+
+struct VolumeArguments {
+    std::vector<std::string> inputs;
+    std::string world = "lps";
+    std::string kind = "auto";
+    std::vector<double> spacing;  // empty: the file's
+    std::vector<int64_t> dims;    // not empty: a raw file
+    std::string type = "uint8";
+    int64_t skip = 0;
+    bool big_endian = false;
+
+    void add_inputs_to(CLI::App& app);
+    // The options without the files themselves.
+    void add_reading_to(CLI::App& app);
+
+    cleft_io_reading reading() const;
+    cleft_io_world world_number() const { return world == "ras" ? CLEFT_IO_WORLD_RAS : CLEFT_IO_WORLD_LPS; }
+    Volume read(Session& session, const cleft_options* options) const;
+};
+
+}  // namespace cleft_cli
