@@ -6,6 +6,8 @@
 #include <cstdarg>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>  // CMocka makes a macro of `fail`, which is the name of a member of streams: they must come first
+#include <sstream>
 
 extern "C" {
 #include <cmocka.h>
