@@ -1,0 +1,15 @@
+// The distance in the maximum norm (moves of a king in chess), in bytes.
+#pragma once
+
+#include "base/run.hpp"
+#include "volume/grid.hpp"
+
+#include <cstdint>
+
+namespace cleft
+{
+
+// On entry 0 or `greatest` (at most 254); on return min(greatest, distance to the nearest 0) in grid steps.
+void chessboard_distance(const Grid& grid, uint8_t* distance, int greatest, const Run& run);
+
+}  // namespace cleft

@@ -1,0 +1,214 @@
+#include "volume/indicator_field.hpp"
+
+#include "base/parallel.hpp"
+#include "volume/indicator_blocks.hpp"
+#include "volume/position.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace cleft
+{
+
+namespace
+{
+
+// Weights of the voxels first .. first + count - 1 along one axis, and their derivatives by the position in voxels.
+struct CubicWeights {
+    int32_t first = 0;
+    int count = 0;
+    double w[4] = {};
+    double dw[4] = {};
+
+    void add(int32_t voxel, double weight, double slope)
+    {
+        w[voxel - first] += weight;
+        dw[voxel - first] += slope;
+    }
+};
+
+// Cubic convolution (Keys 1981, a = -1/2). Values outside the grid are those of the line through the outermost two,
+// so their weights go to these two.
+CubicWeights cubic_weights(double u, int32_t n)
+{
+    CubicWeights out;
+    if (n == 1) {
+        out.count = 1;
+        out.w[0] = 1;
+        return out;
+    }
+    const double low = std::floor(u);
+    const double t = u - low, t2 = t * t, t3 = t2 * t;
+    const double w[4] = {(-t + 2 * t2 - t3) / 2, (2 - 5 * t2 + 3 * t3) / 2, (t + 4 * t2 - 3 * t3) / 2, (t3 - t2) / 2};
+    const double dw[4] = {(-1 + 4 * t - 3 * t2) / 2, (-10 * t + 9 * t2) / 2, (1 + 8 * t - 9 * t2) / 2,
+                          (3 * t2 - 2 * t) / 2};
+    const int32_t base = static_cast<int32_t>(low) - 1;
+    out.count = std::min(n, 4);
+    out.first = std::clamp(base, 0, n - out.count);
+    for (int i = 0; i < 4; ++i) {
+        const int32_t voxel = base + i;
+        const int32_t end = std::clamp(voxel, 0, n - 1);
+        const int32_t past = std::abs(voxel - end);
+        out.add(end, (1 + past) * w[i], (1 + past) * dw[i]);
+        if (past > 0)
+            out.add(end == 0 ? 1 : n - 2, -past * w[i], -past * dw[i]);
+    }
+    return out;
+}
+
+struct Stencil {
+    CubicWeights axis[3];
+    int64_t row, slice, start;
+
+    Stencil(const Grid& grid, const Vec3& x) : row(grid.dims[0]), slice(int64_t{grid.dims[0]} * grid.dims[1])
+    {
+        const auto u = voxel_position(grid, x);
+        for (size_t a = 0; a < 3; ++a)
+            axis[a] = cubic_weights(u[a], grid.dims[a]);
+        start = grid.index(axis[0].first, axis[1].first, axis[2].first);
+    }
+
+    double value(const float* field) const
+    {
+        double f = 0;
+        for (int k = 0; k < axis[2].count; ++k) {
+            double plane = 0;
+            for (int j = 0; j < axis[1].count; ++j) {
+                const float* p = field + start + j * row + k * slice;
+                double sum = 0;
+                for (int i = 0; i < axis[0].count; ++i)
+                    sum += axis[0].w[i] * double{p[i]};
+                plane += axis[1].w[j] * sum;
+            }
+            f += axis[2].w[k] * plane;
+        }
+        return f;
+    }
+
+    // The gradient is by voxel index.
+    double value(const float* field, Vec3& gradient) const
+    {
+        double f = 0;
+        gradient.setZero();
+        for (int k = 0; k < axis[2].count; ++k)
+            for (int j = 0; j < axis[1].count; ++j) {
+                const float* p = field + start + j * row + k * slice;
+                double sum = 0, slope = 0;
+                for (int i = 0; i < axis[0].count; ++i) {
+                    sum += axis[0].w[i] * double{p[i]};
+                    slope += axis[0].dw[i] * double{p[i]};
+                }
+                const double wy = axis[1].w[j], wz = axis[2].w[k];
+                f += wy * wz * sum;
+                gradient += Vec3(wy * wz * slope, axis[1].dw[j] * wz * sum, wy * axis[2].dw[k] * sum);
+            }
+        return f;
+    }
+};
+
+void name_materials(const IndicatorField& field, Samples& out)
+{
+    const auto n = static_cast<size_t>(field.material_count());
+    out.material.resize(n);
+    out.value.resize(n);
+    for (size_t i = 0; i < n; ++i)
+        out.material[i] = static_cast<Material>(i);
+}
+
+// The greatest of value(0) .. value(count - 1), ties to the lower.
+template <class Value>
+Material greatest(size_t count, const Value& value)
+{
+    size_t best = 0;
+    auto most = value(0);
+    for (size_t i = 1; i < count; ++i) {
+        const auto f = value(i);
+        if (f > most) {
+            most = f;
+            best = i;
+        }
+    }
+    return static_cast<Material>(best);
+}
+
+template <class Value>
+std::vector<float> finite_copy(const Value* values, int64_t n, size_t field, const Run& run)
+{
+    std::vector<float> out(static_cast<size_t>(n));
+    parallel_for(run, n, int64_t{1} << 16, [&](int64_t begin, int64_t end) {
+        for (int64_t i = begin; i < end; ++i) {
+            const auto f = static_cast<float>(values[i]);
+            if (!std::isfinite(f))
+                throw Error(CLEFT_ERROR_NOT_FINITE, "indicator function " + std::to_string(field) +
+                                                        " has a value that is not a finite number at index " +
+                                                        std::to_string(i));
+            out[static_cast<size_t>(i)] = f;
+        }
+    });
+    return out;
+}
+
+}  // namespace
+
+template <class Value>
+IndicatorField make_indicators(const std::vector<const Value*>& fields, const Grid& grid, const Run& run)
+{
+    IndicatorField out;
+    out.grid = grid;
+    for (size_t k = 0; k < fields.size(); ++k) {
+        run.report(0.5 * static_cast<double>(k) / static_cast<double>(fields.size()), "volume");
+        out.field.push_back(finite_copy(fields[k], grid.size(), k, run));
+    }
+    find_single_blocks(out, run);
+    return out;
+}
+
+template IndicatorField make_indicators(const std::vector<const float*>&, const Grid&, const Run&);
+template IndicatorField make_indicators(const std::vector<const double*>&, const Grid&, const Run&);
+
+Material voxel_material(const IndicatorField& field, int64_t voxel)
+{
+    const auto v = static_cast<size_t>(voxel);
+    if (field.is_signed())
+        return field.field[0][v] > 0 ? 1 : 0;
+    return greatest(field.field.size(), [&](size_t k) { return field.field[k][v]; });
+}
+
+Material material_at(const IndicatorField& field, const Vec3& x)
+{
+    const Stencil stencil(field.grid, x);
+    if (field.is_signed())
+        return stencil.value(field.field[0].data()) > 0 ? 1 : 0;
+    return greatest(field.field.size(), [&](size_t k) { return stencil.value(field.field[k].data()); });
+}
+
+void sample(const IndicatorField& field, const Vec3& x, Samples& out)
+{
+    const Stencil stencil(field.grid, x);
+    name_materials(field, out);
+    for (size_t k = 0; k < field.field.size(); ++k)
+        out.value[k] = stencil.value(field.field[k].data());
+    if (field.is_signed()) {
+        out.value[1] = out.value[0];
+        out.value[0] = -out.value[1];
+    }
+}
+
+void sample_gradient(const IndicatorField& field, const Vec3& x, Samples& out)
+{
+    const Stencil stencil(field.grid, x);
+    name_materials(field, out);
+    out.gradient.resize(out.size());
+    for (size_t k = 0; k < field.field.size(); ++k) {
+        out.value[k] = stencil.value(field.field[k].data(), out.gradient[k]);
+        out.gradient[k] = out.gradient[k].cwiseQuotient(field.grid.spacing).eval();
+    }
+    if (field.is_signed()) {
+        out.value[1] = out.value[0];
+        out.value[0] = -out.value[1];
+        out.gradient[1] = out.gradient[0];
+        out.gradient[0] = -out.gradient[1];
+    }
+}
+
+}  // namespace cleft

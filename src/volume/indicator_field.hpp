@@ -1,0 +1,37 @@
+// Indicator functions given by their values at voxel centres.
+//
+// Between the centres they are interpolated by cubic convolution, which is C1, takes the given values at the centres
+// and reproduces quadratic functions. Past the outermost centres they go on linearly, so that a signed distance stays
+// one up to the walls of the box, half a voxel away.
+#pragma once
+
+#include "base/run.hpp"
+#include "volume/volume.hpp"
+
+#include <vector>
+
+namespace cleft
+{
+
+struct IndicatorField {
+    Grid grid;
+    // K fields, or for a signed function one: then material 0 is -f and material 1 is +f.
+    std::vector<std::vector<float>> field;
+    // For blocks of kBlock^3 voxels: how many blocks around it hold one material, plus one; 0: perhaps more than one.
+    Grid blocks;
+    std::vector<uint8_t> depth;
+
+    bool is_signed() const { return field.size() == 1; }
+    Material material_count() const { return is_signed() ? 2 : static_cast<Material>(field.size()); }
+};
+
+template <class Value>
+IndicatorField make_indicators(const std::vector<const Value*>& fields, const Grid& grid, const Run& run);
+
+Material voxel_material(const IndicatorField& field, int64_t voxel);
+Material material_at(const IndicatorField& field, const Vec3& x);
+void sample(const IndicatorField& field, const Vec3& x, Samples& out);
+void sample_gradient(const IndicatorField& field, const Vec3& x, Samples& out);
+bool single_material_near(const IndicatorField& field, const Vec3& x, double reach);
+
+}  // namespace cleft

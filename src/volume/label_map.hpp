@@ -1,0 +1,63 @@
+// A label map as it is stored: dense materials and two bytes of weights a voxel, whatever the number of materials.
+//
+// The indicator of material k at x is the share of k in
+//     f_k(x) = sum_v A(v) w(x - v) [material(v) = k]  +  sum over the 8 nearest centres v of B(v) s(x - v) [material(v)
+//     = k]
+// with the Hann kernel w and the bump s (hann.hpp). A keeps the volume of each material, B keeps every voxel centre
+// (label_weights.hpp).
+//
+// Outside the grid the map goes on as its mirror image in the faces of the box. An interface then meets the box at
+// right angles, which is where good dihedral angles need it.
+#pragma once
+
+#include "mesh/tet_mesh.hpp"
+#include "volume/grid.hpp"
+#include "volume/hann.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace cleft
+{
+
+// A(v) and B(v) are stored in steps of 1/64.
+// The greatest A bounds what B can be asked for: at a voxel centre, others have at most A (1 - w(0)^3) < A. So a byte
+// always holds the B that keeps the centre, and leaves codes for the depth of voxels that need no B.
+constexpr int kWeightOne = 64;
+constexpr int kWeightLeast = 16;
+constexpr int kWeightGreatest = 184;
+constexpr int kBumpGreatest = 191;
+
+// The codes past kBumpGreatest: B is zero, and all voxels within code - kBumpGreatest - 1 ... of one material.
+// A voxel of the band (one of its 26 neighbours differs) has radius 0 and a code for B.
+constexpr int kDepthGreatest = 255 - kBumpGreatest;
+
+inline bool in_band(uint8_t code) { return code <= kBumpGreatest; }
+// The radius (in the maximum norm, in voxels) within which all voxels are of the same material, as far as it is known.
+inline int depth_of(uint8_t code) { return in_band(code) ? 0 : code - kBumpGreatest; }
+inline int bump_of(uint8_t code) { return in_band(code) ? code : 0; }
+
+template <class Label>
+struct LabelMap {
+    Grid grid;
+    Hann kernel{5};
+    // Each padded by kLanes entries, so that whole lanes can be read at any voxel.
+    std::vector<Label> material;
+    std::vector<uint8_t> weight;  // A
+    std::vector<uint8_t> code;    // B or depth
+
+    // A point sees no voxel farther than this from its nearest one.
+    int reach() const { return kernel.width() / 2; }
+};
+
+// i, or the index of the voxel of which the voxel i outside 0 .. n-1 is a mirror image.
+inline int32_t mirrored(int32_t i, int32_t n)
+{
+    if (i >= 0 && i < n)
+        return i;
+    const int32_t period = 2 * n;
+    const int32_t m = ((i % period) + period) % period;
+    return m < n ? m : period - 1 - m;
+}
+
+}  // namespace cleft

@@ -1,0 +1,149 @@
+#include "volume/label_values.hpp"
+
+#include "base/parallel.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <type_traits>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace cleft
+{
+
+namespace
+{
+
+constexpr int64_t kChunk = int64_t{1} << 18;
+
+// Sets and maps over all values of a small type are arrays; 32-bit values are hashed.
+template <class Value>
+constexpr bool is_small = sizeof(Value) <= 2;
+
+template <class Value>
+constexpr size_t value_count = size_t{1} << (8 * (is_small<Value> ? sizeof(Value) : 0));
+
+template <class Value>
+size_t slot(Value value)
+{
+    return static_cast<size_t>(static_cast<std::make_unsigned_t<Value>>(value));
+}
+
+template <class Value>
+class ValueSet
+{
+public:
+    ValueSet() : seen_(value_count<Value>, 0) {}
+    void insert(Value value)
+    {
+        if constexpr (is_small<Value>)
+            seen_[slot(value)] = 1;
+        else
+            hashed_.insert(value);
+    }
+    bool too_many() const { return hashed_.size() > kGreatestLabelCount; }
+    std::vector<Value> ascending() const
+    {
+        std::vector<Value> values(hashed_.begin(), hashed_.end());
+        if constexpr (is_small<Value>)
+            for (size_t i = 0; i < seen_.size(); ++i)
+                if (seen_[i])
+                    values.push_back(static_cast<Value>(i));
+        std::sort(values.begin(), values.end());
+        return values;
+    }
+
+private:
+    std::vector<uint8_t> seen_;
+    std::unordered_set<Value> hashed_;
+};
+
+template <class Value, class Label>
+class ValueMap
+{
+public:
+    explicit ValueMap(const std::vector<int32_t>& labels) : place_(value_count<Value>, 0)
+    {
+        for (size_t i = 0; i < labels.size(); ++i) {
+            const auto value = static_cast<Value>(labels[i]);
+            if constexpr (is_small<Value>)
+                place_[slot(value)] = static_cast<Label>(i);
+            else
+                hashed_.emplace(value, static_cast<Label>(i));
+        }
+    }
+    Label at(Value value) const
+    {
+        if constexpr (is_small<Value>)
+            return place_[slot(value)];
+        else
+            return hashed_.at(value);
+    }
+
+private:
+    std::vector<Label> place_;
+    std::unordered_map<Value, Label> hashed_;
+};
+
+[[noreturn]] void refuse_count()
+{
+    throw Error(CLEFT_ERROR_ARGUMENT, "the volume has more than 65535 different labels; is it a grey-scale image?");
+}
+
+}  // namespace
+
+template <class Value>
+std::vector<int32_t> distinct_labels(const Value* voxels, int64_t n, const Run& run)
+{
+    ValueSet<Value> set;
+    Value last = voxels[0];
+    set.insert(last);
+    for (int64_t begin = 0; begin < n; begin += kChunk) {
+        run.report(0.0, "volume");
+        // Labels come in runs: look at the first voxel of each.
+        for (int64_t i = begin; i < std::min(n, begin + kChunk); ++i)
+            if (voxels[i] != last) {
+                last = voxels[i];
+                set.insert(last);
+            }
+        if (set.too_many())
+            refuse_count();
+    }
+    const std::vector<Value> values = set.ascending();
+    if (values.size() > kGreatestLabelCount)
+        refuse_count();
+    if constexpr (std::is_same_v<Value, uint32_t>)
+        if (values.back() > uint32_t{INT32_MAX})
+            throw Error(CLEFT_ERROR_ARGUMENT, "label " + std::to_string(values.back()) + " is greater than 2147483647");
+    return std::vector<int32_t>(values.begin(), values.end());
+}
+
+template <class Value, class Label>
+void dense_materials(const Value* voxels, int64_t n, const std::vector<int32_t>& labels, Label* out, const Run& run)
+{
+    const ValueMap<Value, Label> map(labels);
+    parallel_for(run, n, kChunk, [&](int64_t begin, int64_t end) {
+        Value last = voxels[begin];
+        Label place = map.at(last);
+        for (int64_t i = begin; i < end; ++i) {
+            if (voxels[i] != last) {
+                last = voxels[i];
+                place = map.at(last);
+            }
+            out[i] = place;
+        }
+    });
+}
+
+#define CLEFT_INSTANTIATE(Value)                                                                             \
+    template std::vector<int32_t> distinct_labels(const Value*, int64_t, const Run&);                        \
+    template void dense_materials(const Value*, int64_t, const std::vector<int32_t>&, uint8_t*, const Run&); \
+    template void dense_materials(const Value*, int64_t, const std::vector<int32_t>&, uint16_t*, const Run&)
+CLEFT_INSTANTIATE(uint8_t);
+CLEFT_INSTANTIATE(uint16_t);
+CLEFT_INSTANTIATE(int16_t);
+CLEFT_INSTANTIATE(uint32_t);
+CLEFT_INSTANTIATE(int32_t);
+#undef CLEFT_INSTANTIATE
+
+}  // namespace cleft

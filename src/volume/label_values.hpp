@@ -1,0 +1,22 @@
+// From a user's label values to dense materials and back.
+#pragma once
+
+#include "base/run.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace cleft
+{
+
+constexpr size_t kGreatestLabelCount = 65535;
+
+// The different values among n voxels, ascending. Refuses values past INT32_MAX and more than 65,535 different ones.
+template <class Value>
+std::vector<int32_t> distinct_labels(const Value* voxels, int64_t n, const Run& run);
+
+// out[i] = place of voxels[i] in `labels`.
+template <class Value, class Label>
+void dense_materials(const Value* voxels, int64_t n, const std::vector<int32_t>& labels, Label* out, const Run& run);
+
+}  // namespace cleft

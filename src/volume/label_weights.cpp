@@ -1,0 +1,134 @@
+#include "volume/label_weights.hpp"
+
+#include "base/parallel.hpp"
+#include "volume/label_block.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cleft
+{
+
+namespace
+{
+
+// By how much a voxel centre must at least prefer its own material, in units of f.
+constexpr double kMargin = 0.02;
+
+// The kernel at a voxel centre.
+struct CentreWeights {
+    int reach;
+    double w[kLanes] = {};
+
+    explicit CentreWeights(const Hann& kernel) : reach(kernel.width() / 2)
+    {
+        for (int i = 0; i <= 2 * reach; ++i)
+            w[i] = hann(i - reach, kernel.width());
+    }
+};
+
+// f of the voxel's own material minus the best other one, at its centre, without its bump.
+template <class Label>
+double lead_at_centre(const LabelMap<Label>& map, const CentreWeights& centre, int32_t x, int32_t y, int32_t z)
+{
+    const int width = 2 * centre.reach + 1;
+    const LabelBlock<Label> block(map, {x - centre.reach, y - centre.reach, z - centre.reach}, width);
+    BlockMaterials<Label> materials(block);
+    const Label own_material = block.material(centre.reach, centre.reach)[centre.reach];
+    double own = 0, other = 0;
+    uint8_t weights[kGreatestRows][kLanes];
+    Label material;
+    while (materials.next(material, weights)) {
+        double f = 0;
+        for (int k = 0, r = 0; k < width; ++k)
+            for (int j = 0; j < width; ++j, ++r) {
+                double row = 0;
+                for (int i = 0; i < width; ++i)
+                    row += centre.w[i] * weights[r][i];
+                f += centre.w[k] * centre.w[j] * row;
+            }
+        f /= kWeightOne;
+        if (material == own_material)
+            own = f;
+        else
+            other = std::max(other, f);
+    }
+    return own - other;
+}
+
+// True if the voxel lies in a run of at most two equal voxels along an axis. A half-space has none.
+template <class Label>
+bool is_thin(const LabelMap<Label>& map, const std::array<int32_t, 3>& p)
+{
+    const auto& dims = map.grid.dims;
+    const Label own = map.material[static_cast<size_t>(map.grid.index(p[0], p[1], p[2]))];
+    for (size_t a = 0; a < 3; ++a) {
+        bool same[5];
+        for (int o = -2; o <= 2; ++o) {
+            auto q = p;
+            q[a] = mirrored(p[a] + o, dims[a]);
+            same[o + 2] = map.material[static_cast<size_t>(map.grid.index(q[0], q[1], q[2]))] == own;
+        }
+        if (!((same[0] && same[1]) || (same[1] && same[3]) || (same[3] && same[4])))
+            return true;
+    }
+    return false;
+}
+
+// body(x, y, z, voxel) for every voxel of the band.
+template <class Label, class Body>
+void for_band(const LabelMap<Label>& map, const Run& run, double progress, const Body& body)
+{
+    constexpr int32_t kSlab = 8;
+    const auto [nx, ny, nz] = map.grid.dims;
+    for (int32_t z0 = 0; z0 < nz; z0 += kSlab) {
+        run.report(progress, "volume");
+        const int64_t rows = int64_t{ny} * std::min(kSlab, nz - z0);
+        parallel_for(run, rows, 4, [&, nx = nx, ny = ny](int64_t begin, int64_t end) {
+            for (int64_t row = begin; row < end; ++row) {
+                const auto y = static_cast<int32_t>(row % ny), z = static_cast<int32_t>(z0 + row / ny);
+                const int64_t start = map.grid.index(0, y, z);
+                for (int32_t x = 0; x < nx; ++x)
+                    if (in_band(map.code[static_cast<size_t>(start + x)]))
+                        body(x, y, z, static_cast<size_t>(start + x));
+            }
+        });
+    }
+}
+
+// What a thin voxel lacks at its centre tells how thin it is: fitted so that a sheet, a rod and a single voxel keep
+// their volumes.
+uint8_t thin_bump(double lead)
+{
+    const double lack = 0.25 - lead;
+    if (lack <= 0)
+        return 0;
+    const double b = 0.37 * lack + 1.9 * lack * lack;
+    return static_cast<uint8_t>(std::min<double>(kBumpGreatest, std::round(kWeightOne * b)));
+}
+
+}  // namespace
+
+template <class Label>
+void find_weights(LabelMap<Label>& map, const Run& run)
+{
+    const CentreWeights centre(map.kernel);
+    for_band(map, run, 0.25, [&](int32_t x, int32_t y, int32_t z, size_t v) {
+        if (is_thin(map, {x, y, z}))
+            map.code[v] = thin_bump(lead_at_centre(map, centre, x, y, z));
+    });
+    feed_back_volume(map, 0.3, run);
+    feed_back_volume(map, 0.6, run);
+    // A bump moves no other centre, so one pass in any order is exact.
+    for_band(map, run, 0.9, [&](int32_t x, int32_t y, int32_t z, size_t v) {
+        const double lack = kMargin - lead_at_centre(map, centre, x, y, z);
+        if (lack > 0)
+            map.code[v] = std::max(map.code[v], static_cast<uint8_t>(std::ceil(kWeightOne * lack)));
+    });
+    run.report(1.0, "volume");
+}
+
+template void find_weights(LabelMap<uint8_t>&, const Run&);
+template void find_weights(LabelMap<uint16_t>&, const Run&);
+
+}  // namespace cleft

@@ -1,0 +1,206 @@
+#include "volume/volume.hpp"
+
+#include "base/stage_timer.hpp"
+#include "volume/indicator_field.hpp"
+#include "volume/label_sample.hpp"
+#include "volume/label_values.hpp"
+#include "volume/label_weights.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <string>
+#include <variant>
+
+namespace cleft
+{
+
+struct Volume::Data {
+    std::variant<LabelMap<uint8_t>, LabelMap<uint16_t>, IndicatorField> field;
+    std::vector<int32_t> labels;
+};
+
+namespace
+{
+
+void check_grid(const Grid& grid)
+{
+    for (size_t a = 0; a < 3; ++a)
+        if (grid.dims[a] < 1)
+            throw Error(CLEFT_ERROR_ARGUMENT, "dims[" + std::to_string(a) + "] is " + std::to_string(grid.dims[a]) +
+                                                  ", but a volume needs at least one voxel along each axis");
+    for (int a = 0; a < 3; ++a)
+        if (!(grid.spacing[a] > 0) || !std::isfinite(grid.spacing[a]))
+            throw Error(CLEFT_ERROR_ARGUMENT, "spacing[" + std::to_string(a) + "] is " +
+                                                  std::to_string(grid.spacing[a]) + ", not a positive finite number");
+    const double voxels = double(grid.dims[0]) * double(grid.dims[1]) * double(grid.dims[2]);
+    if (voxels > 0x1p56)
+        throw std::bad_alloc();
+}
+
+template <class Label, class Value>
+LabelMap<Label> make_label_map(const Value* voxels, const Grid& grid, int kernel, const std::vector<int32_t>& labels,
+                               const Run& run)
+{
+    LabelMap<Label> map;
+    map.grid = grid;
+    map.kernel = Hann(kernel);
+    map.material.resize(static_cast<size_t>(grid.size()) + kLanes);
+    dense_materials(voxels, grid.size(), labels, map.material.data(), run);
+    find_depths(map, run);
+    find_weights(map, run);
+    return map;
+}
+
+template <class Value>
+void store_labels(const void* voxels, const Grid& grid, int kernel, Volume::Data& data, const Run& run)
+{
+    const auto* values = static_cast<const Value*>(voxels);
+    data.labels = distinct_labels(values, grid.size(), run);
+    if (data.labels.size() <= 256)
+        data.field = make_label_map<uint8_t>(values, grid, kernel, data.labels, run);
+    else
+        data.field = make_label_map<uint16_t>(values, grid, kernel, data.labels, run);
+}
+
+// The names of the materials of K fields.
+std::vector<int32_t> indicator_labels(size_t fields, const std::vector<int32_t>& labels)
+{
+    const size_t materials = fields == 1 ? 2 : fields;
+    if (labels.empty()) {
+        std::vector<int32_t> numbers(materials);
+        for (size_t i = 0; i < materials; ++i)
+            numbers[i] = static_cast<int32_t>(i);
+        return numbers;
+    }
+    if (labels.size() != materials)
+        throw Error(CLEFT_ERROR_ARGUMENT, std::to_string(labels.size()) + " labels are given for " +
+                                              std::to_string(materials) + " materials");
+    auto sorted = labels;
+    std::sort(sorted.begin(), sorted.end());
+    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+    if (twice != sorted.end())
+        throw Error(CLEFT_ERROR_ARGUMENT, "label " + std::to_string(*twice) + " is given to two materials");
+    return labels;
+}
+
+template <class Value>
+void store_indicators(const std::vector<const Value*>& fields, const Grid& grid, const std::vector<int32_t>& labels,
+                      Volume::Data& data, const Run& run)
+{
+    const StageTimer timer(run, "volume");
+    check_grid(grid);
+    if (fields.empty())
+        throw Error(CLEFT_ERROR_ARGUMENT, "at least one indicator function is needed");
+    if (fields.size() > kGreatestLabelCount)
+        throw Error(CLEFT_ERROR_ARGUMENT, "more than 65535 indicator functions are given");
+    for (size_t k = 0; k < fields.size(); ++k)
+        if (!fields[k])
+            throw Error(CLEFT_ERROR_NULL, "indicator function " + std::to_string(k) + " is NULL");
+    data.labels = indicator_labels(fields.size(), labels);
+    data.field = make_indicators(fields, grid, run);
+}
+
+}  // namespace
+
+Volume Volume::from_labels(VoxelType type, const void* voxels, const Grid& grid, int kernel, const Run& run)
+{
+    const StageTimer timer(run, "volume");
+    check_grid(grid);
+    if (!voxels)
+        throw Error(CLEFT_ERROR_NULL, "the voxels are NULL");
+    if (kernel < 2 || kernel > 6)
+        throw Error(CLEFT_ERROR_ARGUMENT, "the kernel width is " + std::to_string(kernel) + ", not within 2 .. 6");
+    auto data = std::make_unique<Data>();
+    switch (type) {
+        case VoxelType::uint8:
+            store_labels<uint8_t>(voxels, grid, kernel, *data, run);
+            break;
+        case VoxelType::uint16:
+            store_labels<uint16_t>(voxels, grid, kernel, *data, run);
+            break;
+        case VoxelType::int16:
+            store_labels<int16_t>(voxels, grid, kernel, *data, run);
+            break;
+        case VoxelType::uint32:
+            store_labels<uint32_t>(voxels, grid, kernel, *data, run);
+            break;
+        case VoxelType::int32:
+            store_labels<int32_t>(voxels, grid, kernel, *data, run);
+            break;
+        default:
+            throw Error(CLEFT_ERROR_ARGUMENT, "the voxel type is unknown");
+    }
+    return Volume(std::move(data));
+}
+
+Volume Volume::from_indicators(const std::vector<const float*>& fields, const Grid& grid,
+                               const std::vector<int32_t>& labels, const Run& run)
+{
+    auto data = std::make_unique<Data>();
+    store_indicators(fields, grid, labels, *data, run);
+    return Volume(std::move(data));
+}
+
+Volume Volume::from_indicators(const std::vector<const double*>& fields, const Grid& grid,
+                               const std::vector<int32_t>& labels, const Run& run)
+{
+    auto data = std::make_unique<Data>();
+    store_indicators(fields, grid, labels, *data, run);
+    return Volume(std::move(data));
+}
+
+Volume::Volume(std::unique_ptr<Data> data) : data_(std::move(data)) {}
+Volume::Volume(Volume&&) noexcept = default;
+Volume& Volume::operator=(Volume&&) noexcept = default;
+Volume::~Volume() = default;
+
+const Grid& Volume::grid() const
+{
+    return std::visit([](const auto& field) -> const Grid& { return field.grid; }, data_->field);
+}
+
+const std::vector<int32_t>& Volume::labels() const { return data_->labels; }
+
+bool Volume::is_label_map() const { return !std::holds_alternative<IndicatorField>(data_->field); }
+
+Material Volume::voxel_material(int64_t voxel) const
+{
+    return std::visit([&](const auto& field) { return cleft::voxel_material(field, voxel); }, data_->field);
+}
+
+std::vector<int64_t> Volume::voxel_counts() const
+{
+    std::vector<int64_t> counts(labels().size(), 0);
+    const int64_t n = grid().size();
+    std::visit(
+        [&](const auto& field) {
+            for (int64_t v = 0; v < n; ++v)
+                ++counts[static_cast<size_t>(cleft::voxel_material(field, v))];
+        },
+        data_->field);
+    return counts;
+}
+
+Material Volume::material_at(const Vec3& x) const
+{
+    return std::visit([&](const auto& field) { return cleft::material_at(field, x); }, data_->field);
+}
+
+void Volume::sample(const Vec3& x, Samples& out) const
+{
+    std::visit([&](const auto& field) { cleft::sample(field, x, out); }, data_->field);
+}
+
+void Volume::sample_gradient(const Vec3& x, Samples& out) const
+{
+    std::visit([&](const auto& field) { cleft::sample_gradient(field, x, out); }, data_->field);
+}
+
+bool Volume::single_material_near(const Vec3& x, double reach) const
+{
+    return std::visit([&](const auto& field) { return cleft::single_material_near(field, x, reach); }, data_->field);
+}
+
+}  // namespace cleft
