@@ -1,0 +1,40 @@
+"""cleft convert keeps a mesh what it is."""
+import json
+import unittest
+
+from support import CANNOT_READ, CANNOT_WRITE, CommandTest, cleft
+
+
+class Convert(CommandTest):
+    def info(self, name):
+        return json.loads(self.run_ok("info", self.path(name), "--json", "-").stdout)["mesh"]
+
+    def test_around_all_formats_that_can_be_read(self):
+        self.mesh(self.volume, output="start.vtu")
+        previous = "start.vtu"
+        for name in ("a.mesh", "b.msh", "c.vtk", "d.node", "end.vtu"):
+            self.run_ok("convert", self.path(previous), self.path(name))
+            previous = name
+        self.assertEqual(self.info("start.vtu"), self.info("end.vtu"))
+        self.assertEqual(self.path("start.vtu").read_bytes(), self.path("end.vtu").read_bytes())
+
+    def test_surfaces(self):
+        self.mesh(self.volume)
+        for name in ("a.stl", "a.ply", "a.inp"):
+            self.run_ok("convert", self.path("out.vtu"), self.path(name))
+            self.assertGreater(self.path(name).stat().st_size, 1000)
+
+    def test_some_labels(self):
+        self.mesh(self.volume)
+        self.run_ok("convert", self.path("out.vtu"), self.path("a.msh"), "--strip", "0", "--msh-version", "2.2")
+        self.assertEqual([row["label"] for row in self.info("a.msh")["labels"]], [3, 7])
+
+    def test_failures(self):
+        self.mesh(self.volume)
+        self.assert_fails(CANNOT_WRITE, cleft("convert", self.path("out.vtu"), self.path("a.xyz")), "a.xyz")
+        self.assert_fails(CANNOT_READ, cleft("convert", self.path("none.vtu"), self.path("a.msh")), "none.vtu")
+        self.assertFalse(self.path("a.msh").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

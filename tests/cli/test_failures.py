@@ -1,0 +1,60 @@
+"""Failures: the exit code, the message, the report, and no file left behind."""
+import json
+import resource
+import unittest
+
+from support import CANNOT_READ, CANNOT_WRITE, DATA, OUT_OF_MEMORY, CommandTest, cleft, write_nrrd
+
+
+class Failures(CommandTest):
+    def test_input_that_is_not_there(self):
+        done = cleft("mesh", self.path("none.nrrd"), "-o", self.path("out.vtu"))
+        self.assert_fails(CANNOT_READ, done, "none.nrrd")
+        self.assertEqual(done.stdout, "")
+
+    def test_input_that_is_cut_short(self):
+        self.volume.write_bytes(self.volume.read_bytes()[:-100])
+        self.assert_fails(CANNOT_READ, cleft("mesh", self.volume, "-o", self.path("out.vtu")))
+        self.path("a.raw").write_bytes(bytes(100))
+        done = cleft("mesh", self.path("a.raw"), "--dims", 16, 16, 16, "-o", self.path("out.vtu"))
+        self.assert_fails(CANNOT_READ, done, "a.raw")
+
+    def test_inputs_on_different_grids(self):
+        for name, n in (("a.nrrd", 4), ("b.nrrd", 5)):
+            write_nrrd(self.path(name), (n, n, n), [0.5] * n ** 3, "float")
+        done = cleft("mesh", self.path("a.nrrd"), self.path("b.nrrd"), "-o", self.path("out.vtu"))
+        self.assert_fails(CANNOT_READ, done)
+
+    def test_outputs_are_looked_at_before_the_work(self):
+        # The input is not there either: if it were read first, the exit code would say so.
+        missing = self.path("none.nrrd")
+        for output in ("no/such/folder/out.vtu", "out.unknown", "out", "."):
+            done = cleft("mesh", missing, "-o", self.path(output))
+            self.assert_fails(CANNOT_WRITE, done, self.path(output))
+        done = cleft("mesh", missing, "-o", self.path("out.vtu"), "--json", self.path("no/such/r.json"))
+        self.assert_fails(CANNOT_WRITE, done, "r.json")
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["balls.nrrd"])
+
+    def test_an_output_that_was_there_survives_a_failure(self):
+        self.path("out.vtu").write_text("precious")
+        cleft("mesh", self.path("none.nrrd"), "-o", self.path("out.vtu"))
+        self.assertEqual(self.path("out.vtu").read_text(), "precious")
+
+    def test_report_of_a_failure(self):
+        cleft("mesh", self.path("none.nrrd"), "-o", self.path("out.vtu"), "--json", self.path("r.json"))
+        error = json.loads(self.path("r.json").read_text())["error"]
+        self.assertEqual(error["exit_code"], CANNOT_READ)
+        self.assertLess(error["status"], 0)
+        self.assertIn("none.nrrd", error["message"])
+
+    def test_out_of_memory(self):
+        def little_memory():
+            resource.setrlimit(resource.RLIMIT_AS, (600_000_000, 600_000_000))
+        done = cleft("mesh", DATA / "mickey.nrrd", "-o", self.path("out.vtu"), "--tets", 5_000_000, "--threads", 1,
+                     preexec_fn=little_memory)
+        self.assert_fails(OUT_OF_MEMORY, done)
+        self.assertFalse(self.path("out.vtu").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

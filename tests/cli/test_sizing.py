@@ -1,0 +1,54 @@
+"""cleft sizing, and meshing with a field of one's own."""
+import json
+import unittest
+
+from support import CANNOT_WRITE, DATA, CommandTest, cleft, write_nrrd
+
+
+class Sizing(CommandTest):
+    def field(self, *arguments):
+        done = self.run_ok("sizing", *arguments, "-o", self.path("h.nrrd"), "--json", "-")
+        return json.loads(done.stdout)["sizing"]
+
+    def test_written_field_follows_the_options(self):
+        sizes = self.field(self.volume, "--size-min", 0.7, "--size-max", 2)
+        self.assertGreaterEqual(sizes["least"], 0.7 * 0.999)
+        self.assertLessEqual(sizes["greatest"], 2 * 1.001)
+        self.assertLess(sizes["least"], sizes["greatest"])
+        self.assertGreater(sizes["expected_tets"], 100)
+
+    def test_written_field_lies_on_the_grid_of_the_volume(self):
+        self.field(DATA / "CIT168.nrrd")
+        volumes = [json.loads(self.run_ok("info", path, "--as", kind, "--json", "-").stdout)["volume"]
+                   for path, kind in ((DATA / "CIT168.nrrd", "labels"), (self.path("h.nrrd"), "indicators"))]
+        self.assertEqual(volumes[0]["dims"], volumes[1]["dims"])
+        for a, b in zip(volumes[0]["affine"], volumes[1]["affine"]):
+            self.assertAlmostEqual(a, b, places=4)
+
+    def test_a_field_of_ones_own(self):
+        write_nrrd(self.path("mine.nrrd"), (16, 16, 16), [3.0 if i % 16 > 8 else 1.0 for i in range(16 ** 3)], "float")
+        mine = self.mesh(self.volume, "--sizing", self.path("mine.nrrd"))
+        coarse = self.mesh(self.volume, "--size", 3)
+        fine = self.mesh(self.volume, "--size", 1)
+        self.assertGreater(mine["mesh"]["tets"], coarse["mesh"]["tets"])
+        self.assertLess(mine["mesh"]["tets"], fine["mesh"]["tets"])
+        self.assertEqual(mine["options"]["sizing"], str(self.path("mine.nrrd")))
+
+    def test_combined_field_is_no_coarser_than_either(self):
+        write_nrrd(self.path("mine.nrrd"), (16, 16, 16), [2.5] * 16 ** 3, "float")
+        alone = self.mesh(self.volume, "--sizing", self.path("mine.nrrd"))["mesh"]["tets"]
+        combined = self.mesh(self.volume, "--sizing", self.path("mine.nrrd"), "--combine")["mesh"]["tets"]
+        self.assertGreater(combined, alone)
+
+    def test_the_written_field_gives_a_mesh_of_about_its_size(self):
+        expected = self.field(self.volume)["expected_tets"]
+        tets = self.mesh(self.volume, "--sizing", self.path("h.nrrd"))["mesh"]["tets"]
+        self.assertGreater(tets, 0.5 * expected)
+        self.assertLess(tets, 4 * expected)
+
+    def test_unknown_format(self):
+        self.assert_fails(CANNOT_WRITE, cleft("sizing", self.volume, "-o", self.path("h.vtu")), "h.vtu")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,43 @@
+# Sourced by run-demo and run-tests: the one list of Debian packages, and how they get there.
+
+build_packages="
+    cmake ninja-build g++ pkg-config
+    libeigen3-dev libboost-dev libtet1.5-dev
+    libinsighttoolkit5-dev zlib1g-dev
+    libcli11-dev nlohmann-json3-dev"
+
+test_packages="
+    clang-format libcmocka-dev python3
+    gmsh calculix-ccx
+    python3-numpy python3-meshio python3-vtk9 python3-nibabel"
+
+say() { printf '\n== %s\n' "$*"; }
+fail() { printf '%s: %s\n' "$(basename "$0")" "$*" >&2; exit 1; }
+
+is_installed() { [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
+
+# install_missing PACKAGE...: installs what is missing, as root or with sudo; asks nothing.
+install_missing() {
+    command -v dpkg-query >/dev/null || fail "this script is for Debian and its children; elsewhere, install $* and build with cmake --preset release"
+    missing=
+    for package in "$@"; do
+        is_installed "$package" || missing="$missing $package"
+    done
+    [ -n "$missing" ] || return 0
+    if [ "$(id -u)" = 0 ]; then
+        as_root=
+    elif command -v sudo >/dev/null; then
+        as_root=sudo
+    else
+        fail "these packages are missing, and you are neither root nor have sudo. Have them installed by: apt-get install$missing"
+    fi
+    say "Installing$missing"
+    $as_root env DEBIAN_FRONTEND=noninteractive apt-get update -q
+    $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing ||
+        fail "apt-get could not install$missing"
+}
+
+# Compiles through ccache where there is one.
+if command -v ccache >/dev/null; then
+    export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+fi
