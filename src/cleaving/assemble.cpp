@@ -1,0 +1,192 @@
+#include "cleaving/assemble.hpp"
+
+#include "base/parallel.hpp"
+#include "cleaving/choose_material.hpp"
+#include "cleaving/split_tet.hpp"
+#include "mesh/quality.hpp"
+
+#include <limits>
+
+namespace cleft
+{
+
+namespace
+{
+
+constexpr int64_t kGrain = 2048;
+
+// Numbers in the output of the points that are in use, in the order vertices, cuts, triple and quadruple points.
+struct Numbering {
+    std::vector<int32_t> vertex, cut, triple, quadruple;
+    std::vector<Vec3> points;
+
+    explicit Numbering(const Centres& c)
+    {
+        std::vector<uint8_t> in_use(c.points.size(), 0);
+        for (const Tet& t : c.tets)
+            for (const int32_t v : t)
+                in_use[static_cast<size_t>(v)] = 1;
+        number(
+            vertex, c.points, [&](size_t i) { return in_use[i] != 0; }, [&](size_t i) { return c.points[i]; });
+        number(
+            cut, c.edges, [&](size_t i) { return c.edges[i].is_cut; },
+            [&](size_t i) { return c.cut_point(c.edges[i]); });
+        number(
+            triple, c.faces, [&](size_t i) { return c.has_triple(c.faces[i]); },
+            [&](size_t i) { return c.triple_point(c.faces[i]); });
+        number(
+            quadruple, c.quadruples, [&](size_t i) { return has_quadruple(c, c.quadruples[i]); },
+            [&](size_t i) { return c.quadruple_point(c.quadruples[i]); });
+    }
+
+    // Output points of a mixed tetrahedron; those that are not there are never asked for.
+    std::array<int32_t, kStencilPoints> of(const Centres& c, const MixedTet& m) const
+    {
+        std::array<int32_t, kStencilPoints> id;
+        const auto take = [](const std::vector<int32_t>& from, int32_t i) {
+            return i < 0 ? -1 : from[static_cast<size_t>(i)];
+        };
+        for (size_t i = 0; i < 4; ++i) {
+            id[i] = take(vertex, c.corners(m.tet)[i]);
+            id[kTriplePoint + i] = take(triple, m.faces[i]);
+        }
+        for (size_t e = 0; e < 6; ++e)
+            id[kCutPoint + e] = take(cut, m.edges[e]);
+        id[kQuadruplePoint] = take(quadruple, m.quadruple);
+        return id;
+    }
+
+private:
+    static bool has_quadruple(const Centres& c, const QuadrupleTet& q)
+    {
+        return c.cuts(c.mixed[static_cast<size_t>(c.mixed_of[static_cast<size_t>(q.tet)])]) == kAllCuts;
+    }
+
+    template <class Items, class InUse, class Position>
+    void number(std::vector<int32_t>& numbers, const Items& items, const InUse& in_use, const Position& position)
+    {
+        numbers.assign(items.size(), -1);
+        for (size_t i = 0; i < items.size(); ++i) {
+            if (!in_use(i))
+                continue;
+            if (points.size() >= static_cast<size_t>(std::numeric_limits<int32_t>::max()))
+                throw Error(CLEFT_ERROR_TOO_LARGE, "the mesh would have more points than 32-bit numbers can name");
+            numbers[i] = static_cast<int32_t>(points.size());
+            points.push_back(position(i));
+        }
+    }
+};
+
+// What each mixed tetrahedron becomes: chosen once, so that the output can be written in place.
+struct Plan {
+    std::vector<uint8_t> apex;   // by mixed tetrahedron
+    std::vector<int64_t> begin;  // first output tetrahedron of each chunk of background tetrahedra
+    int64_t tets = 0;
+};
+
+int tets_of(const SplitTet& split, int apex)
+{
+    std::array<StencilTet, 24> tets;
+    return fan(split.surface, apex, tets);
+}
+
+Plan plan_fans(const Centres& c, const Run& run)
+{
+    const auto n = static_cast<int64_t>(c.tets.size());
+    Plan plan;
+    plan.apex.resize(c.mixed.size());
+    plan.begin.resize(static_cast<size_t>(chunk_count(n, kGrain)));
+    parallel_chunks(run, n, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
+        int64_t count = 0;
+        for (auto t = static_cast<size_t>(begin); t < static_cast<size_t>(end); ++t) {
+            if (c.mixed_of[t] < 0) {
+                ++count;
+                continue;
+            }
+            const auto m = static_cast<size_t>(c.mixed_of[t]);
+            const SplitTet split = split_tet(c, c.mixed[m]);
+            const int apex = best_fan(split).apex;
+            plan.apex[m] = static_cast<uint8_t>(apex);
+            count += tets_of(split, apex);
+        }
+        plan.begin[static_cast<size_t>(chunk)] = count;
+    });
+    for (int64_t& begin : plan.begin) {
+        const int64_t count = begin;
+        begin = plan.tets;
+        plan.tets += count;
+    }
+    if (plan.tets > std::numeric_limits<int32_t>::max())
+        throw Error(CLEFT_ERROR_TOO_LARGE, "the mesh would have more tetrahedra than 32-bit numbers can name");
+    return plan;
+}
+
+// Writes the output tetrahedra of one background tetrahedron from `out` on; returns their number.
+class TetWriter
+{
+public:
+    TetWriter(const Centres& c, const Numbering& numbering, LabelledMesh& mesh)
+        : c_(c), numbering_(numbering), mesh_(mesh)
+    {
+    }
+
+    size_t write_whole(size_t tet, size_t out)
+    {
+        const Tet& corners = c_.tets[tet];
+        std::array<Vec3, 4> x;
+        for (size_t i = 0; i < 4; ++i) {
+            mesh_.tets[out][i] = numbering_.vertex[static_cast<size_t>(corners[i])];
+            x[i] = c_.point(corners[i]);
+        }
+        mesh_.material[out] = MaterialChooser(c_, corners).choose({0, 1, 2, 3}, x, scratch_);
+        return 1;
+    }
+
+    size_t write_fan(const MixedTet& m, int apex, size_t out)
+    {
+        const SplitTet split = split_tet(c_, m);
+        const MaterialChooser chooser(c_, c_.corners(m.tet));
+        const auto id = numbering_.of(c_, m);
+        std::array<StencilTet, 24> tets;
+        const auto count = static_cast<size_t>(fan(split.surface, apex, tets));
+        for (size_t i = 0; i < count; ++i) {
+            const StencilTet& t = tets[i];
+            for (size_t k = 0; k < 4; ++k)
+                mesh_.tets[out + i][k] = id[t[k]];
+            mesh_.material[out + i] =
+                chooser.choose(t, {split.x[t[0]], split.x[t[1]], split.x[t[2]], split.x[t[3]]}, scratch_);
+        }
+        return count;
+    }
+
+private:
+    const Centres& c_;
+    const Numbering& numbering_;
+    LabelledMesh& mesh_;
+    Samples scratch_;
+};
+
+}  // namespace
+
+LabelledMesh assemble(const Centres& c, const Run& run)
+{
+    const Plan plan = plan_fans(c, run);
+    run.report(0.9, "cleaving: tetrahedra");
+    Numbering numbering(c);
+    LabelledMesh mesh;
+    mesh.points = std::move(numbering.points);
+    mesh.tets.resize(static_cast<size_t>(plan.tets));
+    mesh.material.resize(mesh.tets.size());
+    parallel_chunks(run, static_cast<int64_t>(c.tets.size()), kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
+        TetWriter writer(c, numbering, mesh);
+        auto out = static_cast<size_t>(plan.begin[static_cast<size_t>(chunk)]);
+        for (auto t = static_cast<size_t>(begin); t < static_cast<size_t>(end); ++t) {
+            const int32_t m = c.mixed_of[t];
+            out += m < 0 ? writer.write_whole(t, out)
+                         : writer.write_fan(c.mixed[static_cast<size_t>(m)], plan.apex[static_cast<size_t>(m)], out);
+        }
+    });
+    return mesh;
+}
+
+}  // namespace cleft

@@ -1,0 +1,86 @@
+// The background with the centres of its simplices: the state that snapping changes and splitting reads.
+//
+// Only what an interface crosses takes memory: vertices carry sets of materials; edges whose ends have disjoint sets
+// are cut; tables of faces and tetrahedra hold those with cuts alone. Sets only grow, so cuts only vanish, and the
+// tables made at the start hold all that can ever be.
+#pragma once
+
+#include "base/run.hpp"
+#include "cleaving/sample_store.hpp"
+#include "cleaving/stencil.hpp"
+#include "cleaving/tie.hpp"
+
+#include <memory>
+
+namespace cleft
+{
+
+// An edge that was cut at the start, from its lower vertex to its higher one.
+struct CutEdge {
+    int32_t lower, upper;
+    double t;     // the cut is at lower + t (upper - lower)
+    bool is_cut;  // false once an end has snapped onto the interface
+};
+
+// A face whose three edges were cut at the start. It has a triple point while all three still are.
+struct TripleFace {
+    std::array<int32_t, 3> corners;  // ascending
+    std::array<int32_t, 3> edges;    // corners 01, 02, 12
+    Weights weights;
+};
+
+// A tetrahedron whose six edges were cut at the start.
+struct QuadrupleTet {
+    int32_t tet;
+    Weights weights;
+};
+
+// A tetrahedron with at least one edge that was cut at the start; -1 where there is no entry.
+struct MixedTet {
+    int32_t tet;
+    std::array<int32_t, 6> edges;  // in CutEdge, order of kEdgeCorners
+    std::array<int32_t, 4> faces;  // in TripleFace, opposite corner i
+    int32_t quadruple;
+};
+
+struct Centres {
+    const Volume& volume;
+    const std::vector<Tet>& tets;
+    std::vector<Vec3> points;  // of the vertices; snapping moves them
+    std::vector<MaterialSet> materials;
+    SampleStore samples;
+
+    std::vector<CutEdge> edges;
+    std::vector<TripleFace> faces;
+    std::vector<QuadrupleTet> quadruples;
+    std::vector<MixedTet> mixed;
+    std::vector<int32_t> mixed_of;  // by tetrahedron, or -1
+
+    const Vec3& point(int32_t v) const { return points[static_cast<size_t>(v)]; }
+    const MaterialSet& materials_of(int32_t v) const { return materials[static_cast<size_t>(v)]; }
+    const Tet& corners(int32_t tet) const { return tets[static_cast<size_t>(tet)]; }
+    bool is_cut(int32_t edge) const { return edge >= 0 && edges[static_cast<size_t>(edge)].is_cut; }
+    bool has_triple(const TripleFace& f) const
+    {
+        return is_cut(f.edges[0]) && is_cut(f.edges[1]) && is_cut(f.edges[2]);
+    }
+    CutMask cuts(const MixedTet& m) const;
+
+    // Positions. Written as corner + sum of weight * side, so that a coordinate that all corners share comes out
+    // exactly: centres of box faces lie in their face to the last bit.
+    Vec3 cut_point(const CutEdge& e) const { return point(e.lower) + e.t * (point(e.upper) - point(e.lower)); }
+    Vec3 triple_point(const TripleFace& f) const;
+    Vec3 quadruple_point(const QuadrupleTet& q) const;
+
+    // Finds a centre anew, after an end has moved or changed its materials. Triple points take their first guess from
+    // the cuts, quadruple points from theirs.
+    void place_cut(CutEdge& e, Samples& scratch) const;
+    void place_triple(TripleFace& f, Samples& scratch) const;
+    void place_quadruple(QuadrupleTet& q, Samples& scratch) const;
+};
+
+// Samples the volume at the vertices and finds all centres. `neighbours` are of mesh/adjacency.hpp.
+Centres find_centres(const Volume& volume, const TetMesh& background,
+                     const std::vector<std::array<int32_t, 4>>& neighbours, const Run& run);
+
+}  // namespace cleft

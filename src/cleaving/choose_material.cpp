@@ -1,0 +1,58 @@
+#include "cleaving/choose_material.hpp"
+
+#include <limits>
+
+namespace cleft
+{
+
+MaterialChooser::MaterialChooser(const Centres& c, const Tet& corners) : volume_(c.volume)
+{
+    for (const int32_t v : corners)
+        for (const Material m : c.materials_of(v))
+            material_[static_cast<size_t>(count_++)] = m;
+    std::sort(material_.begin(), material_.begin() + count_);
+    count_ = static_cast<int>(std::unique(material_.begin(), material_.begin() + count_) - material_.begin());
+    for (size_t i = 0; i < 4; ++i)
+        for (const Material m : c.materials_of(corners[i]))
+            of_corner_[i] |=
+                uint64_t{1} << (std::lower_bound(material_.begin(), material_.begin() + count_, m) - material_.begin());
+}
+
+uint64_t MaterialChooser::of_point(uint8_t p) const
+{
+    uint64_t materials = 0;
+    for (size_t i = 0; i < 4; ++i)
+        if (kCarrier[p] >> i & 1u)
+            materials |= of_corner_[i];
+    return materials;
+}
+
+Material MaterialChooser::choose(const StencilTet& t, const std::array<Vec3, 4>& x, Samples& scratch) const
+{
+    if (count_ == 1)
+        return material_[0];
+    const std::array<uint64_t, 4> of = {of_point(t[0]), of_point(t[1]), of_point(t[2]), of_point(t[3])};
+    uint64_t candidates = of[0] & of[1] & of[2] & of[3];
+    const bool is_single = candidates && !(candidates & (candidates - 1));
+    if (!candidates)
+        candidates = of[0] | of[1] | of[2] | of[3];
+    if (!is_single)
+        volume_.sample((x[0] + x[1] + x[2] + x[3]) / 4, scratch);
+    Material best = -1;
+    double greatest = -std::numeric_limits<double>::infinity();
+    for (size_t i = 0; i < static_cast<size_t>(count_); ++i) {
+        if (!(candidates >> i & 1u))
+            continue;
+        if (is_single)
+            return material_[i];
+        const int entry = scratch.find(material_[i]);
+        const double value = entry < 0 ? 0.0 : scratch.value[static_cast<size_t>(entry)];
+        if (best < 0 || value > greatest) {
+            best = material_[i];
+            greatest = value;
+        }
+    }
+    return best;
+}
+
+}  // namespace cleft

@@ -1,0 +1,32 @@
+// The material of an output tetrahedron.
+#pragma once
+
+#include "cleaving/split_tet.hpp"
+
+namespace cleft
+{
+
+// A point of a split tetrahedron belongs to all materials of the corners that carry it; an output tetrahedron has the
+// material that its four points share. Snapped corners may leave several to choose from, or none: then the volume
+// decides at the centroid, among those shared, or else among all that the four points have.
+class MaterialChooser
+{
+public:
+    MaterialChooser(const Centres& c, const Tet& corners);
+
+    // x: of the four points of t.
+    Material choose(const StencilTet& t, const std::array<Vec3, 4>& x, Samples& scratch) const;
+
+private:
+    uint64_t of_point(uint8_t p) const;
+
+    const Volume& volume_;
+    // Materials of the four corners, ascending, and which of them each corner has.
+    std::array<Material, 4 * MaterialSet::kCapacity> material_;
+    int count_ = 0;
+    std::array<uint64_t, 4> of_corner_{};
+};
+
+static_assert(4 * MaterialSet::kCapacity <= 64, "the materials of four corners are bits of one word");
+
+}  // namespace cleft

@@ -1,0 +1,23 @@
+#include "cleaving/cleave.hpp"
+
+#include "base/stage_timer.hpp"
+#include "cleaving/assemble.hpp"
+#include "cleaving/centres.hpp"
+
+namespace cleft
+{
+
+LabelledMesh cleave(const Volume& volume, const TetMesh& background, const CleaveOptions& options, const Run& run)
+{
+    const StageTimer timer(run, "cleaving");
+    const auto neighbours = tet_neighbours(background.tets, static_cast<int64_t>(background.points.size()));
+    Centres centres = find_centres(volume, background, neighbours, run);
+    (void)options;
+    run.note("cleaving.given_up", static_cast<double>(give_up_flat_cuts(centres, run)));
+    LabelledMesh mesh = assemble(centres, run);
+    run.note("cleaving.tets", static_cast<double>(mesh.tets.size()));
+    run.report(1.0, "cleaving");
+    return mesh;
+}
+
+}  // namespace cleft

@@ -1,0 +1,214 @@
+// Making the tables of centres: sample the vertices, list the cut edges, then the simplices above them.
+#include "base/parallel.hpp"
+#include "cleaving/centres.hpp"
+
+namespace cleft
+{
+
+namespace
+{
+
+using Neighbours = std::vector<std::array<int32_t, 4>>;
+
+constexpr int64_t kGrain = 4096;
+
+struct SampledVertices {
+    std::vector<MaterialSet> materials;
+    std::vector<uint16_t> count;
+    std::vector<MaterialValue> values;
+};
+
+SampledVertices sample_vertices(const Volume& volume, const std::vector<Vec3>& points, const Run& run)
+{
+    const auto n = static_cast<int64_t>(points.size());
+    SampledVertices out;
+    out.materials.resize(points.size());
+    out.count.resize(points.size());
+    std::vector<std::vector<MaterialValue>> chunks(static_cast<size_t>(chunk_count(n, kGrain)));
+    parallel_chunks(run, n, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
+        Samples samples;
+        for (auto v = static_cast<size_t>(begin); v < static_cast<size_t>(end); ++v) {
+            volume.sample(points[v], samples);
+            out.materials[v] = MaterialSet(samples.material[samples.best()]);
+            out.count[v] = static_cast<uint16_t>(samples.size());
+            SampleStore::append(samples, chunks[static_cast<size_t>(chunk)]);
+        }
+    });
+    for (auto& chunk : chunks) {
+        out.values.insert(out.values.end(), chunk.begin(), chunk.end());
+        chunk = {};
+    }
+    return out;
+}
+
+// Before anything has snapped a vertex has one material.
+class Tables
+{
+public:
+    explicit Tables(Centres& centres) : c_(centres) {}
+
+    void build(const Neighbours& neighbours)
+    {
+        list_edges();
+        list_mixed();
+        list_faces(neighbours);
+        list_quadruples();
+    }
+
+private:
+    Material material(int32_t v) const { return c_.materials_of(v)[0]; }
+
+    template <class Visit>
+    void for_each_cut(const Tet& t, const Visit& visit) const
+    {
+        const std::array<Material, 4> m = {material(t[0]), material(t[1]), material(t[2]), material(t[3])};
+        if (m[0] == m[1] && m[0] == m[2] && m[0] == m[3])
+            return;
+        for (size_t e = 0; e < 6; ++e) {
+            const auto i = static_cast<size_t>(kEdgeCorners[e][0]), j = static_cast<size_t>(kEdgeCorners[e][1]);
+            if (m[i] != m[j])
+                visit(e, std::min(t[i], t[j]), std::max(t[i], t[j]));
+        }
+    }
+
+    // A counting sort by the lower end, then a sort of the few upper ends of each.
+    void list_edges()
+    {
+        const size_t n = c_.points.size();
+        std::vector<int64_t> slot(n + 1, 0);
+        for (const Tet& t : c_.tets)
+            for_each_cut(t, [&](size_t, int32_t lower, int32_t) { ++slot[static_cast<size_t>(lower) + 1]; });
+        for (size_t v = 0; v < n; ++v)
+            slot[v + 1] += slot[v];
+        std::vector<int32_t> upper(static_cast<size_t>(slot[n]));
+        for (const Tet& t : c_.tets)
+            for_each_cut(t, [&](size_t, int32_t lower, int32_t high) {
+                upper[static_cast<size_t>(slot[static_cast<size_t>(lower)]++)] = high;
+            });
+        // Each slot is now where the next one began.
+        first_edge_.resize(n + 1, 0);
+        int64_t begin = 0;
+        for (size_t v = 0; v < n; ++v) {
+            const auto from = upper.begin() + begin, to = upper.begin() + slot[v];
+            std::sort(from, to);
+            for (auto u = from; u != to; ++u)
+                if (u == from || *u != *(u - 1))
+                    c_.edges.push_back({static_cast<int32_t>(v), *u, 0.5, true});
+            begin = slot[v];
+            first_edge_[v + 1] = static_cast<int32_t>(c_.edges.size());
+        }
+    }
+
+    int32_t edge_between(int32_t lower, int32_t upper) const
+    {
+        int32_t e = first_edge_[static_cast<size_t>(lower)];
+        while (c_.edges[static_cast<size_t>(e)].upper != upper)
+            ++e;
+        return e;
+    }
+
+    void list_mixed()
+    {
+        c_.mixed_of.assign(c_.tets.size(), -1);
+        for (size_t t = 0; t < c_.tets.size(); ++t) {
+            MixedTet m{static_cast<int32_t>(t), {-1, -1, -1, -1, -1, -1}, {-1, -1, -1, -1}, -1};
+            bool has_cut = false;
+            for_each_cut(c_.tets[t], [&](size_t e, int32_t lower, int32_t upper) {
+                m.edges[e] = edge_between(lower, upper);
+                has_cut = true;
+            });
+            if (has_cut) {
+                c_.mixed_of[t] = static_cast<int32_t>(c_.mixed.size());
+                c_.mixed.push_back(m);
+            }
+        }
+    }
+
+    // A face is listed by the first of its two tetrahedra; the second one finds it there.
+    void list_faces(const Neighbours& neighbours)
+    {
+        for (MixedTet& m : c_.mixed) {
+            const CutMask cuts = c_.cuts(m);
+            for (size_t i = 0; i < 4; ++i) {
+                if ((cuts & kFaceCuts[i]) != kFaceCuts[i])
+                    continue;
+                const int32_t behind = neighbours[static_cast<size_t>(m.tet)][i];
+                if (behind >= 0 && behind < m.tet) {
+                    m.faces[i] = face_towards(neighbours, behind, m.tet);
+                } else {
+                    m.faces[i] = static_cast<int32_t>(c_.faces.size());
+                    c_.faces.push_back(triple_face(m, i));
+                }
+            }
+        }
+    }
+
+    int32_t face_towards(const Neighbours& neighbours, int32_t tet, int32_t other) const
+    {
+        const auto& n = neighbours[static_cast<size_t>(tet)];
+        const auto i = static_cast<size_t>(std::find(n.begin(), n.end(), other) - n.begin());
+        return c_.mixed[static_cast<size_t>(c_.mixed_of[static_cast<size_t>(tet)])].faces[i];
+    }
+
+    TripleFace triple_face(const MixedTet& m, size_t opposite) const
+    {
+        const Tet& t = c_.corners(m.tet);
+        std::array<int, 3> local = {kFaceCorners[opposite][0], kFaceCorners[opposite][1], kFaceCorners[opposite][2]};
+        std::sort(local.begin(), local.end(),
+                  [&](int a, int b) { return t[static_cast<size_t>(a)] < t[static_cast<size_t>(b)]; });
+        const auto corner = [&](size_t k) { return t[static_cast<size_t>(local[k])]; };
+        const auto edge = [&](size_t k, size_t l) {
+            return m.edges[static_cast<size_t>(kEdgeBetween[local[k]][local[l]])];
+        };
+        return {{corner(0), corner(1), corner(2)}, {edge(0, 1), edge(0, 2), edge(1, 2)}, {}};
+    }
+
+    void list_quadruples()
+    {
+        for (MixedTet& m : c_.mixed)
+            if (c_.cuts(m) == kAllCuts) {
+                m.quadruple = static_cast<int32_t>(c_.quadruples.size());
+                c_.quadruples.push_back({m.tet, {}});
+            }
+    }
+
+    Centres& c_;
+    std::vector<int32_t> first_edge_;  // of each lower vertex
+};
+
+template <class Item, class Place>
+void place_all(const Run& run, std::vector<Item>& items, const Place& place)
+{
+    parallel_for(run, static_cast<int64_t>(items.size()), kGrain / 8, [&](int64_t begin, int64_t end) {
+        Samples scratch;
+        for (int64_t i = begin; i < end; ++i)
+            place(items[static_cast<size_t>(i)], scratch);
+    });
+}
+
+}  // namespace
+
+Centres find_centres(const Volume& volume, const TetMesh& background, const Neighbours& neighbours, const Run& run)
+{
+    run.report(0.0, "cleaving: materials of vertices");
+    SampledVertices sampled = sample_vertices(volume, background.points, run);
+    Centres c{volume,
+              background.tets,
+              background.points,
+              std::move(sampled.materials),
+              SampleStore(std::move(sampled.values), sampled.count),
+              {},
+              {},
+              {},
+              {},
+              {}};
+    run.report(0.1, "cleaving: cuts");
+    Tables(c).build(neighbours);
+    place_all(run, c.edges, [&](CutEdge& e, Samples& scratch) { c.place_cut(e, scratch); });
+    run.report(0.2, "cleaving: triple points");
+    place_all(run, c.faces, [&](TripleFace& f, Samples& scratch) { c.place_triple(f, scratch); });
+    place_all(run, c.quadruples, [&](QuadrupleTet& q, Samples& scratch) { c.place_quadruple(q, scratch); });
+    return c;
+}
+
+}  // namespace cleft

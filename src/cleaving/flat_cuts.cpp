@@ -1,0 +1,78 @@
+// Slivers of the background must not split into pieces of no volume.
+#include "base/parallel.hpp"
+#include "cleaving/assemble.hpp"
+#include "cleaving/split_tet.hpp"
+
+namespace cleft
+{
+
+namespace
+{
+
+constexpr int64_t kGrain = 2048;
+
+double mean_edge(const Centres& c, const Run& run)
+{
+    const auto n = static_cast<int64_t>(c.tets.size());
+    std::vector<double> sums(static_cast<size_t>(chunk_count(n, kGrain)), 0.0);
+    parallel_chunks(run, n, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
+        for (auto t = static_cast<size_t>(begin); t < static_cast<size_t>(end); ++t)
+            for (const auto& e : kEdgeCorners)
+                sums[static_cast<size_t>(chunk)] +=
+                    (c.point(c.tets[t][static_cast<size_t>(e[0])]) - c.point(c.tets[t][static_cast<size_t>(e[1])]))
+                        .norm();
+    });
+    double sum = 0;
+    for (const double s : sums)
+        sum += s;
+    return sum / static_cast<double>(std::max<int64_t>(1, 6 * n));
+}
+
+// Mixed tetrahedra with a piece whose sixfold volume is not above the threshold.
+std::vector<int32_t> find_flat(const Centres& c, double threshold, const Run& run)
+{
+    const auto n = static_cast<int64_t>(c.mixed.size());
+    std::vector<std::vector<int32_t>> found(static_cast<size_t>(chunk_count(n, kGrain)));
+    parallel_chunks(run, n, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
+        for (int64_t m = begin; m < end; ++m) {
+            const SplitTet split = split_tet(c, c.mixed[static_cast<size_t>(m)]);
+            if (split.cuts && !(least_volume(split, best_fan(split).apex) > threshold))
+                found[static_cast<size_t>(chunk)].push_back(static_cast<int32_t>(m));
+        }
+    });
+    std::vector<int32_t> all;
+    for (const auto& f : found)
+        all.insert(all.end(), f.begin(), f.end());
+    return all;
+}
+
+// False if the tetrahedron has no cut left.
+bool drop_least_central_cut(Centres& c, const MixedTet& m)
+{
+    CutEdge* least = nullptr;
+    for (const int32_t e : m.edges)
+        if (c.is_cut(e)) {
+            CutEdge& edge = c.edges[static_cast<size_t>(e)];
+            if (!least || edge.t * (1 - edge.t) < least->t * (1 - least->t))
+                least = &edge;
+        }
+    if (least)
+        least->is_cut = false;
+    return least != nullptr;
+}
+
+}  // namespace
+
+int64_t give_up_flat_cuts(Centres& c, const Run& run)
+{
+    // Twice what validation calls flat, which goes by the mean edge of the output, shorter than the background's.
+    const double edge = mean_edge(c, run);
+    const double threshold = 2 * 6e-12 * edge * edge * edge;
+    int64_t dropped = 0;
+    for (std::vector<int32_t> flat; !(flat = find_flat(c, threshold, run)).empty();)
+        for (const int32_t m : flat)
+            dropped += drop_least_central_cut(c, c.mixed[static_cast<size_t>(m)]);
+    return dropped;
+}
+
+}  // namespace cleft

@@ -1,0 +1,54 @@
+// Where indicator functions tie: on an edge, in a face, in a tetrahedron, and next to a vertex.
+//
+// A vertex of material set S stands for the function max over S of f; centres are the points where the functions of
+// the corners of a simplex are equal.
+#pragma once
+
+#include "cleaving/material_set.hpp"
+#include "volume/volume.hpp"
+
+#include <array>
+#include <optional>
+
+namespace cleft
+{
+
+// Centres keep away from the ends of their simplices: an edge is cut between these parameters, and the barycentric
+// coordinates of triple and quadruple points are at least kLeastWeight.
+inline constexpr double kLeastCut = 0.02, kGreatestCut = 1 - kLeastCut;
+inline constexpr double kLeastWeight = 0.05;
+
+// The value of the best material of a set.
+double greatest_value(const Samples& samples, const MaterialSet& set);
+
+// An edge from `a` (materials A) to `b` (materials B); the differences max over A - max over B at its ends are known.
+struct EdgeTie {
+    const Vec3 &a, &b;
+    const MaterialSet &A, &B;
+    double difference_a, difference_b;
+};
+
+// Parameter of the tie between a (0) and b (1): a bracketed root search of few evaluations. An end that is on the
+// wrong side of the tie (voxel-aligned vertices, noise) gives the nearest parameter that is allowed.
+double find_cut(const Volume& volume, const EdgeTie& edge, Samples& scratch);
+
+// Corners and materials of a face (3) or of a tetrahedron (4).
+struct SimplexTie {
+    int corners;
+    std::array<Vec3, 4> x;
+    std::array<const MaterialSet*, 4> materials;
+};
+
+// Weights of the corners after the first.
+using Weights = std::array<double, 3>;
+
+// The tie of all corners, by Newton's method from a first guess inside; held inside by kLeastWeight.
+Weights find_centre(const Volume& volume, const SimplexTie& simplex, const Weights& guess, Samples& scratch);
+
+// The point closest to x at which the materials of the set (2 to 4) tie, by minimum-norm Newton steps from `start`, a
+// point near the tie (far from interfaces label indicators are flat). The frozen axes (bits) keep x's coordinates.
+// None if there are fewer free axes than equations, if the tie is further than `reach`, or without convergence.
+std::optional<Vec3> project_to_tie(const Volume& volume, const Vec3& x, const Vec3& start, const MaterialSet& set,
+                                   unsigned frozen, double reach, Samples& scratch);
+
+}  // namespace cleft
