@@ -18,12 +18,9 @@ std::array<int32_t, 4> least_points(const Tet& t)
     return {std::min(t[1], last), std::min(t[0], last), std::min(first, t[3]), std::min(first, t[2])};
 }
 
-HalfFace half_face(const Tet& tet, uint32_t id)
+HalfFace half_face(const std::vector<Tet>& tets, uint32_t id)
 {
-    const int* corners = kFaceCorners[id & 3];
-    const int32_t a = tet[static_cast<size_t>(corners[0])];
-    const int32_t b = tet[static_cast<size_t>(corners[1])];
-    const int32_t c = tet[static_cast<size_t>(corners[2])];
+    const auto [a, b, c] = face_points(tets, id);
     const int32_t middle = std::max(std::min(a, b), std::min(std::max(a, b), c));
     const int32_t greatest = std::max(std::max(a, b), c);
     return {static_cast<uint64_t>(middle) << 32 | static_cast<uint64_t>(greatest), id};
@@ -63,7 +60,7 @@ void FaceBuckets::fill(int64_t point, std::vector<HalfFace>& bucket) const
     const auto p = static_cast<size_t>(point);
     bucket.clear();
     for (uint32_t k = start_[p]; k < start_[p + 1]; ++k)
-        bucket.push_back(half_face(tets_[ids_[k] >> 2], ids_[k]));
+        bucket.push_back(half_face(tets_, ids_[k]));
     std::sort(bucket.begin(), bucket.end());
 }
 

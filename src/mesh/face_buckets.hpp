@@ -33,6 +33,14 @@ inline bool has_repeated_corner(const Tet& t)
     return t[0] == t[1] || t[0] == t[2] || t[0] == t[3] || t[1] == t[2] || t[1] == t[3] || t[2] == t[3];
 }
 
+// The points of the face of a half-face, in the order of kFaceCorners.
+inline std::array<int32_t, 3> face_points(const std::vector<Tet>& tets, uint32_t id)
+{
+    const Tet& tet = tets[id >> 2];
+    const int* f = kFaceCorners[id & 3];
+    return {tet[static_cast<size_t>(f[0])], tet[static_cast<size_t>(f[1])], tet[static_cast<size_t>(f[2])]};
+}
+
 // Half-faces in buckets by their least point (a counting sort, linear); the few of a bucket are sorted when it is
 // visited. 16 bytes a tetrahedron and 4 a point. Tetrahedra with a bad index are left out.
 class FaceBuckets

@@ -24,16 +24,24 @@ double radius_ratio(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 struct Quality {
     int64_t tets = 0;
-    double min_dihedral = 0, max_dihedral = 0;  // degrees, over all angles
-    int64_t below_5 = 0, below_10 = 0, below_15 = 0, below_20 = 0,
-            above_165 = 0;  // tetrahedra by least / greatest angle
+    // Degrees, over all angles.
+    double min_dihedral = 0, max_dihedral = 0;
+    // Tetrahedra by their least angle, and by their greatest.
+    int64_t below_5 = 0, below_10 = 0, below_15 = 0, below_20 = 0;
+    int64_t above_165 = 0;
+    // Of the tetrahedra that are not exactly flat; percentiles interpolate between ranks.
     double radius_ratio_median = 0, radius_ratio_95 = 0, radius_ratio_max = 0;
-    double edge_ratio_max = 0;                         // longest / shortest edge of one tetrahedron
-    double min_edge = 0, mean_edge = 0, max_edge = 0;  // of the edges of tetrahedra, each counted once a tetrahedron
+    // Longest / shortest edge of one tetrahedron.
+    double edge_ratio_max = 0;
+    // Of the edges of tetrahedra, each counted once a tetrahedron.
+    double min_edge = 0, mean_edge = 0, max_edge = 0;
+    // Signed.
     double min_volume = 0, total_volume = 0;
-    std::array<int64_t, 36> dihedral_histogram{};  // all angles, bins of 5 degrees
+    // All angles, bins of 5 degrees.
+    std::array<int64_t, 36> dihedral_histogram{};
 };
 
+// All zero for no tetrahedra. Corners must be points of the mesh.
 Quality measure_quality(const std::vector<Vec3>& points, const std::vector<Tet>& tets, const Run& run);
 
 }  // namespace cleft

@@ -9,25 +9,37 @@
 namespace cleft
 {
 
+// Tetrahedra with a bad index take no part in the other counts; those with a point that is not finite take no part in
+// what needs coordinates. Sides of the bounding box are told with a tolerance of 1e-6 of its longest side.
 struct Validation {
-    int64_t negative = 0;              // tetrahedra of negative orientation (exact)
-    int64_t flat = 0;                  // exactly flat, or of a volume below 1e-12 mean edge^3
-    int64_t repeated_corner = 0;       // tetrahedra that name a point twice
-    int64_t bad_index = 0;             // tetrahedra that name a point that is not there
-    int64_t non_finite = 0;            // points with a NaN or infinite coordinate
-    int64_t crowded_faces = 0;         // faces of more than two tetrahedra
-    int64_t folded_faces = 0;          // faces whose two tetrahedra lie on one side
-    int64_t hull_off_box = 0;          // hull triangles in no side of the bounding box
-    int64_t open_interface_edges = 0;  // edges inside the box with one interface triangle only
+    // Tetrahedra. Negative or flat by the exact sign, but flat also with a volume below 1e-12 mean edge^3.
+    int64_t bad_index = 0;        // with a point that is not there
+    int64_t repeated_corner = 0;  // with the same point twice
+    int64_t negative = 0;
+    int64_t flat = 0;
+    // Faces.
+    int64_t hull_faces = 0;       // of one tetrahedron
+    int64_t shared_faces = 0;     // of two
+    int64_t crowded_faces = 0;    // of more than two
+    int64_t folded_faces = 0;     // of two that lie on one side (exact)
+    int64_t hull_off_box = 0;     // hull faces in no side of the bounding box
+    int64_t interface_faces = 0;  // of two of different materials
+    // Edges of one interface face only that lie in no side of the bounding box.
+    int64_t open_interface_edges = 0;
+    // Points.
+    int64_t non_finite = 0;
     int64_t unused_points = 0;
-    int64_t repeated_points = 0;  // points equal to another one (within 1e-9 of the longest side)
+    int64_t repeated_points = 0;  // used points equal to another one, by rounding to 1e-9 of the longest side
+    // The volume is the sum of signed volumes.
     double volume = 0, box_volume = 0, hull_area = 0, box_area = 0;
     std::string first_fault;  // one sentence naming the first fault and its place; empty if the mesh is valid
 
     bool valid() const { return first_fault.empty(); }
 };
 
-// With `fills_box`, hull triangles off the bounding box and a volume or hull area unlike the box's are faults too.
+// With `fills_box`, hull faces off the bounding box, open interface edges, and a volume or hull area unlike the box's
+// (by 1e-9) are faults too; a mesh with a material stripped has them by right. An empty `material` stands for one
+// material.
 Validation validate(const LabelledMesh& mesh, bool fills_box, const Run& run);
 
 }  // namespace cleft

@@ -1,0 +1,44 @@
+// The box of a mesh and its sides.
+#pragma once
+
+#include "mesh/tet_mesh.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace cleft
+{
+
+struct BoundingBox {
+    Vec3 lo = Vec3::Constant(std::numeric_limits<double>::infinity());
+    Vec3 hi = Vec3::Constant(-std::numeric_limits<double>::infinity());
+
+    void add(const Vec3& x)
+    {
+        lo = lo.cwiseMin(x);
+        hi = hi.cwiseMax(x);
+    }
+    bool empty() const { return !(lo[0] <= hi[0]); }
+    double longest() const { return empty() ? 0 : (hi - lo).maxCoeff(); }
+    double volume() const { return empty() ? 0 : (hi - lo).prod(); }
+    double area() const
+    {
+        const Vec3 e = empty() ? Vec3(0, 0, 0) : Vec3(hi - lo);
+        return 2 * (e[0] * e[1] + e[1] * e[2] + e[2] * e[0]);
+    }
+
+    // The sides that x lies in within `tolerance`, one bit each in the order of Side.
+    unsigned sides(const Vec3& x, double tolerance) const
+    {
+        unsigned bits = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (std::abs(x[axis] - lo[axis]) <= tolerance)
+                bits |= 1u << (2 * axis);
+            if (std::abs(x[axis] - hi[axis]) <= tolerance)
+                bits |= 2u << (2 * axis);
+        }
+        return bits;
+    }
+};
+
+}  // namespace cleft

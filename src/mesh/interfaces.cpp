@@ -1,0 +1,130 @@
+#include "mesh/interfaces.hpp"
+
+#include "base/parallel.hpp"
+#include "mesh/bounding_box.hpp"
+#include "mesh/face_buckets.hpp"
+
+#include <tuple>
+
+namespace cleft
+{
+
+namespace
+{
+
+constexpr int64_t kGrain = 2048;
+
+struct InterfaceFace {
+    std::array<Material, 2> pair;
+    Triangle corners;
+    bool operator<(const InterfaceFace& o) const { return std::tie(pair, corners) < std::tie(o.pair, o.corners); }
+};
+
+struct HullFace {
+    Side side;
+    Material material;
+    Triangle corners;
+    bool operator<(const HullFace& o) const
+    {
+        return std::tie(side, material, corners) < std::tie(o.side, o.material, o.corners);
+    }
+};
+
+struct Faces {
+    std::vector<InterfaceFace> interfaces;
+    std::vector<HullFace> hull;
+};
+
+// The corners of a face, wound outward from its tetrahedron, the least corner first.
+Triangle outward(const LabelledMesh& mesh, const HalfFace& face)
+{
+    Triangle t = face_points(mesh.tets, face.id);
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    return t;
+}
+
+// The first side that all three corners lie in.
+Side side_of(const LabelledMesh& mesh, const Triangle& t, const BoundingBox& box)
+{
+    unsigned sides = 63;
+    for (const int32_t p : t)
+        sides &= box.sides(mesh.points[static_cast<size_t>(p)], 0);
+    int side = 0;
+    while (side < static_cast<int>(Side::other) && !(sides >> side & 1))
+        ++side;
+    return static_cast<Side>(side);
+}
+
+void add_face(const LabelledMesh& mesh, const HalfFace* face, size_t count, const BoundingBox& box, Faces& out)
+{
+    const auto material = [&](const HalfFace& f) { return mesh.material[static_cast<size_t>(f.tet())]; };
+    if (count > 2)
+        throw Error(CLEFT_ERROR_INVALID_MESH, std::to_string(count) +
+                                                  " tetrahedra share one face, the first of them tetrahedron " +
+                                                  std::to_string(face[0].tet()) + ": interfaces are not defined");
+    if (count == 1) {
+        const Triangle corners = outward(mesh, face[0]);
+        out.hull.push_back({side_of(mesh, corners, box), material(face[0]), corners});
+    } else if (material(face[0]) != material(face[1])) {
+        const bool in_order = material(face[0]) < material(face[1]);
+        const HalfFace& first = face[in_order ? 0 : 1];
+        const HalfFace& second = face[in_order ? 1 : 0];
+        out.interfaces.push_back({{material(first), material(second)}, outward(mesh, first)});
+    }
+}
+
+// Empties the parts while it joins them, so that no face is held twice for long.
+template <class Face>
+std::vector<Face> sorted_union(std::vector<Faces>& parts, std::vector<Face> Faces::*member)
+{
+    size_t total = 0;
+    for (const Faces& part : parts)
+        total += (part.*member).size();
+    std::vector<Face> all;
+    all.reserve(total);
+    for (Faces& part : parts) {
+        const std::vector<Face> faces = std::move(part.*member);
+        all.insert(all.end(), faces.begin(), faces.end());
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+}  // namespace
+
+Interfaces extract_interfaces(const LabelledMesh& mesh, const Vec3& lo, const Vec3& hi, const Run& run)
+{
+    run.report(0, "extracting interfaces");
+    const auto point_count = static_cast<int64_t>(mesh.points.size());
+    const BoundingBox box{lo, hi};
+    const FaceBuckets buckets(mesh.tets, point_count);
+    std::vector<Faces> parts(static_cast<size_t>(chunk_count(point_count, kGrain)));
+    run.report(0.3, "extracting interfaces");
+    parallel_chunks(run, point_count, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
+        Faces& part = parts[static_cast<size_t>(chunk)];
+        buckets.for_each_face(begin, end,
+                              [&](const HalfFace* face, size_t count) { add_face(mesh, face, count, box, part); });
+    });
+    run.report(0.7, "extracting interfaces");
+
+    Interfaces out;
+    const std::vector<InterfaceFace> interfaces = sorted_union(parts, &Faces::interfaces);
+    out.triangles.reserve(interfaces.size());
+    out.pairs.reserve(interfaces.size());
+    for (const InterfaceFace& face : interfaces) {
+        out.triangles.push_back(face.corners);
+        out.pairs.push_back(face.pair);
+    }
+    const std::vector<HullFace> hull = sorted_union(parts, &Faces::hull);
+    out.hull.reserve(hull.size());
+    out.hull_material.reserve(hull.size());
+    out.hull_side.reserve(hull.size());
+    for (const HullFace& face : hull) {
+        out.hull.push_back(face.corners);
+        out.hull_material.push_back(face.material);
+        out.hull_side.push_back(face.side);
+    }
+    return out;
+}
+
+}  // namespace cleft

@@ -1,0 +1,121 @@
+// What is in a mesh by material, and taking materials out of it.
+#include "mesh/face_buckets.hpp"
+#include "mesh/finish.hpp"
+#include "mesh/quality.hpp"
+
+#include <functional>
+#include <numeric>
+
+namespace cleft
+{
+
+namespace
+{
+
+double tet_volume(const LabelledMesh& mesh, size_t t)
+{
+    const auto corner = [&](size_t i) { return mesh.points[static_cast<size_t>(mesh.tets[t][i])]; };
+    return orient(corner(0), corner(1), corner(2), corner(3)) / 6;
+}
+
+// Sets of tetrahedra that join; a set is known by its least member.
+class DisjointSets
+{
+public:
+    explicit DisjointSets(size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+    int32_t find(int32_t t)
+    {
+        while (parent(t) != t) {
+            parent(t) = parent(parent(t));  // halves the path
+            t = parent(t);
+        }
+        return t;
+    }
+
+    void join(int32_t a, int32_t b)
+    {
+        a = find(a);
+        b = find(b);
+        parent(std::max(a, b)) = std::min(a, b);
+    }
+
+private:
+    int32_t& parent(int32_t t) { return parent_[static_cast<size_t>(t)]; }
+    std::vector<int32_t> parent_;
+};
+
+}  // namespace
+
+std::vector<double> material_volumes(const LabelledMesh& mesh, Material material_count)
+{
+    std::vector<double> volumes(static_cast<size_t>(material_count), 0.0);
+    for (size_t t = 0; t < mesh.tets.size(); ++t)
+        volumes[static_cast<size_t>(mesh.material[t])] += tet_volume(mesh, t);
+    return volumes;
+}
+
+std::vector<std::vector<double>> material_parts(const LabelledMesh& mesh, Material material_count, const Run& run)
+{
+    constexpr int64_t kPointsAReport = 100000;
+    const auto material = [&](int32_t t) { return mesh.material[static_cast<size_t>(t)]; };
+    const auto point_count = static_cast<int64_t>(mesh.points.size());
+    run.report(0, "finding parts");
+    const FaceBuckets buckets(mesh.tets, point_count);
+    DisjointSets sets(mesh.tets.size());
+    for (int64_t begin = 0; begin < point_count; begin += kPointsAReport) {
+        run.report(0.3 + 0.6 * static_cast<double>(begin) / static_cast<double>(point_count), "finding parts");
+        const int64_t end = std::min(point_count, begin + kPointsAReport);
+        buckets.for_each_face(begin, end, [&](const HalfFace* face, size_t count) {
+            for (size_t k = 1; k < count; ++k)
+                if (material(face[k].tet()) == material(face[k - 1].tet()))
+                    sets.join(face[k].tet(), face[k - 1].tet());
+        });
+    }
+
+    // A set is met first at its least member, which opens its part.
+    std::vector<std::vector<double>> parts(static_cast<size_t>(material_count));
+    std::vector<int32_t> part_number(mesh.tets.size());
+    for (size_t t = 0; t < mesh.tets.size(); ++t) {
+        const int32_t root = sets.find(static_cast<int32_t>(t));
+        std::vector<double>& volumes = parts[static_cast<size_t>(material(root))];
+        if (root == static_cast<int32_t>(t)) {
+            part_number[t] = static_cast<int32_t>(volumes.size());
+            volumes.push_back(0);
+        }
+        volumes[static_cast<size_t>(part_number[static_cast<size_t>(root)])] += tet_volume(mesh, t);
+    }
+    for (std::vector<double>& volumes : parts)
+        std::sort(volumes.begin(), volumes.end(), std::greater<>());
+    return parts;
+}
+
+void strip_materials(LabelledMesh& mesh, const std::vector<char>& keep)
+{
+    size_t kept = 0;
+    std::vector<int32_t> new_number(mesh.points.size(), -1);
+    for (size_t t = 0; t < mesh.tets.size(); ++t) {
+        if (!keep[static_cast<size_t>(mesh.material[t])])
+            continue;
+        for (const int32_t p : mesh.tets[t])
+            new_number[static_cast<size_t>(p)] = 0;
+        mesh.tets[kept] = mesh.tets[t];
+        mesh.material[kept] = mesh.material[t];
+        ++kept;
+    }
+    mesh.tets.resize(kept);
+    mesh.material.resize(kept);
+
+    size_t points = 0;
+    for (size_t p = 0; p < mesh.points.size(); ++p)
+        if (new_number[p] == 0) {
+            new_number[p] = static_cast<int32_t>(points);
+            mesh.points[points++] = mesh.points[p];
+        }
+    mesh.points.resize(points);
+    for (Tet& tet : mesh.tets)
+        for (int32_t& p : tet)
+            p = new_number[static_cast<size_t>(p)];
+}
+
+}  // namespace cleft

@@ -1,0 +1,145 @@
+#include "mesh/validate.hpp"
+
+#include "mesh/checks.hpp"
+#include "mesh/face_buckets.hpp"
+
+#include <cstdio>
+
+namespace cleft
+{
+
+namespace
+{
+
+constexpr double kSameMeasure = 1e-9;  // relative, of volumes and areas
+
+std::string text(double x)
+{
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.10g", x);
+    return buffer;
+}
+
+std::string text(const Vec3& x) { return "(" + text(x[0]) + ", " + text(x[1]) + ", " + text(x[2]) + ")"; }
+
+// Names the parts of a mesh with their places.
+class Naming
+{
+public:
+    explicit Naming(const LabelledMesh& mesh) : mesh_(mesh) {}
+
+    std::string tet(int64_t t) const
+    {
+        const Tet& c = mesh_.tets[static_cast<size_t>(t)];
+        return "tetrahedron " + std::to_string(t) + " at " +
+               text(at(c[0]) / 4 + at(c[1]) / 4 + at(c[2]) / 4 + at(c[3]) / 4);
+    }
+    std::string face(int64_t half_face) const
+    {
+        const auto [a, b, c] = face_points(mesh_.tets, static_cast<uint32_t>(half_face));
+        return "the face of points " + std::to_string(a) + ", " + std::to_string(b) + " and " + std::to_string(c) +
+               " at " + text(at(a) / 3 + at(b) / 3 + at(c) / 3) + " of tetrahedron " + std::to_string(half_face >> 2);
+    }
+    std::string edge(int64_t points) const
+    {
+        const auto a = static_cast<int32_t>(points >> 32);
+        const auto b = static_cast<int32_t>(points & INT32_MAX);
+        return "the edge of points " + std::to_string(a) + " and " + std::to_string(b) + " at " +
+               text(at(a) / 2 + at(b) / 2);
+    }
+    std::string point(int64_t p) const
+    {
+        return "point " + std::to_string(p) + " at " + text(mesh_.points[static_cast<size_t>(p)]);
+    }
+
+private:
+    Vec3 at(int32_t p) const { return mesh_.points[static_cast<size_t>(p)]; }
+    const LabelledMesh& mesh_;
+};
+
+// Causes before their effects: a bad index explains a hole, a repeated point explains a crack.
+std::string first_fault(const LabelledMesh& mesh, const PointChecks& points, const TetChecks& tets,
+                        const FaceChecks& faces)
+{
+    const Naming name(mesh);
+    if (mesh.tets.empty())
+        return "the mesh has no tetrahedra";
+    if (!mesh.material.empty() && mesh.material.size() != mesh.tets.size())
+        return "the mesh has " + std::to_string(mesh.tets.size()) + " tetrahedra but " +
+               std::to_string(mesh.material.size()) + " materials of tetrahedra";
+    if (tets.bad_index.count)
+        return "tetrahedron " + std::to_string(tets.bad_index.first) + " names a point that is not among the " +
+               std::to_string(mesh.points.size()) + " points of the mesh";
+    if (tets.repeated_corner.count)
+        return name.tet(tets.repeated_corner.first) + " names a point twice";
+    if (points.non_finite.count)
+        return name.point(points.non_finite.first) + " is not finite";
+    if (points.repeated.count)
+        return name.point(points.repeated.first) + " is at the place of point " + std::to_string(points.repeated_of);
+    if (points.unused.count)
+        return name.point(points.unused.first) + " is in no tetrahedron";
+    if (tets.negative.count)
+        return name.tet(tets.negative.first) + " is inverted";
+    if (tets.flat.count)
+        return name.tet(tets.flat.first) + " is flat";
+    if (faces.crowded.count)
+        return name.face(faces.crowded.first) + " belongs to more than two tetrahedra";
+    if (faces.folded.count)
+        return name.face(faces.folded.first) + " has both its tetrahedra on one side";
+    return "";
+}
+
+bool differ(double a, double b) { return !(std::abs(a - b) <= kSameMeasure * std::abs(b)); }
+
+std::string first_box_fault(const LabelledMesh& mesh, const FaceChecks& faces, const Validation& v)
+{
+    const Naming name(mesh);
+    if (faces.off_box.count)
+        return name.face(faces.off_box.first) + " has nothing behind it and is in no side of the bounding box";
+    if (faces.open_edges.count)
+        return "an interface ends inside the box at " + name.edge(faces.open_edges.first);
+    if (differ(v.volume, v.box_volume))
+        return "the tetrahedra have a volume of " + text(v.volume) + ", but their bounding box has " +
+               text(v.box_volume);
+    if (differ(v.hull_area, v.box_area))
+        return "the hull has an area of " + text(v.hull_area) + ", but the bounding box has " + text(v.box_area);
+    return "";
+}
+
+}  // namespace
+
+Validation validate(const LabelledMesh& mesh, bool fills_box, const Run& run)
+{
+    run.report(0, "validating");
+    const PointChecks points = check_points(mesh);
+    run.report(0.2, "validating");
+    const TetChecks tets = check_tets(mesh, run);
+    run.report(0.4, "validating");
+    const FaceChecks faces = check_faces(mesh, points.box, tets.sign, run);
+
+    Validation out;
+    out.bad_index = tets.bad_index.count;
+    out.repeated_corner = tets.repeated_corner.count;
+    out.negative = tets.negative.count;
+    out.flat = tets.flat.count;
+    out.hull_faces = faces.hull.count;
+    out.shared_faces = faces.shared.count;
+    out.crowded_faces = faces.crowded.count;
+    out.folded_faces = faces.folded.count;
+    out.hull_off_box = faces.off_box.count;
+    out.interface_faces = faces.interfaces.count;
+    out.open_interface_edges = faces.open_edges.count;
+    out.non_finite = points.non_finite.count;
+    out.unused_points = points.unused.count;
+    out.repeated_points = points.repeated.count;
+    out.volume = tets.volume;
+    out.box_volume = points.box.volume();
+    out.hull_area = faces.hull_area;
+    out.box_area = points.box.area();
+    out.first_fault = first_fault(mesh, points, tets, faces);
+    if (out.first_fault.empty() && fills_box)
+        out.first_fault = first_box_fault(mesh, faces, out);
+    return out;
+}
+
+}  // namespace cleft
