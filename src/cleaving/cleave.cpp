@@ -3,6 +3,7 @@
 #include "base/stage_timer.hpp"
 #include "cleaving/assemble.hpp"
 #include "cleaving/centres.hpp"
+#include "cleaving/snap.hpp"
 
 namespace cleft
 {
@@ -12,7 +13,10 @@ LabelledMesh cleave(const Volume& volume, const TetMesh& background, const Cleav
     const StageTimer timer(run, "cleaving");
     const auto neighbours = tet_neighbours(background.tets, static_cast<int64_t>(background.points.size()));
     Centres centres = find_centres(volume, background, neighbours, run);
-    (void)options;
+    const SnapCounts snapped =
+        snap_vertices(centres, frozen_axes(background.points, background.tets, neighbours), options.snap, run);
+    run.note("cleaving.snapped", static_cast<double>(snapped.moved));
+    run.note("cleaving.stayed", static_cast<double>(snapped.stayed));
     run.note("cleaving.given_up", static_cast<double>(give_up_flat_cuts(centres, run)));
     LabelledMesh mesh = assemble(centres, run);
     run.note("cleaving.tets", static_cast<double>(mesh.tets.size()));

@@ -1,0 +1,19 @@
+// Snapping: vertices next to an interface, a triple line or a quadruple point move onto it (paper, section 3.1, the
+// violation of alpha), which takes away the cuts that would leave thin pieces.
+#pragma once
+
+#include "cleaving/centres.hpp"
+#include "cleaving/cleave.hpp"
+
+namespace cleft
+{
+
+struct SnapCounts {
+    int64_t moved = 0;   // vertices that moved onto a tie
+    int64_t stayed = 0;  // vertices that took materials over where they are
+};
+
+// `frozen`: axes along which a vertex must not move (mesh/adjacency.hpp).
+SnapCounts snap_vertices(Centres& c, const std::vector<uint8_t>& frozen, Snap rule, const Run& run);
+
+}  // namespace cleft
