@@ -1,5 +1,7 @@
 #include "pipeline/pipeline.hpp"
 
+#include "background/lattice.hpp"
+#include "background/octree.hpp"
 #include "background/repair.hpp"
 #include "base/stage_timer.hpp"
 #include "mesh/finish.hpp"
@@ -108,8 +110,11 @@ TetMesh make_background(const SizingField& field, const PipelineOptions& options
             mesh = particle_background(field, options.particles, run);
             break;
         case BackgroundKind::lattice:
+            mesh = lattice_background(field.grid, field.least(), run);
+            break;
         case BackgroundKind::octree:
-            throw Error(CLEFT_ERROR_UNSUPPORTED, "this version makes no lattice or octree background; use particles");
+            mesh = octree_background(field, run);
+            break;
     }
     run.note("background.points", static_cast<double>(mesh.points.size()));
     run.note("background.tets", static_cast<double>(mesh.tets.size()));

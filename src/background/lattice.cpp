@@ -1,0 +1,141 @@
+#include "background/lattice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace cleft
+{
+
+namespace
+{
+
+// Mean edge of the lattice over the side of its cell: 6 edges a point have length 1, 8 have length sqrt(3) / 2.
+const double kMeanEdge = (6 + 8 * std::sqrt(0.75)) / 14;
+
+class Lattice
+{
+public:
+    Lattice(const Vec3& extent, const std::array<int32_t, 3>& cells) : extent_(extent), n_(cells) {}
+
+    int64_t corner_count() const { return int64_t{n_[0] + 1} * (n_[1] + 1) * (n_[2] + 1); }
+    int64_t cell_count() const { return int64_t{n_[0]} * n_[1] * n_[2]; }
+
+    int32_t corner(const std::array<int32_t, 3>& at) const
+    {
+        return static_cast<int32_t>(at[0] + int64_t{n_[0] + 1} * (at[1] + int64_t{n_[1] + 1} * at[2]));
+    }
+    int32_t centre(const std::array<int32_t, 3>& at) const
+    {
+        return static_cast<int32_t>(corner_count() + at[0] + int64_t{n_[0]} * (at[1] + int64_t{n_[1]} * at[2]));
+    }
+
+    std::vector<Vec3> points() const
+    {
+        std::vector<Vec3> out;
+        out.reserve(static_cast<size_t>(corner_count() + cell_count()));
+        for (int half = 0; half < 2; ++half)  // corners, then centres
+            for (int32_t k = 0; k < n_[2] + 1 - half; ++k)
+                for (int32_t j = 0; j < n_[1] + 1 - half; ++j)
+                    for (int32_t i = 0; i < n_[0] + 1 - half; ++i)
+                        out.emplace_back(coordinate(0, i, half), coordinate(1, j, half), coordinate(2, k, half));
+        return out;
+    }
+
+    // The corners of the face of cell `at` across `axis` (side 0: low, 1: high), wound so that the normal looks along
+    // the axis.
+    std::array<int32_t, 4> face(std::array<int32_t, 3> at, size_t axis, int side) const
+    {
+        const size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+        at[axis] += side;
+        std::array<int32_t, 4> out{};
+        for (size_t c = 0; c < 4; ++c) {
+            auto p = at;
+            p[u] += c == 1 || c == 2;
+            p[v] += c >= 2;
+            out[c] = corner(p);
+        }
+        return out;
+    }
+
+private:
+    // Exactly 0 and exactly the extent at the walls.
+    double coordinate(size_t axis, int32_t i, int half) const
+    {
+        const double extent = extent_[static_cast<int>(axis)];
+        return half == 0 && i == n_[axis] ? extent : (i + 0.5 * half) * (extent / n_[axis]);
+    }
+
+    Vec3 extent_;
+    std::array<int32_t, 3> n_;
+};
+
+// Between two cells: the four tetrahedra around the line from the lower centre to the upper one.
+void emit_octahedron(int32_t low, int32_t high, const std::array<int32_t, 4>& face, std::vector<Tet>& tets)
+{
+    for (size_t c = 0; c < 4; ++c)
+        tets.push_back({low, face[c], face[(c + 1) % 4], high});
+}
+
+// At a wall: the pyramid over the face, cut along a diagonal whose direction alternates from cell to cell. `face` is
+// wound so that the apex lies behind it.
+void emit_pyramid(int32_t apex, const std::array<int32_t, 4>& face, bool odd, std::vector<Tet>& tets)
+{
+    const size_t s = odd ? 1 : 0;
+    tets.push_back({apex, face[s], face[s + 1], face[s + 2]});
+    tets.push_back({apex, face[s], face[s + 2], face[(s + 3) % 4]});
+}
+
+std::array<int32_t, 3> cell_counts(const Vec3& extent, double size)
+{
+    // A cell longer than the thinnest side of the box would be flattened by it.
+    const double side = std::min(size / kMeanEdge, extent.minCoeff());
+    std::array<int32_t, 3> cells{};
+    double points = 1;
+    for (size_t axis = 0; axis < 3; ++axis) {
+        const double n = std::max(1.0, std::round(extent[static_cast<int>(axis)] / side));
+        points *= 2 * (n + 1);
+        cells[axis] = static_cast<int32_t>(std::min(n, 1e9));
+    }
+    if (points > 4.0 * INT32_MAX)
+        throw Error(CLEFT_ERROR_TOO_LARGE,
+                    "a lattice of size " + std::to_string(size) + " would have more than 2147483647 points");
+    return cells;
+}
+
+}  // namespace
+
+TetMesh lattice_background(const Grid& grid, double size, const Run& run)
+{
+    const Vec3 extent = grid.extent();
+    const std::array<int32_t, 3> n = cell_counts(extent, size);
+    const Lattice lattice(extent, n);
+    TetMesh mesh;
+    mesh.points = lattice.points();
+    mesh.tets.reserve(static_cast<size_t>(12 * lattice.cell_count()));
+    std::array<int32_t, 3> at{};
+    for (at[2] = 0; at[2] < n[2]; ++at[2]) {
+        run.report(at[2] / static_cast<double>(n[2]), "making the lattice");
+        for (at[1] = 0; at[1] < n[1]; ++at[1])
+            for (at[0] = 0; at[0] < n[0]; ++at[0]) {
+                const int32_t centre = lattice.centre(at);
+                const bool odd = (at[0] + at[1] + at[2]) & 1;
+                for (size_t axis = 0; axis < 3; ++axis) {
+                    if (at[axis] == 0) {
+                        auto face = lattice.face(at, axis, 0);
+                        std::swap(face[1], face[3]);  // outward is against the axis
+                        emit_pyramid(centre, face, odd, mesh.tets);
+                    }
+                    auto next = at;
+                    ++next[axis];
+                    if (next[axis] == n[axis])
+                        emit_pyramid(centre, lattice.face(at, axis, 1), odd, mesh.tets);
+                    else
+                        emit_octahedron(centre, lattice.centre(next), lattice.face(at, axis, 1), mesh.tets);
+                }
+            }
+    }
+    return mesh;
+}
+
+}  // namespace cleft

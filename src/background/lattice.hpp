@@ -1,0 +1,17 @@
+// The uniform background: a body-centred cubic lattice that ends exactly at the walls of the box.
+#pragma once
+
+#include "base/run.hpp"
+#include "mesh/tet_mesh.hpp"
+#include "volume/grid.hpp"
+
+namespace cleft
+{
+
+// Fills [0, grid.extent()] with cells as near to cubes as the box allows, mean edge length about `size`. Cells hold a
+// point at their centre; two cells that share a face share the four tetrahedra around the line between their centres
+// (Labelle and Shewchuk, isosurface stuffing). On a wall, the half of that octahedron inside the box is cut in two.
+// Needs no Delaunay engine. Dihedral angles of cubic cells: 60 and 90 degrees inside, 45 and more at the walls.
+TetMesh lattice_background(const Grid& grid, double size, const Run& run);
+
+}  // namespace cleft

@@ -1,0 +1,267 @@
+// From a balanced octree to tetrahedra (after Labelle and Shewchuk, isosurface stuffing, section 4).
+//
+// Points are the corners and the centres of leaves. Every face of a leaf that is not split by finer leaves behind it is
+// a facet, met in one of three ways:
+//  - behind it a leaf of the same size: the tetrahedra around the line between the two centres, one for each side of
+//    the facet, or two for a side that finer leaves have split in the middle;
+//  - behind it a leaf of twice the size: the square is cut along the diagonal that meets the middle of the larger face,
+//    and each half is joined to both centres. Its sides have no point in their middle: a leaf of half the size there
+//    would touch the larger leaf over a face or an edge, which the balance of the tree forbids;
+//  - a wall behind it: the square is cut in two, or around its middle if finer leaves have split its sides, and joined
+//  to
+//    the one centre.
+#include "background/octree.hpp"
+
+#include "background/octree_tree.hpp"
+
+#include <algorithm>
+
+namespace cleft
+{
+
+namespace
+{
+
+// Corners live on the grid of half the deepest side, so that middles of sides are whole numbers too.
+class Points
+{
+public:
+    Points(const Octree& tree, const Vec3& extent) : tree_(tree), extent_(extent)
+    {
+        for (size_t axis = 0; axis < 3; ++axis)
+            fine_[axis] = int64_t{tree.roots[axis]} << (tree.levels + 1);
+        for (const OctreeCell& cell : tree.cells)
+            if (cell.first_child < 0)
+                for (int c = 0; c < 8; ++c)
+                    keys_.push_back(key(corner(cell, c)));
+        std::sort(keys_.begin(), keys_.end());
+        keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
+    }
+
+    std::array<int64_t, 3> corner(const OctreeCell& cell, int c) const
+    {
+        const int shift = tree_.levels + 1 - cell.level;
+        return {int64_t{cell.at[0] + (c & 1)} << shift, int64_t{cell.at[1] + (c >> 1 & 1)} << shift,
+                int64_t{cell.at[2] + (c >> 2)} << shift};
+    }
+
+    // The number of the point at a fine place, or -1.
+    int32_t number(const std::array<int64_t, 3>& at) const
+    {
+        const uint64_t k = key(at);
+        const auto found = std::lower_bound(keys_.begin(), keys_.end(), k);
+        return found != keys_.end() && *found == k ? static_cast<int32_t>(found - keys_.begin()) : -1;
+    }
+
+    int32_t count() const { return static_cast<int32_t>(keys_.size()); }
+
+    Vec3 position(const std::array<int64_t, 3>& at) const
+    {
+        Vec3 x;
+        for (size_t axis = 0; axis < 3; ++axis) {
+            const double extent = extent_[static_cast<int>(axis)];
+            x[static_cast<int>(axis)] =
+                at[axis] == fine_[axis] ? extent
+                                        : static_cast<double>(at[axis]) * (extent / static_cast<double>(fine_[axis]));
+        }
+        return x;
+    }
+
+    std::vector<Vec3> positions() const
+    {
+        std::vector<Vec3> out;
+        out.reserve(keys_.size());
+        for (int32_t p = 0; p < count(); ++p)
+            out.push_back(position(place(p)));
+        return out;
+    }
+
+    // The fine place of a point.
+    std::array<int64_t, 3> place(int32_t point) const
+    {
+        const uint64_t k = keys_[static_cast<size_t>(point)];
+        return {static_cast<int64_t>(k & kMask), static_cast<int64_t>(k >> 21 & kMask), static_cast<int64_t>(k >> 42)};
+    }
+
+    bool fits() const { return std::max({fine_[0], fine_[1], fine_[2]}) <= static_cast<int64_t>(kMask); }
+
+private:
+    static constexpr uint64_t kMask = (uint64_t{1} << 21) - 1;
+    static uint64_t key(const std::array<int64_t, 3>& at)
+    {
+        return static_cast<uint64_t>(at[0]) | static_cast<uint64_t>(at[1]) << 21 | static_cast<uint64_t>(at[2]) << 42;
+    }
+
+    const Octree& tree_;
+    Vec3 extent_;
+    std::array<int64_t, 3> fine_{};
+    std::vector<uint64_t> keys_;
+};
+
+// A face of a leaf: its corners in order around it, the normal looking along the axis, and the points in the middles of
+// its sides (-1 where there is none).
+struct Facet {
+    std::array<int32_t, 4> corner{};
+    std::array<int32_t, 4> middle{};  // middle[i] lies between corner[i] and corner[i + 1]
+};
+
+class Mesher
+{
+public:
+    Mesher(const Octree& tree, const Points& points, const std::vector<int32_t>& centre, TetMesh& mesh)
+        : tree_(tree), points_(points), centre_(centre), mesh_points_(mesh.points), tets_(mesh.tets)
+    {
+    }
+
+    void mesh_leaf(int32_t leaf)
+    {
+        for (size_t axis = 0; axis < 3; ++axis)
+            for (int side = 0; side < 2; ++side)
+                mesh_face(leaf, axis, side);
+    }
+
+private:
+    void mesh_face(int32_t leaf, size_t axis, int side)
+    {
+        const OctreeCell& cell = tree_.cells[static_cast<size_t>(leaf)];
+        Int3 behind = cell.at;
+        behind[axis] += 2 * side - 1;
+        const int32_t other = tree_.find(behind, cell.level);
+        if (other < 0) {
+            join_wall(centre_[static_cast<size_t>(leaf)], outward(facet(cell, axis, side), side));
+        } else if (tree_.is_leaf(other)) {
+            const int32_t own = centre_[static_cast<size_t>(leaf)], far = centre_[static_cast<size_t>(other)];
+            if (tree_.cells[static_cast<size_t>(other)].level < cell.level)
+                join_coarser(own, far, outward(facet(cell, axis, side), side), cell, axis);
+            else if (side == 1)
+                join_equal(own, far, facet(cell, axis, side));
+        }
+    }
+
+    Facet facet(const OctreeCell& cell, size_t axis, int side) const
+    {
+        const size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+        std::array<int64_t, 3> at[4];
+        Facet out;
+        for (size_t c = 0; c < 4; ++c) {
+            const int along_u = c == 1 || c == 2, along_v = c >= 2;
+            at[c] = points_.corner(cell, side << axis | along_u << u | along_v << v);
+            out.corner[c] = points_.number(at[c]);
+        }
+        for (size_t c = 0; c < 4; ++c) {
+            const auto& a = at[c];
+            const auto& b = at[(c + 1) % 4];
+            out.middle[c] = points_.number({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2});
+        }
+        return out;
+    }
+
+    // The facet with its normal looking out of the cell.
+    static Facet outward(const Facet& f, int side)
+    {
+        if (side == 1)
+            return f;
+        return {{f.corner[0], f.corner[3], f.corner[2], f.corner[1]},
+                {f.middle[3], f.middle[2], f.middle[1], f.middle[0]}};
+    }
+
+    void join_equal(int32_t low, int32_t high, const Facet& f)
+    {
+        for (size_t c = 0; c < 4; ++c) {
+            const int32_t a = f.corner[c], b = f.corner[(c + 1) % 4];
+            if (f.middle[c] < 0) {
+                tets_.push_back({low, a, b, high});
+            } else {
+                tets_.push_back({low, a, f.middle[c], high});
+                tets_.push_back({low, f.middle[c], b, high});
+            }
+        }
+    }
+
+    // The corner of the facet in the middle of the larger face is the one at odd places across the axis.
+    void join_coarser(int32_t own, int32_t far, const Facet& f, const OctreeCell& cell, size_t axis)
+    {
+        const size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+        const int odd_u = 1 - (cell.at[u] & 1), odd_v = 1 - (cell.at[v] & 1);
+        const std::array<int64_t, 3> low = points_.corner(cell, 0), high = points_.corner(cell, 7);
+        size_t start = 0;
+        for (size_t c = 0; c < 4; ++c) {
+            const auto at = points_.place(f.corner[c]);
+            if (at[u] == (odd_u ? high : low)[u] && at[v] == (odd_v ? high : low)[v])
+                start = c;
+        }
+        for (size_t half = 1; half < 3; ++half) {
+            const int32_t a = f.corner[start], b = f.corner[(start + half) % 4], c = f.corner[(start + half + 1) % 4];
+            tets_.push_back({own, a, b, c});
+            tets_.push_back({far, a, c, b});
+        }
+    }
+
+    // Two halves; or, where a side has a point in its middle, a fan around a new point in the middle of the square.
+    void join_wall(int32_t own, const Facet& f)
+    {
+        const bool split = std::any_of(f.middle.begin(), f.middle.end(), [](int32_t m) { return m >= 0; });
+        if (!split) {
+            tets_.push_back({own, f.corner[0], f.corner[1], f.corner[2]});
+            tets_.push_back({own, f.corner[0], f.corner[2], f.corner[3]});
+            return;
+        }
+        const auto hub = static_cast<int32_t>(mesh_points_.size());
+        mesh_points_.push_back(wall_middle(f));
+        for (size_t c = 0; c < 4; ++c) {
+            const int32_t a = f.corner[c], b = f.corner[(c + 1) % 4];
+            if (f.middle[c] >= 0) {
+                tets_.push_back({own, hub, a, f.middle[c]});
+                tets_.push_back({own, hub, f.middle[c], b});
+            } else {
+                tets_.push_back({own, hub, a, b});
+            }
+        }
+    }
+
+    // Exactly in the wall, since fine places are whole numbers.
+    Vec3 wall_middle(const Facet& f) const
+    {
+        const auto a = points_.place(f.corner[0]), b = points_.place(f.corner[2]);
+        return points_.position({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2});
+    }
+
+    const Octree& tree_;
+    const Points& points_;
+    const std::vector<int32_t>& centre_;
+    std::vector<Vec3>& mesh_points_;
+    std::vector<Tet>& tets_;
+};
+
+}  // namespace
+
+TetMesh octree_background(const SizingField& field, const Run& run)
+{
+    const Octree tree = build_octree(field, run);
+    const Points points(tree, field.grid.extent());
+    if (!points.fits())
+        throw Error(CLEFT_ERROR_TOO_LARGE, "the sizing field spans too many octree levels for a box of this shape");
+    TetMesh mesh;
+    mesh.points = points.positions();
+    std::vector<int32_t> centre(tree.cells.size(), -1);
+    for (size_t c = 0; c < tree.cells.size(); ++c)
+        if (tree.cells[c].first_child < 0) {
+            if (mesh.points.size() >= static_cast<size_t>(INT32_MAX))
+                throw Error(CLEFT_ERROR_TOO_LARGE, "the octree has more than 2147483647 points");
+            centre[c] = static_cast<int32_t>(mesh.points.size());
+            const auto low = points.corner(tree.cells[c], 0), high = points.corner(tree.cells[c], 7);
+            mesh.points.push_back(
+                points.position({(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2}));
+        }
+    Mesher mesher(tree, points, centre, mesh);
+    for (size_t c = 0; c < tree.cells.size(); ++c) {
+        if (c % 4096 == 0)
+            run.report(0.5 + 0.5 * static_cast<double>(c) / static_cast<double>(tree.cells.size()),
+                       "joining the cells");
+        if (tree.cells[c].first_child < 0)
+            mesher.mesh_leaf(static_cast<int32_t>(c));
+    }
+    return mesh;
+}
+
+}  // namespace cleft

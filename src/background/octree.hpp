@@ -1,0 +1,16 @@
+// The graded background: body-centred cubic cells whose size follows the sizing field by a balanced octree.
+#pragma once
+
+#include "base/run.hpp"
+#include "mesh/tet_mesh.hpp"
+#include "sizing/sizing.hpp"
+
+namespace cleft
+{
+
+// Fills the box exactly, whatever its shape: the roots of the octree are a grid of nearly cubic cells. Needs no
+// Delaunay engine. Cells that share a face or an edge differ by one level at most, which leaves three kinds of places
+// only (after Labelle and Shewchuk, isosurface stuffing): see octree_mesh.cpp.
+TetMesh octree_background(const SizingField& field, const Run& run);
+
+}  // namespace cleft

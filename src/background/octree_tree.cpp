@@ -1,0 +1,140 @@
+#include "background/octree_tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cleft
+{
+
+namespace
+{
+
+// Mean edge of a body-centred cubic lattice over the side of its cell.
+const double kMeanEdge = (6 + 8 * std::sqrt(0.75)) / 14;
+// A leaf may be this much larger than h: sides fall in (1/2, 1] of the greatest one allowed, and the cube root of two
+// puts the mean density of cells at that of the field.
+constexpr double kSlack = 1.2599;
+constexpr int32_t kMostLevels = 20;
+
+void split(Octree& tree, int32_t cell)
+{
+    const auto first = static_cast<int32_t>(tree.cells.size());
+    if (tree.cells.size() > static_cast<size_t>(INT32_MAX) / 4)
+        throw Error(CLEFT_ERROR_TOO_LARGE, "the sizing field asks for more than 500 million octree cells");
+    const OctreeCell parent = tree.cells[static_cast<size_t>(cell)];
+    tree.cells[static_cast<size_t>(cell)].first_child = first;
+    for (int32_t child = 0; child < 8; ++child)
+        tree.cells.push_back(
+            {{2 * parent.at[0] + (child & 1), 2 * parent.at[1] + (child >> 1 & 1), 2 * parent.at[2] + (child >> 2)},
+             parent.level + 1,
+             -1});
+    tree.levels = std::max(tree.levels, parent.level + 1);
+}
+
+// Roots as large as the field and the box allow: four along the shortest side keep them nearly cubic, and the deepest
+// level is then a power of two below.
+Int3 root_counts(const Vec3& extent, const SizingField& field)
+{
+    const double most = std::min(field.greatest() * kSlack / kMeanEdge, extent.minCoeff() / 4);
+    const double side = std::max(most, std::min(field.least() / kMeanEdge, extent.minCoeff()));
+    Int3 roots{};
+    double count = 1;
+    for (size_t axis = 0; axis < 3; ++axis) {
+        const double n = std::max(1.0, std::round(extent[static_cast<int>(axis)] / side));
+        count *= n;
+        roots[axis] = static_cast<int32_t>(std::min(n, 1e9));
+    }
+    if (count > INT32_MAX / 16)
+        throw Error(CLEFT_ERROR_TOO_LARGE, "the sizing field asks for more than 130 million octree roots");
+    return roots;
+}
+
+// Least h at the centre and the corners of a cell. With a gradation below 0.7 this finds every smaller value in it by
+// and by: h at the centre is at most the least value inside plus gradation times half the diagonal.
+double least_size(const SizingField& field, const OctreeCell& cell, const Vec3& root_side)
+{
+    const Vec3 side = std::ldexp(1.0, -cell.level) * root_side;
+    const Vec3 low = Vec3(cell.at[0], cell.at[1], cell.at[2]).cwiseProduct(side);
+    double least = field.at(low + 0.5 * side);
+    for (int c = 0; c < 8; ++c)
+        least = std::min(least, field.at(low + Vec3(c & 1, c >> 1 & 1, c >> 2).cwiseProduct(side)));
+    return least;
+}
+
+void refine(Octree& tree, const SizingField& field, const Vec3& root_side, const Run& run)
+{
+    for (size_t c = 0; c < tree.cells.size(); ++c) {  // children join the end of the list and get their turn
+        if (c % 4096 == 0)
+            run.report(0.5 * static_cast<double>(c) / static_cast<double>(tree.cells.size()), "building the octree");
+        const OctreeCell cell = tree.cells[c];
+        const double edge = kMeanEdge * std::ldexp(std::cbrt(root_side.prod()), -cell.level);
+        if (cell.level < kMostLevels && edge > kSlack * least_size(field, cell, root_side))
+            split(tree, static_cast<int32_t>(c));
+    }
+}
+
+// Splits what is more than one level coarser than a neighbour over a face or an edge. Cells made on the way are looked
+// at in their turn.
+void balance(Octree& tree, const Run& run)
+{
+    std::vector<int32_t> queue;
+    for (size_t c = 0; c < tree.cells.size(); ++c)
+        if (tree.cells[c].first_child < 0 && tree.cells[c].level > 1)
+            queue.push_back(static_cast<int32_t>(c));
+    for (size_t q = 0; q < queue.size(); ++q) {
+        if (q % 65536 == 0)
+            run.check();
+        const OctreeCell cell = tree.cells[static_cast<size_t>(queue[q])];
+        for (int d = 0; d < 27; ++d) {
+            const Int3 step = {d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1};
+            const int reach = std::abs(step[0]) + std::abs(step[1]) + std::abs(step[2]);
+            if (reach == 0 || reach == 3)
+                continue;
+            const Int3 place = {cell.at[0] + step[0], cell.at[1] + step[1], cell.at[2] + step[2]};
+            int32_t other = tree.find(place, cell.level);
+            while (other >= 0 && tree.cells[static_cast<size_t>(other)].level < cell.level - 1) {
+                split(tree, other);
+                const int32_t first = tree.cells[static_cast<size_t>(other)].first_child;
+                if (tree.cells[static_cast<size_t>(first)].level > 1)
+                    for (int32_t child = first; child < first + 8; ++child)
+                        queue.push_back(child);
+                other = tree.find(place, cell.level);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+int32_t Octree::find(const Int3& at, int32_t level) const
+{
+    Int3 root{};
+    for (size_t axis = 0; axis < 3; ++axis) {
+        root[axis] = at[axis] >> level;
+        if (at[axis] < 0 || root[axis] >= roots[axis])
+            return -1;
+    }
+    int32_t cell = root[0] + roots[0] * (root[1] + roots[1] * root[2]);
+    for (int32_t l = level - 1; l >= 0 && !is_leaf(cell); --l) {
+        const int32_t child = (at[0] >> l & 1) + 2 * (at[1] >> l & 1) + 4 * (at[2] >> l & 1);
+        cell = cells[static_cast<size_t>(cell)].first_child + child;
+    }
+    return cell;
+}
+
+Octree build_octree(const SizingField& field, const Run& run)
+{
+    const Vec3 extent = field.grid.extent();
+    Octree tree;
+    tree.roots = root_counts(extent, field);
+    for (int32_t k = 0; k < tree.roots[2]; ++k)
+        for (int32_t j = 0; j < tree.roots[1]; ++j)
+            for (int32_t i = 0; i < tree.roots[0]; ++i)
+                tree.cells.push_back({{i, j, k}, 0, -1});
+    const Vec3 root_side = extent.cwiseQuotient(Vec3(tree.roots[0], tree.roots[1], tree.roots[2]));
+    refine(tree, field, root_side, run);
+    balance(tree, run);
+    return tree;
+}
+
+}  // namespace cleft

@@ -1,0 +1,37 @@
+// The balanced octree under the graded background.
+#pragma once
+
+#include "base/run.hpp"
+#include "sizing/sizing.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace cleft
+{
+
+using Int3 = std::array<int32_t, 3>;
+
+// A cell: place `at` in the grid of its level, where level 0 are the roots and each level halves the side.
+struct OctreeCell {
+    Int3 at;
+    int32_t level;
+    int32_t first_child;  // -1: a leaf
+};
+
+struct Octree {
+    Int3 roots{};                   // number of roots along each axis; they are the first cells
+    int32_t levels = 0;             // depth of the deepest cell
+    std::vector<OctreeCell> cells;  // children of a cell are eight in a row, x fastest
+
+    bool is_leaf(int32_t cell) const { return cells[static_cast<size_t>(cell)].first_child < 0; }
+    // The leaf or inner cell of at most `level` that covers place `at` of that level; -1 outside the box.
+    int32_t find(const Int3& at, int32_t level) const;
+};
+
+// Splits cells until a leaf's mean edge is about h, then until leaves that share a face or an edge differ by at most
+// one level.
+Octree build_octree(const SizingField& field, const Run& run);
+
+}  // namespace cleft
