@@ -18,12 +18,13 @@ std::array<int32_t, 4> least_points(const Tet& t)
     return {std::min(t[1], last), std::min(t[0], last), std::min(first, t[3]), std::min(first, t[2])};
 }
 
-HalfFace half_face(const std::vector<Tet>& tets, uint32_t id)
+// The middle and the greatest point of a face.
+uint64_t other_points(const std::vector<Tet>& tets, uint32_t id)
 {
     const auto [a, b, c] = face_points(tets, id);
     const int32_t middle = std::max(std::min(a, b), std::min(std::max(a, b), c));
     const int32_t greatest = std::max(std::max(a, b), c);
-    return {static_cast<uint64_t>(middle) << 32 | static_cast<uint64_t>(greatest), id};
+    return static_cast<uint64_t>(middle) << 32 | static_cast<uint64_t>(greatest);
 }
 
 }  // namespace
@@ -55,13 +56,31 @@ FaceBuckets::FaceBuckets(const std::vector<Tet>& tets, int64_t point_count)
     }
 }
 
-void FaceBuckets::fill(int64_t point, std::vector<HalfFace>& bucket) const
+void FaceBuckets::load(int64_t point, Bucket& bucket) const
 {
-    const auto p = static_cast<size_t>(point);
-    bucket.clear();
-    for (uint32_t k = start_[p]; k < start_[p + 1]; ++k)
-        bucket.push_back(half_face(tets_, ids_[k]));
-    std::sort(bucket.begin(), bucket.end());
+    const uint32_t begin = start_[static_cast<size_t>(point)], end = start_[static_cast<size_t>(point) + 1];
+    int bits = 1;
+    while ((uint64_t{1} << bits) < 2 * uint64_t{end - begin})
+        ++bits;
+    const size_t mask = (size_t{1} << bits) - 1;
+    bucket.entries.clear();
+    bucket.first_of_face.clear();
+    bucket.last_of_face.assign(mask + 1, -1);
+    for (uint32_t k = begin; k < end; ++k) {
+        const uint64_t key = other_points(tets_, ids_[k]);
+        const auto entry = [&](int32_t i) -> Bucket::Entry& { return bucket.entries[static_cast<size_t>(i)]; };
+        auto slot = static_cast<size_t>(key * 0x9e3779b97f4a7c15u >> (64 - bits));
+        while (bucket.last_of_face[slot] >= 0 && entry(bucket.last_of_face[slot]).other_points != key)
+            slot = (slot + 1) & mask;
+        int32_t& last = bucket.last_of_face[slot];
+        const auto here = static_cast<int32_t>(bucket.entries.size());
+        if (last < 0)
+            bucket.first_of_face.push_back(here);
+        else
+            entry(last).next = here;
+        last = here;
+        bucket.entries.push_back({key, {ids_[k]}, -1});
+    }
 }
 
 }  // namespace cleft

@@ -11,16 +11,10 @@ namespace cleft
 
 // A face as one tetrahedron sees it: `id` is 4 * tetrahedron + the corner opposite.
 struct HalfFace {
-    uint64_t middle_and_greatest;  // of its points
     uint32_t id;
 
     int32_t tet() const { return static_cast<int32_t>(id >> 2); }
     int corner() const { return static_cast<int>(id & 3); }
-    bool operator<(const HalfFace& other) const
-    {
-        return middle_and_greatest != other.middle_and_greatest ? middle_and_greatest < other.middle_and_greatest
-                                                                : id < other.id;
-    }
 };
 
 inline bool has_bad_index(const Tet& tet, int64_t point_count)
@@ -41,32 +35,47 @@ inline std::array<int32_t, 3> face_points(const std::vector<Tet>& tets, uint32_t
     return {tet[static_cast<size_t>(f[0])], tet[static_cast<size_t>(f[1])], tet[static_cast<size_t>(f[2])]};
 }
 
-// Half-faces in buckets by their least point (a counting sort, linear); the few of a bucket are sorted when it is
-// visited. 16 bytes a tetrahedron and 4 a point. Tetrahedra with a bad index are left out.
+// Half-faces in buckets by their least point (a counting sort), and in each bucket by their other points (a small hash
+// table, when it is visited): linear time. 16 bytes a tetrahedron and 4 a point. Tetrahedra with a bad index are left
+// out.
 class FaceBuckets
 {
 public:
     // Throws CLEFT_ERROR_TOO_LARGE past 2^30 tetrahedra: four times their number must fit 32 bits.
     FaceBuckets(const std::vector<Tet>& tets, int64_t point_count);
 
-    // visit(const HalfFace* faces, size_t count) for each different face whose least point is in [begin, end), in
-    // ascending order of its points; its half-faces are in ascending order of tetrahedra.
+    // visit(const HalfFace* faces, size_t count) for each different face whose least point is in [begin, end), in an
+    // order that depends on the mesh alone: least points ascend, and so do the tetrahedra of one face.
     template <class Visit>
     void for_each_face(int64_t begin, int64_t end, const Visit& visit) const
     {
-        std::vector<HalfFace> bucket;
+        Bucket bucket;
+        std::vector<HalfFace> face;
         for (int64_t point = begin; point < end; ++point) {
-            fill(point, bucket);
-            for (size_t first = 0, last = 0; first < bucket.size(); first = last) {
-                while (last < bucket.size() && bucket[last].middle_and_greatest == bucket[first].middle_and_greatest)
-                    ++last;
-                visit(bucket.data() + first, last - first);
+            load(point, bucket);
+            for (int32_t i : bucket.first_of_face) {
+                face.clear();
+                for (; i >= 0; i = bucket.entries[static_cast<size_t>(i)].next)
+                    face.push_back(bucket.entries[static_cast<size_t>(i)].face);
+                visit(face.data(), face.size());
             }
         }
     }
 
 private:
-    void fill(int64_t point, std::vector<HalfFace>& bucket) const;
+    // The half-faces of one bucket; those of one face make a chain.
+    struct Bucket {
+        struct Entry {
+            uint64_t other_points;
+            HalfFace face;
+            int32_t next;
+        };
+        std::vector<Entry> entries;
+        std::vector<int32_t> first_of_face;
+        std::vector<int32_t> last_of_face;  // the hash table, by other_points
+    };
+
+    void load(int64_t point, Bucket& bucket) const;
 
     const std::vector<Tet>& tets_;
     std::vector<uint32_t> start_;

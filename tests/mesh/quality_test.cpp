@@ -208,6 +208,8 @@ void bad_tetrahedra_are_counted(void**)
     assert_int_equal(q.above_165, 1);
     assert_int_equal(q.dihedral_histogram[35], 2);
     assert_true(std::isfinite(q.radius_ratio_max));
+    q = measure_quality(points, {{0, 1, 1, 2}}, run);  // a point twice
+    assert_true(q.min_dihedral == 0 && q.max_dihedral < 180);
     q = measure_quality(points, {{1, 0, 2, 3}}, run);
     assert_true(q.min_volume < 0 && q.total_volume < 0);
     q = measure_quality(points, {}, run);
