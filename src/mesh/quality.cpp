@@ -59,8 +59,10 @@ std::array<double, 6> dihedral_angles(const Corners& x, double six_volumes)
     const std::array<Vec3, 4> normals = face_normals(x);
     std::array<double, 6> angles;
     for (size_t e = 0; e < 6; ++e) {
-        const double cosine =
-            -normals[static_cast<size_t>(kEdgeOpposite[e][0])].dot(normals[static_cast<size_t>(kEdgeOpposite[e][1])]);
+        const Vec3& first = normals[static_cast<size_t>(kEdgeOpposite[e][0])];
+        const Vec3& second = normals[static_cast<size_t>(kEdgeOpposite[e][1])];
+        // 0 - x, not -x: between faces of no area -x would be -0, and the angle 180 degrees.
+        const double cosine = 0 - first.dot(second);
         angles[e] = kDegrees * std::atan2(std::abs(six_volumes) * std::sqrt(squared_edge(x, e)), cosine);
     }
     return angles;
