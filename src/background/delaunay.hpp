@@ -6,7 +6,8 @@
 
 #include <vector>
 
-namespace cleft {
+namespace cleft
+{
 
 // Delaunay tetrahedra of the points, positively oriented; every point is used. Refuses fewer than four points,
 // non-finite coordinates and points all in one plane. Throws CLEFT_ERROR_UNSUPPORTED in a build without TetGen.

@@ -4,17 +4,19 @@
 #include "base/run.hpp"
 #include "mesh/tet_mesh.hpp"
 
-namespace cleft {
+namespace cleft
+{
 
 struct RepairOptions {
     double target_angle = 30;  // degrees; tetrahedra with a worse least dihedral angle are worked on
-    int passes = 15;
-    int sweeps = 1;            // guarded centroid smoothing sweeps of the whole mesh first
-    const double* point_size = nullptr;  // wanted edge length at each point, or null
+    int passes = 15;           // over what is still bad
+    int sweeps = 1;            // guarded smoothing sweeps of the whole mesh towards centroids, before the passes
 };
 
-// Flips and smoothing; points on a flat part of the hull stay in it, exactly for planes across an axis.
-// Never makes a tetrahedron worse than the worst that it replaces. Notes background.repair.*.
+// Flips and smoothing; numbers of points stay. Points on a flat part of the hull stay in it, exactly for planes across
+// an axis. No operation leaves a tetrahedron worse than the worst that it replaces, but for the sweep, which may leave
+// one at 22 degrees. Sequential: the same bytes for every thread count. Notes background.repair.{tets, min_angle,
+// max_angle, below_10, below_20, below_25}_{before, after}.
 void repair(TetMesh& mesh, const RepairOptions& options, const Run& run);
 
 }  // namespace cleft

@@ -35,24 +35,6 @@ double squared_edge(const Corners& x, size_t e)
     return (x[static_cast<size_t>(kEdgeCorners[e][1])] - x[static_cast<size_t>(kEdgeCorners[e][0])]).squaredNorm();
 }
 
-// With faces of areas A, B at an edge of length l, the volume is 2/3 A B sin(angle) / l.
-double least_sine(const Corners& x, double six_volumes)
-{
-    std::array<double, 4> squared_normal;
-    const std::array<Vec3, 4> normals = face_normals(x);
-    for (size_t i = 0; i < 4; ++i)
-        squared_normal[i] = normals[i].squaredNorm();
-    double least = std::numeric_limits<double>::infinity();
-    for (size_t e = 0; e < 6; ++e) {
-        const double product = squared_normal[static_cast<size_t>(kEdgeOpposite[e][0])] *
-                               squared_normal[static_cast<size_t>(kEdgeOpposite[e][1])];
-        if (!(product > 0))
-            return 0;
-        least = std::min(least, squared_edge(x, e) / product);
-    }
-    return six_volumes * std::sqrt(least);
-}
-
 // The angle between two faces is atan2 of its sine and cosine, each times the lengths of both normals.
 std::array<double, 6> dihedral_angles(const Corners& x, double six_volumes)
 {
@@ -161,9 +143,25 @@ void add_radius_ratios(std::vector<double> ratios, Quality& q)
 
 }  // namespace
 
+// With faces of areas A, B at an edge of length l, the volume is 2/3 A B sin(angle) / l; with n_i the normal of the
+// face opposite corner i, twice its area long, the angle at the edge between corners i and j has
+//   sine^2 = (6 volume)^2 l^2 / (|n_k|^2 |n_l|^2) = (6 volume)^2 l^2 |n_i|^2 |n_j|^2 / product of all |n|^2.
+// One division and one root for six angles.
 double least_sine(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
-    return least_sine({a, b, c, d}, orient(a, b, c, d));
+    const Vec3 ab = b - a, ac = c - a, ad = d - a, bc = c - b, bd = d - b, cd = d - c;
+    const Vec3 nd = ab.cross(ac);
+    const double na2 = bc.cross(bd).squaredNorm(), nb2 = ac.cross(ad).squaredNorm();
+    const double nc2 = ab.cross(ad).squaredNorm(), nd2 = nd.squaredNorm();
+    const double na2_nb2 = na2 * nb2, nc2_nd2 = nc2 * nd2;
+    const double product = na2_nb2 * nc2_nd2;
+    if (!(product > 0))
+        return 0;
+    const double at_a =
+        std::min({ab.squaredNorm() * na2_nb2, ac.squaredNorm() * (na2 * nc2), ad.squaredNorm() * (na2 * nd2)});
+    const double others =
+        std::min({bc.squaredNorm() * (nb2 * nc2), bd.squaredNorm() * (nb2 * nd2), cd.squaredNorm() * nc2_nd2});
+    return nd.dot(ad) * std::sqrt(std::min(at_a, others) / product);
 }
 
 std::array<double, 6> dihedral_angles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)

@@ -1,0 +1,198 @@
+#include "background/repair.hpp"
+
+#include "base/stage_timer.hpp"
+#include "mesh/adjacency.hpp"
+#include "mesh/flips.hpp"
+#include "mesh/quality.hpp"
+#include "mesh/smoothing.hpp"
+#include "mesh/worst_first.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cleft
+{
+namespace
+{
+
+// The sweep mends most of what is better than this, and may leave a tetrahedron as bad as this.
+constexpr double kSweepAngle = 22;  // degrees
+constexpr double kDegrees = 180 / M_PI;
+
+double sine(double degrees) { return std::sin(degrees / kDegrees); }
+
+class Repair
+{
+public:
+    Repair(TetMesh& mesh, const RepairOptions& options, const Run& run)
+        : run_(run), options_(options), mesh_(std::move(mesh.points), std::move(mesh.tets), {})
+    {
+    }
+
+    // Flips first: a sweep over bad connections would only move points to bad places.
+    void work()
+    {
+        improve_bad(std::min(kSweepAngle, options_.target_angle), false, 0.1);
+        for (int sweep = 0; sweep < options_.sweeps; ++sweep)
+            smooth_everywhere();
+        improve_bad(options_.target_angle, true, 0.6);
+    }
+
+    TetMesh take()
+    {
+        LabelledMesh mesh = mesh_.take();
+        return {std::move(mesh.points), std::move(mesh.tets)};
+    }
+
+private:
+    void improve_bad(double angle, bool with_smoothing, double progress);
+    bool flip(int32_t t);
+    bool smooth_corners(int32_t t, double target);
+    void smooth_everywhere();
+    void move_to_centroid(int32_t v, const Mat3& tangent);
+
+    const Run& run_;
+    const RepairOptions& options_;
+    LocalMesh mesh_;
+    WorstFirst bad_;
+    Cavity cavity_;
+    Smoother smoother_;
+    Star star_;
+};
+
+// Passes over the tetrahedra with a worse angle, until none is left or nothing helps.
+void Repair::improve_bad(double angle, bool with_smoothing, double progress)
+{
+    const double target = sine(angle);
+    bad_.collect_all(mesh_, target);
+    bool changed = true;
+    for (int pass = 0; pass < options_.passes && changed; ++pass) {
+        changed = false;
+        for (size_t i = 0; i < bad_.order().size(); ++i) {
+            if (i % 256 == 0)
+                run_.report(progress, "background repair");
+            const int32_t t = bad_.order()[i];
+            if (!mesh_.alive(t) || mesh_.quality(t) >= target)
+                continue;
+            if (flip(t) || (with_smoothing && smooth_corners(t, target)))
+                changed = true;
+            bad_.add(t);
+        }
+        bad_.collect_added(mesh_, target);
+    }
+}
+
+bool Repair::flip(int32_t t)
+{
+    bool done = false;
+    for (size_t e = 0; e < 6 && !done; ++e)
+        done = remove_edge(mesh_, t, kEdgeCorners[e][0], kEdgeCorners[e][1], 0.0, cavity_);
+    for (int corner = 0; corner < 4 && !done; ++corner)
+        done = remove_face(mesh_, t, corner, cavity_);
+    if (done)
+        bad_.add(cavity_.created);
+    return done;
+}
+
+bool Repair::smooth_corners(int32_t t, double target)
+{
+    bool moved = false;
+    const Tet corners = mesh_.tet(t);
+    for (const int32_t v : corners) {
+        if (mesh_.quality(t) >= target)
+            break;
+        const Mat3 tangent = free_axes(mesh_.frozen(v));
+        if (tangent.isZero())
+            continue;
+        star_.load(mesh_, v);
+        const Place place = smoother_.climb(star_, mesh_.point(v), target, tangent, {});
+        if (place.x == mesh_.point(v))
+            continue;
+        mesh_.move(v, place.x);
+        bad_.add(star_.tets());
+        moved = true;
+    }
+    return moved;
+}
+
+// One Gauss-Seidel sweep towards the centroids of the stars. In a mesh of the wanted sizes every tetrahedron weighs the
+// same: a volume over the wanted volume is about one.
+void Repair::smooth_everywhere()
+{
+    for (int32_t v = 0; v < mesh_.point_count(); ++v) {
+        if (v % 2048 == 0)
+            run_.report(0.2 + 0.4 * v / mesh_.point_count(), "background repair");
+        const Mat3 tangent = free_axes(mesh_.frozen(v));
+        if (!tangent.isZero())
+            move_to_centroid(v, tangent);
+    }
+}
+
+// The whole way or half of it, if that leaves nothing worse than the guard or the worst that was there.
+void Repair::move_to_centroid(int32_t v, const Mat3& tangent)
+{
+    star_.load(mesh_, v);
+    if (star_.empty())
+        return;
+    const Vec3 from = mesh_.point(v);
+    const Vec3 shift = tangent * (star_.centroid(from) - from);
+    double floor = sine(kSweepAngle);
+    if (star_.worst_at(from + shift, floor) > floor) {
+        mesh_.move(v, from + shift);
+        return;
+    }
+    floor = std::max(std::min(floor, star_.worst_at(from, 0)), kLeastSine);
+    for (const double part : {1.0, 0.5})
+        if (star_.worst_at(from + part * shift, floor) > floor) {
+            mesh_.move(v, from + part * shift);
+            return;
+        }
+}
+
+void note_angles(const TetMesh& mesh, const char* when, const Run& run)
+{
+    if (!run.metrics)
+        return;
+    double least = 180, greatest = 0;
+    int64_t below_10 = 0, below_20 = 0, below_25 = 0;
+    for (const Tet& t : mesh.tets) {
+        const auto corner = [&](size_t i) -> const Vec3& { return mesh.points[static_cast<size_t>(t[i])]; };
+        // No angle of the tetrahedron is nearer to 0 or 180 degrees than this.
+        const double bound =
+            kDegrees * std::asin(std::clamp(least_sine(corner(0), corner(1), corner(2), corner(3)), 0.0, 1.0));
+        if (bound >= 25 && bound >= least && 180 - bound <= greatest)
+            continue;
+        const auto angles = dihedral_angles(corner(0), corner(1), corner(2), corner(3));
+        const auto [low, high] = std::minmax_element(angles.begin(), angles.end());
+        least = std::min(least, *low);
+        greatest = std::max(greatest, *high);
+        below_10 += *low < 10;
+        below_20 += *low < 20;
+        below_25 += *low < 25;
+    }
+    const auto note = [&](const char* name, double value) {
+        run.note(std::string("background.repair.") + name + "_" + when, value);
+    };
+    note("tets", static_cast<double>(mesh.tets.size()));
+    note("min_angle", least);
+    note("max_angle", greatest);
+    note("below_10", static_cast<double>(below_10));
+    note("below_20", static_cast<double>(below_20));
+    note("below_25", static_cast<double>(below_25));
+}
+
+}  // namespace
+
+void repair(TetMesh& mesh, const RepairOptions& options, const Run& run)
+{
+    const StageTimer timer(run, "background.repair");
+    run.report(0, "background repair");
+    note_angles(mesh, "before", run);
+    Repair repair(mesh, options, run);
+    repair.work();
+    mesh = repair.take();
+    note_angles(mesh, "after", run);
+    run.report(1, "background repair");
+}
+
+}  // namespace cleft
