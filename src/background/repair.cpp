@@ -2,8 +2,8 @@
 
 #include "base/stage_timer.hpp"
 #include "mesh/adjacency.hpp"
+#include "mesh/angle_notes.hpp"
 #include "mesh/flips.hpp"
-#include "mesh/quality.hpp"
 #include "mesh/smoothing.hpp"
 #include "mesh/worst_first.hpp"
 
@@ -17,9 +17,8 @@ namespace
 
 // The sweep mends most of what is better than this, and may leave a tetrahedron as bad as this.
 constexpr double kSweepAngle = 22;  // degrees
-constexpr double kDegrees = 180 / M_PI;
 
-double sine(double degrees) { return std::sin(degrees / kDegrees); }
+double sine(double degrees) { return std::sin(degrees * M_PI / 180); }
 
 class Repair
 {
@@ -149,49 +148,17 @@ void Repair::move_to_centroid(int32_t v, const Mat3& tangent)
         }
 }
 
-void note_angles(const TetMesh& mesh, const char* when, const Run& run)
-{
-    if (!run.metrics)
-        return;
-    double least = 180, greatest = 0;
-    int64_t below_10 = 0, below_20 = 0, below_25 = 0;
-    for (const Tet& t : mesh.tets) {
-        const auto corner = [&](size_t i) -> const Vec3& { return mesh.points[static_cast<size_t>(t[i])]; };
-        // No angle of the tetrahedron is nearer to 0 or 180 degrees than this.
-        const double bound =
-            kDegrees * std::asin(std::clamp(least_sine(corner(0), corner(1), corner(2), corner(3)), 0.0, 1.0));
-        if (bound >= 25 && bound >= least && 180 - bound <= greatest)
-            continue;
-        const auto angles = dihedral_angles(corner(0), corner(1), corner(2), corner(3));
-        const auto [low, high] = std::minmax_element(angles.begin(), angles.end());
-        least = std::min(least, *low);
-        greatest = std::max(greatest, *high);
-        below_10 += *low < 10;
-        below_20 += *low < 20;
-        below_25 += *low < 25;
-    }
-    const auto note = [&](const char* name, double value) {
-        run.note(std::string("background.repair.") + name + "_" + when, value);
-    };
-    note("tets", static_cast<double>(mesh.tets.size()));
-    note("min_angle", least);
-    note("max_angle", greatest);
-    note("below_10", static_cast<double>(below_10));
-    note("below_20", static_cast<double>(below_20));
-    note("below_25", static_cast<double>(below_25));
-}
-
 }  // namespace
 
 void repair(TetMesh& mesh, const RepairOptions& options, const Run& run)
 {
     const StageTimer timer(run, "background.repair");
     run.report(0, "background repair");
-    note_angles(mesh, "before", run);
+    note_angles(mesh.points, mesh.tets, "background.repair", "before", run);
     Repair repair(mesh, options, run);
     repair.work();
     mesh = repair.take();
-    note_angles(mesh, "after", run);
+    note_angles(mesh.points, mesh.tets, "background.repair", "after", run);
     run.report(1, "background repair");
 }
 

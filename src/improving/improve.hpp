@@ -5,7 +5,8 @@
 #include "mesh/tet_mesh.hpp"
 #include "volume/volume.hpp"
 
-namespace cleft {
+namespace cleft
+{
 
 enum class Effort { off, fast, best };
 

@@ -49,8 +49,8 @@ struct Place {
 class Smoother
 {
 public:
-    // Climbs from x, in the plane or line that `tangent` projects on, until the worst tetrahedron is as good as `target`
-    // or cannot be made better; every trial position goes through `projection` if there is one.
+    // Climbs from x, in the plane or line that `tangent` projects on, until the worst tetrahedron is as good as
+    // `target` or cannot be made better; every trial position goes through `projection` if there is one.
     Place climb(const Star& star, const Vec3& x, double target, const Mat3& tangent, const Projection& projection);
 
 private:

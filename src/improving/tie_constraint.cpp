@@ -1,0 +1,59 @@
+#include "improving/tie_constraint.hpp"
+
+#include "cleaving/tie.hpp"
+
+namespace cleft
+{
+
+void TieConstraint::set(const LocalMesh& mesh, const std::vector<int32_t>& tets, const Vec3& home, uint8_t frozen,
+                        double reach, double tolerance)
+{
+    materials_ = MaterialSet();
+    too_many_ = false;
+    for (const int32_t t : tets)
+        too_many_ = !materials_.unite(MaterialSet(mesh.material(t))) || too_many_;
+    frozen_ = frozen;
+    reach_ = reach;
+    tolerance_ = tolerance;
+    tangent_ = free_axes(frozen);
+    if (materials_.size() > 1 && tolerance == 0)
+        find_tangent(home);
+}
+
+// Takes the gradients of the differences of the indicators out of the free directions, one after the other.
+void TieConstraint::find_tangent(const Vec3& home)
+{
+    if (too_many_ || materials_.size() > 3) {
+        tangent_.setZero();
+        return;
+    }
+    volume_.sample_gradient(home, samples_);
+    const auto gradient = [&](Material m) {
+        const int i = samples_.find(m);
+        return i < 0 ? Vec3(0, 0, 0) : samples_.gradient[static_cast<size_t>(i)];
+    };
+    for (int i = 1; i < materials_.size(); ++i) {
+        const Vec3 difference = gradient(materials_[i]) - gradient(materials_[0]);
+        const Vec3 normal = tangent_ * difference;
+        if (!(normal.norm() > 1e-3 * difference.norm())) {
+            tangent_.setZero();
+            return;
+        }
+        tangent_ -= normal.normalized() * normal.normalized().transpose();
+    }
+}
+
+bool TieConstraint::project(Vec3& x)
+{
+    if (materials_.size() < 2)
+        return true;
+    const auto on_tie = project_to_tie(volume_, x, x, materials_, frozen_, 0.5 * reach_, samples_);
+    if (!on_tie)
+        return false;
+    const Vec3 off = x - *on_tie;
+    const double distance = off.norm();
+    x = distance > tolerance_ ? Vec3(*on_tie + (tolerance_ / distance) * off) : x;
+    return true;
+}
+
+}  // namespace cleft
