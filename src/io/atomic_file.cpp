@@ -1,0 +1,203 @@
+#include "io/atomic_file.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+namespace cleft::io {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void cannot_write(const std::string& path, int error)
+{
+    throw Error(CLEFT_ERROR_FILE, "cannot write '" + path + "': " + std::generic_category().message(error));
+}
+
+// The file that a path stands for: a symbolic link is followed, so that it stays a link.
+std::string target_of(const std::string& path)
+{
+    std::error_code error;
+    const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : fs::path(path);
+    if (error)
+        cannot_write(path, error.value());
+    const fs::file_status status = fs::status(target, error);
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        throw Error(CLEFT_ERROR_FILE, "cannot write '" + path + "': it is no regular file");
+    return target.string();
+}
+
+// A file that is replaced passes its permissions on.
+void keep_permissions(int descriptor, const std::string& old)
+{
+    struct stat status{};
+    if (stat(old.c_str(), &status) == 0 && fchmod(descriptor, status.st_mode & 07777) != 0)
+        errno = 0;  // the new file then has the permissions of any new file
+}
+
+// Makes an empty file in the folder of `path`, under a name that nothing has, and opens it.
+int create_temporary(const std::string& path, const std::string& extension, std::string& name)
+{
+    for (int i = 0;; ++i) {
+        name = path + ".part" + std::to_string(getpid()) + "-" + std::to_string(i) + extension;
+        const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor >= 0)
+            return descriptor;
+        if (errno != EEXIST)
+            cannot_write(path, errno);
+    }
+}
+
+// Gives the old file a second name, or none if there is no old file (or no hard links here).
+std::string keep_aside(const std::string& path)
+{
+    for (int i = 0;; ++i) {
+        const std::string name = path + ".old" + std::to_string(getpid()) + "-" + std::to_string(i);
+        if (link(path.c_str(), name.c_str()) == 0)
+            return name;
+        if (errno != EEXIST)
+            return "";
+    }
+}
+
+// Makes the renaming itself last. Some file systems cannot; the file is complete all the same.
+void flush_folder(const std::string& path)
+{
+    const fs::path folder = fs::path(path).parent_path();
+    const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0)
+        return;
+    (void)fsync(descriptor);
+    close(descriptor);
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(const std::string& path) : path_(target_of(path)), buffer_(std::make_unique<char[]>(capacity))
+{
+    descriptor_ = create_temporary(path_, "", temporary_);
+    keep_permissions(descriptor_, path_);
+}
+
+AtomicFile::~AtomicFile()
+{
+    if (descriptor_ >= 0)
+        close(descriptor_);
+    if (!temporary_.empty())
+        unlink(temporary_.c_str());
+}
+
+void AtomicFile::fail() const { cannot_write(path_, errno); }
+
+void AtomicFile::write(const void* data, size_t bytes)
+{
+    const char* from = static_cast<const char*>(data);
+    while (bytes > 0) {
+        if (used_ == capacity)
+            flush();
+        const size_t part = std::min(bytes, capacity - used_);
+        std::memcpy(buffer_.get() + used_, from, part);
+        used_ += part;
+        from += part;
+        bytes -= part;
+    }
+}
+
+void AtomicFile::flush()
+{
+    for (size_t written = 0; written < used_;) {
+        const ssize_t n = ::write(descriptor_, buffer_.get() + written, used_ - written);
+        if (n < 0 && errno != EINTR)
+            fail();
+        written += n > 0 ? static_cast<size_t>(n) : 0;
+    }
+    used_ = 0;
+}
+
+// Everything on the disk, still under the temporary name.
+void AtomicFile::finish()
+{
+    flush();
+    if (fsync(descriptor_) != 0)
+        fail();
+    if (close(std::exchange(descriptor_, -1)) != 0)
+        fail();
+}
+
+void AtomicFile::commit_all(const std::initializer_list<AtomicFile*>& files)
+{
+    for (AtomicFile* file : files)
+        file->finish();
+    if (files.size() == 1) {
+        AtomicFile& file = **files.begin();
+        if (std::rename(file.temporary_.c_str(), file.path_.c_str()) != 0)
+            file.fail();
+        file.temporary_.clear();
+        flush_folder(file.path_);
+        return;
+    }
+    // Hard links keep the old files within reach until all the new ones have their names.
+    std::vector<std::pair<AtomicFile*, std::string>> renamed;
+    for (AtomicFile* file : files) {
+        const std::string old = keep_aside(file->path_);
+        if (std::rename(file->temporary_.c_str(), file->path_.c_str()) == 0) {
+            file->temporary_.clear();
+            renamed.emplace_back(file, old);
+            continue;
+        }
+        const int error = errno;
+        if (!old.empty())
+            unlink(old.c_str());
+        for (const auto& [done, former] : renamed) {
+            if (former.empty())
+                unlink(done->path_.c_str());
+            else
+                (void)std::rename(former.c_str(), done->path_.c_str());
+        }
+        cannot_write(file->path_, error);
+    }
+    for (const auto& [file, old] : renamed)
+        if (!old.empty())
+            unlink(old.c_str());
+    flush_folder(renamed.front().first->path_);
+}
+
+AtomicPath::AtomicPath(const std::string& target, const std::string& extension) : target_(target_of(target))
+{
+    close(create_temporary(target_, extension, temporary_));
+}
+
+AtomicPath::~AtomicPath()
+{
+    if (!temporary_.empty())
+        unlink(temporary_.c_str());
+}
+
+void AtomicPath::commit()
+{
+    const int descriptor = open(temporary_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0)
+        cannot_write(target_, errno);
+    keep_permissions(descriptor, target_);
+    const int error = fsync(descriptor) == 0 ? 0 : errno;
+    close(descriptor);
+    if (error != 0)
+        cannot_write(target_, error);
+    if (std::rename(temporary_.c_str(), target_.c_str()) != 0)
+        cannot_write(target_, errno);
+    temporary_.clear();
+    flush_folder(target_);
+}
+
+}  // namespace cleft::io

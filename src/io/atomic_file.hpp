@@ -1,0 +1,92 @@
+// A file that appears under its name complete or not at all: written under a temporary name in the same folder, flushed
+// to the disk, then renamed. Unless it is committed, the destructor removes the temporary and the old file stays.
+#pragma once
+
+#include <charconv>
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace cleft::io {
+
+class AtomicFile {
+public:
+    // Throws Error(CLEFT_ERROR_FILE) if the temporary cannot be made.
+    explicit AtomicFile(const std::string& path);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    void write(const void* data, size_t bytes);
+
+    template <class T>
+    void binary(const T& value)
+    {
+        static_assert(std::is_trivially_copyable_v<T>);
+        write(&value, sizeof value);
+    }
+
+    // Text: numbers are written with the fewest digits that give the same number back.
+    template <class... Parts>
+    void print(const Parts&... parts)
+    {
+        (put(parts), ...);
+    }
+
+    void commit() { commit_all({this}); }
+    // All or none: if one cannot take its name, the others get their old contents back.
+    static void commit_all(const std::initializer_list<AtomicFile*>& files);
+
+private:
+    static constexpr size_t capacity = size_t{1} << 20;
+    static constexpr size_t longest_number = 32;
+
+    void put(char c)
+    {
+        if (used_ == capacity)
+            flush();
+        buffer_[used_++] = c;
+    }
+    void put(std::string_view text) { write(text.data(), text.size()); }
+    void put(const char* text) { put(std::string_view(text)); }
+    void put(const std::string& text) { put(std::string_view(text)); }
+    template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>>
+    void put(T number)
+    {
+        if (capacity - used_ < longest_number)
+            flush();
+        char* begin = buffer_.get() + used_;
+        used_ += static_cast<size_t>(std::to_chars(begin, begin + longest_number, number).ptr - begin);
+    }
+
+    void flush();
+    void finish();
+    [[noreturn]] void fail() const;
+
+    std::string path_;
+    std::string temporary_;
+    std::unique_ptr<char[]> buffer_;
+    size_t used_ = 0;
+    int descriptor_ = -1;
+};
+
+// For libraries that write to a path themselves, and go by its extension: they write to path(), then it is committed.
+class AtomicPath {
+public:
+    AtomicPath(const std::string& target, const std::string& extension);
+    ~AtomicPath();
+    AtomicPath(const AtomicPath&) = delete;
+    AtomicPath& operator=(const AtomicPath&) = delete;
+
+    const std::string& path() const { return temporary_; }
+    void commit();
+
+private:
+    std::string target_;
+    std::string temporary_;
+};
+
+}  // namespace cleft::io

@@ -1,0 +1,76 @@
+#include "io/cell_labels.hpp"
+
+#include "base/error.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace cleft::io {
+
+namespace {
+
+constexpr int32_t vtk_tetra = 10;
+
+[[noreturn]] void fail(const std::string& what) { throw Error(CLEFT_ERROR_FORMAT, what); }
+
+bool holds_labels(const CellArray& array, size_t cells)
+{
+    if (array.components != 1 || array.values.size() != cells)
+        return false;
+    for (const double value : array.values)
+        if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int32_t>::max())
+            return false;
+    return true;
+}
+
+const CellArray* find_labels(const std::vector<CellArray>& arrays, size_t cells)
+{
+    for (const CellArray& array : arrays)
+        if (array.name == "material") {
+            if (!holds_labels(array, cells))
+                fail("the array 'material' must hold one whole number of 32 bits a cell");
+            return &array;
+        }
+    for (const CellArray& array : arrays)
+        if (holds_labels(array, cells))
+            return &array;
+    return nullptr;
+}
+
+// Vertices, lines and plane cells, of first and second order.
+bool is_lower_dimensional(int32_t type)
+{
+    return (type >= 0 && type <= 9) || (type >= 21 && type <= 23) || type == 28 || type == 34;
+}
+
+}  // namespace
+
+void take_tetrahedra(const CellLists& cells, const std::vector<CellArray>& arrays, MeshData& mesh)
+{
+    const size_t count = cells.types.size();
+    if (cells.offsets.size() != count + 1 && !(count == 0 && cells.offsets.empty()))
+        fail("there are " + std::to_string(count) + " types of cells, but another number of cells");
+    const CellArray* labels = find_labels(arrays, count);
+    const int64_t points = static_cast<int64_t>(mesh.points.size() / 3);
+    for (size_t c = 0; c < count; ++c) {
+        if (is_lower_dimensional(cells.types[c]))
+            continue;
+        if (cells.types[c] != vtk_tetra)
+            throw Error(CLEFT_ERROR_UNSUPPORTED, "cell " + std::to_string(c) + " is no tetrahedron but of VTK's type " +
+                                                     std::to_string(cells.types[c]));
+        const int64_t begin = cells.offsets[c];
+        const int64_t end = cells.offsets[c + 1];
+        if (begin < 0 || end - 4 != begin || end > static_cast<int64_t>(cells.corners.size()))
+            fail("cell " + std::to_string(c) + " does not have four corners");
+        for (int64_t i = begin; i < end; ++i) {
+            const int64_t point = cells.corners[static_cast<size_t>(i)];
+            if (point < 0 || point >= points)
+                fail("cell " + std::to_string(c) + " names point " + std::to_string(point) + ", which is not there");
+            mesh.tets.push_back(static_cast<int32_t>(point));
+        }
+        if (labels)
+            mesh.labels.push_back(static_cast<int32_t>(labels->values[c]));
+    }
+}
+
+}  // namespace cleft::io

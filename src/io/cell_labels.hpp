@@ -1,0 +1,28 @@
+// Cells and cell arrays of VTK's formats, and the tetrahedra and materials in them.
+#pragma once
+
+#include "io/mesh_data.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace cleft::io {
+
+struct CellLists {
+    std::vector<int64_t> corners;
+    std::vector<int64_t> offsets;  // one more than there are cells: cell i has corners [offsets[i], offsets[i + 1])
+    std::vector<int32_t> types;
+};
+
+struct CellArray {
+    std::string name;
+    int64_t components = 1;
+    std::vector<double> values;
+};
+
+// Puts the tetrahedra and their labels into `mesh`, whose points are there. The labels are the array "material", else
+// the first array with one whole number a cell. Errors do not name the file.
+void take_tetrahedra(const CellLists& cells, const std::vector<CellArray>& arrays, MeshData& mesh);
+
+}  // namespace cleft::io

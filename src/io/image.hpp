@@ -1,0 +1,44 @@
+// An image file as a plain value, in ITK's world (LPS).
+#pragma once
+
+#include "io/vector3.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cleft::io {
+
+enum class Component { uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64 };
+
+size_t size_of(Component component);
+bool is_floating(Component component);
+
+struct Image {
+    std::array<int64_t, 3> dims{1, 1, 1};
+    int64_t fields = 1;  // how many volumes of these dimensions, one after the other
+    Component component = Component::uint8;
+    std::unique_ptr<std::byte[]> voxels;
+    // The way along each axis of the voxels, of length 1.
+    std::array<Vector3, 3> directions{Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}};
+    Vector3 spacing{1, 1, 1};
+    Vector3 origin{0, 0, 0};  // centre of the first voxel
+
+    int64_t field_size() const { return dims[0] * dims[1] * dims[2]; }
+    size_t bytes() const { return static_cast<size_t>(field_size() * fields) * size_of(component); }
+};
+
+// Memory for the voxels, not filled. Throws Error(CLEFT_ERROR_TOO_LARGE) or std::bad_alloc.
+void allocate_voxels(Image& image);
+
+// One file, by ITK. Errors do not name the file.
+Image read_image(const std::string& path);
+// The slices of a DICOM series, in the order of their places. Errors do not name the folder.
+std::vector<std::string> dicom_slices(const std::string& folder);
+// Writes a volume of float; throws if the format cannot hold the geometry.
+void write_image(const std::string& path, const Image& image);
+
+}  // namespace cleft::io

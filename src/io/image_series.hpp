@@ -1,0 +1,13 @@
+// Whatever path the user gives: a file, a folder, a pattern of slices.
+#pragma once
+
+#include "io/image.hpp"
+
+#include <string>
+
+namespace cleft::io {
+
+// Errors name the path.
+Image read_image_or_series(const std::string& path);
+
+}  // namespace cleft::io

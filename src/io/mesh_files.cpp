@@ -1,0 +1,149 @@
+// Entries: the table of formats, meshes out and in.
+#include "cleft/cleft_io.h"
+#include "io/entry.hpp"
+#include "io/formats.hpp"
+#include "io/mesh_data.hpp"
+#include "io/text_scanner.hpp"
+#include "io/writers.hpp"
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+namespace cleft::io {
+
+namespace {
+
+cleft_io_format resolve(const std::string& path, cleft_io_format format, int32_t direction)
+{
+    const auto* row = format == CLEFT_FORMAT_BY_NAME ? format_of_path(path, direction) : find_format(format);
+    if (!row)
+        throw Error(CLEFT_ERROR_ARGUMENT, "'" + path + "': its extension is none of " + extensions_with(direction));
+    return row->format;
+}
+
+bool needs_surface(cleft_io_format format) { return format != CLEFT_FORMAT_VTU && format != CLEFT_FORMAT_VTK; }
+
+void write(const MeshView& mesh, const std::string& path, cleft_io_format format, int threads)
+{
+    switch (format) {
+    case CLEFT_FORMAT_VTU:
+        return write_vtu(mesh, path, threads);
+    case CLEFT_FORMAT_VTP:
+        return write_vtp(mesh, path, threads);
+    case CLEFT_FORMAT_VTK:
+        return write_vtk(mesh, path);
+    case CLEFT_FORMAT_MEDIT:
+        return write_medit(mesh, path);
+    case CLEFT_FORMAT_MSH41:
+        return write_msh41(mesh, path);
+    case CLEFT_FORMAT_MSH22:
+        return write_msh22(mesh, path);
+    case CLEFT_FORMAT_ABAQUS:
+        return write_abaqus(mesh, path);
+    case CLEFT_FORMAT_TETGEN:
+        return write_tetgen(mesh, path);
+    case CLEFT_FORMAT_STL:
+        return write_stl(mesh, path);
+    case CLEFT_FORMAT_PLY:
+        return write_ply(mesh, path);
+    default:
+        throw Error(CLEFT_ERROR_ARGUMENT, "there is no format " + std::to_string(format));
+    }
+}
+
+MeshData read(const std::string& path)
+{
+    switch (resolve(path, CLEFT_FORMAT_BY_NAME, CLEFT_IO_READS_MESH)) {
+    case CLEFT_FORMAT_VTU:
+        return read_vtu(path);
+    case CLEFT_FORMAT_VTK:
+        return read_vtk(path);
+    case CLEFT_FORMAT_MEDIT:
+        return read_medit(path);
+    case CLEFT_FORMAT_TETGEN:
+        return read_tetgen(path);
+    default:
+        return read_gmsh(path);
+    }
+}
+
+// Both images and meshes may have this extension; its fourth line tells which.
+bool is_vtk_mesh(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    char start[1024] = {};
+    file.read(start, sizeof start - 1);
+    return std::strstr(start, "UNSTRUCTURED_GRID") != nullptr;
+}
+
+}  // namespace
+
+}  // namespace cleft::io
+
+using namespace cleft::io;
+
+int32_t cleft_io_format_count(void) noexcept { return format_count(); }
+
+cleft_status cleft_io_format_info(int32_t index, cleft_io_format_description* out) noexcept
+{
+    if (!out)
+        return CLEFT_ERROR_NULL;
+    if (index < 0 || index >= format_count() || out->struct_size < sizeof(uint32_t))
+        return CLEFT_ERROR_ARGUMENT;
+    cleft_io_format_description row = format_row(index);
+    row.struct_size = out->struct_size;
+    std::memcpy(out, &row, std::min<size_t>(out->struct_size, sizeof row));
+    return CLEFT_OK;
+}
+
+int32_t cleft_io_guess(const char* path) noexcept
+{
+    try {
+        if (!path)
+            return CLEFT_IO_UNKNOWN;
+        const bool volume = is_volume_path(path) || std::filesystem::is_directory(path);
+        const bool mesh = format_of_path(path, CLEFT_IO_READS_MESH | CLEFT_IO_WRITES_MESH) != nullptr;
+        if (volume && mesh)
+            return is_vtk_mesh(path) ? CLEFT_IO_MESH : CLEFT_IO_VOLUME;
+        return volume ? CLEFT_IO_VOLUME : mesh ? CLEFT_IO_MESH : CLEFT_IO_UNKNOWN;
+    } catch (...) {
+        return CLEFT_IO_UNKNOWN;
+    }
+}
+
+cleft_status cleft_io_write_mesh(cleft_context* context, const cleft_mesh* mesh, const char* path,
+                                 cleft_io_format format) noexcept
+{
+    return entry(context, [&] {
+        required(context, "context");
+        required(mesh, "mesh");
+        required(path, "path");
+        const cleft_io_format resolved = resolve(path, format, CLEFT_IO_WRITES_MESH);
+        if (cleft_mesh_tet_count(mesh) == 0)
+            throw cleft::Error(CLEFT_ERROR_ARGUMENT, "the mesh has no tetrahedra to write");
+        SurfaceHandle surface;
+        if (needs_surface(resolved)) {
+            cleft_surface* made = nullptr;
+            check(context, cleft_surface_create(context, mesh, &made));
+            surface.reset(made);
+        }
+        write(view_of(mesh, surface.get()), path, resolved, cleft_context_threads(context));
+    });
+}
+
+cleft_status cleft_io_read_mesh(cleft_context* context, const char* path, cleft_mesh** out) noexcept
+{
+    return entry(context, [&] {
+        *required(out, "out") = nullptr;
+        required(context, "context");
+        const MeshData mesh = read(required(path, "path"));
+        if (mesh.tets.empty())
+            throw cleft::Error(CLEFT_ERROR_FORMAT, std::string("'") + path + "': there are no tetrahedra in it");
+        check(context,
+              cleft_mesh_create(context, static_cast<int64_t>(mesh.points.size() / 3), mesh.points.data(),
+                                static_cast<int64_t>(mesh.tets.size() / 4), mesh.tets.data(),
+                                mesh.labels.empty() ? nullptr : mesh.labels.data(), 0, out),
+              std::string("'") + path + "': ");
+    });
+}

@@ -1,0 +1,98 @@
+#include "io/mesh_view.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+namespace cleft::io {
+
+namespace {
+
+constexpr const char* material_prefix = "material_";
+constexpr const char* minus_word = "minus";
+
+std::string word_of(int32_t label)
+{
+    return label < 0 ? minus_word + std::to_string(-int64_t{label}) : std::to_string(label);
+}
+
+std::string hull_name(int32_t side, int32_t label)
+{
+    static const char* const names[] = {"box_x_min_", "box_x_max_", "box_y_min_", "box_y_max_",
+                                        "box_z_min_", "box_z_max_", "hull_"};
+    return names[side] + word_of(label);
+}
+
+// Consecutive interface triangles of one pair are one group.
+void add_interfaces(const cleft_surface* surface, std::vector<SurfaceGroup>& groups)
+{
+    const int64_t count = cleft_surface_interface_count(surface);
+    const int32_t* triangles = cleft_surface_interface_triangles(surface);
+    const int32_t* pairs = cleft_surface_interface_labels(surface);
+    for (int64_t t = 0; t < count; ++t) {
+        const int32_t a = pairs[2 * t];
+        const int32_t b = pairs[2 * t + 1];
+        if (t == 0 || groups.back().first != a || groups.back().second != b)
+            groups.push_back({"interface_" + word_of(a) + "_" + word_of(b), SurfaceGroup::no_side, a, b,
+                              triangles + 3 * t, 0});
+        ++groups.back().count;
+    }
+}
+
+void add_hull(const cleft_surface* surface, std::vector<SurfaceGroup>& groups)
+{
+    const int64_t count = cleft_surface_hull_count(surface);
+    const int32_t* triangles = cleft_surface_hull_triangles(surface);
+    const int32_t* labels = cleft_surface_hull_labels(surface);
+    const int32_t* sides = cleft_surface_hull_sides(surface);
+    for (int64_t t = 0; t < count; ++t) {
+        if (t == 0 || groups.back().first != labels[t] || groups.back().side != sides[t])
+            groups.push_back({hull_name(sides[t], labels[t]), sides[t], labels[t], labels[t], triangles + 3 * t, 0});
+        ++groups.back().count;
+    }
+}
+
+}  // namespace
+
+int64_t MeshView::triangle_count() const
+{
+    int64_t count = 0;
+    for (const SurfaceGroup& group : groups)
+        count += group.count;
+    return count;
+}
+
+size_t MeshView::label_index(int32_t label) const
+{
+    return static_cast<size_t>(std::lower_bound(labels.begin(), labels.end(), label) - labels.begin());
+}
+
+MeshView view_of(const cleft_mesh* mesh, const cleft_surface* surface)
+{
+    MeshView view;
+    view.point_count = cleft_mesh_point_count(mesh);
+    view.points = cleft_mesh_points(mesh);
+    view.tet_count = cleft_mesh_tet_count(mesh);
+    view.tets = cleft_mesh_tets(mesh);
+    view.tet_labels = cleft_mesh_tet_labels(mesh);
+    const int32_t* labels = cleft_mesh_labels(mesh);
+    view.labels.assign(labels, labels + cleft_mesh_label_count(mesh));
+    add_interfaces(surface, view.groups);
+    add_hull(surface, view.groups);
+    return view;
+}
+
+std::string material_name(int32_t label) { return material_prefix + word_of(label); }
+
+bool label_of_material_name(const std::string& name, int32_t& label)
+{
+    const std::string prefix = material_prefix;
+    if (name.compare(0, prefix.size(), prefix) != 0)
+        return false;
+    std::string number = name.substr(prefix.size());
+    if (number.compare(0, std::string(minus_word).size(), minus_word) == 0)
+        number.replace(0, std::string(minus_word).size(), "-");
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), label);
+    return error == std::errc() && end == number.data() + number.size();
+}
+
+}  // namespace cleft::io

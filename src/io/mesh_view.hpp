@@ -1,0 +1,58 @@
+// A mesh as the writers see it: borrowed arrays, and the surface triangles in named groups.
+#pragma once
+
+#include "cleft/cleft.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cleft::io {
+
+// Triangles of one interface (both labels, the lower first), or of the hull on one side within one label.
+struct SurfaceGroup {
+    static constexpr int32_t no_side = -1;
+
+    std::string name;  // "interface_1_3", "box_x_min_3", "hull_3"
+    int32_t side = no_side;  // or CLEFT_SIDE_...
+    int32_t first = 0;         // the label that the normals point away from
+    int32_t second = 0;        // the label that they point to; of the hull: `first` again
+    const int32_t* triangles = nullptr;
+    int64_t count = 0;
+
+    bool is_interface() const { return side == no_side; }
+    // Does it lie inside the box, where a surface is worth looking at?
+    bool is_inner() const { return is_interface() || side == CLEFT_SIDE_OTHER; }
+};
+
+struct MeshView {
+    int64_t point_count = 0;
+    const double* points = nullptr;
+    int64_t tet_count = 0;
+    const int32_t* tets = nullptr;
+    const int32_t* tet_labels = nullptr;
+    std::vector<int32_t> labels;  // ascending
+    // Interfaces first, then the hull; empty if the surface was not asked for. Group i has the number i + 1 in formats
+    // that number groups.
+    std::vector<SurfaceGroup> groups;
+
+    int64_t triangle_count() const;
+    // Position of a label in `labels`.
+    size_t label_index(int32_t label) const;
+};
+
+struct SurfaceDeleter {
+    void operator()(cleft_surface* surface) const { cleft_surface_destroy(surface); }
+};
+using SurfaceHandle = std::unique_ptr<cleft_surface, SurfaceDeleter>;
+
+// `surface` may be null. The view borrows from both.
+MeshView view_of(const cleft_mesh* mesh, const cleft_surface* surface);
+
+// "material_3", "material_minus3": letters, digits and underscores, which every format takes.
+std::string material_name(int32_t label);
+// The label in such a name.
+bool label_of_material_name(const std::string& name, int32_t& label);
+
+}  // namespace cleft::io

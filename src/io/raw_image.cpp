@@ -1,0 +1,92 @@
+#include "io/raw_image.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+namespace cleft::io {
+
+namespace {
+
+Component component_of(cleft_type type)
+{
+    switch (type) {
+    case CLEFT_TYPE_UINT8:
+        return Component::uint8;
+    case CLEFT_TYPE_UINT16:
+        return Component::uint16;
+    case CLEFT_TYPE_INT16:
+        return Component::int16;
+    case CLEFT_TYPE_UINT32:
+        return Component::uint32;
+    case CLEFT_TYPE_INT32:
+        return Component::int32;
+    case CLEFT_TYPE_FLOAT32:
+        return Component::float32;
+    case CLEFT_TYPE_FLOAT64:
+        return Component::float64;
+    default:
+        throw Error(CLEFT_ERROR_ARGUMENT, "there is no type of voxels " + std::to_string(type));
+    }
+}
+
+void swap_bytes(Image& image)
+{
+    const size_t size = size_of(image.component);
+    for (std::byte* at = image.voxels.get(); size > 1 && at < image.voxels.get() + image.bytes(); at += size)
+        std::reverse(at, at + size);
+}
+
+}  // namespace
+
+cleft_io_raw checked_layout(const cleft_io_raw* raw)
+{
+    cleft_io_raw layout{};
+    std::memcpy(&layout, raw, std::min<size_t>(raw->struct_size, sizeof layout));
+    component_of(layout.type);
+    if (layout.skip < 0)
+        throw Error(CLEFT_ERROR_ARGUMENT, "the number of bytes to skip is negative");
+    for (int axis = 0; axis < 3; ++axis)
+        if (layout.dims[axis] < 1)
+            throw Error(CLEFT_ERROR_ARGUMENT, "there must be at least one voxel along each axis");
+    const double* spacing = layout.spacing;
+    if (spacing[0] == 0 && spacing[1] == 0 && spacing[2] == 0)
+        std::fill_n(layout.spacing, 3, 1.0);
+    for (int axis = 0; axis < 3; ++axis)
+        if (!std::isfinite(spacing[axis]) || spacing[axis] <= 0)
+            throw Error(CLEFT_ERROR_ARGUMENT, "the spacing must be positive along each axis");
+    return layout;
+}
+
+Image read_raw_image(const std::string& path, const cleft_io_raw& layout)
+{
+    Image image;
+    image.component = component_of(layout.type);
+    std::copy_n(layout.dims, 3, image.dims.begin());
+    std::copy_n(layout.spacing, 3, image.spacing.begin());
+    image.origin = times(0.5, image.spacing);
+    std::error_code error;
+    const uintmax_t size = std::filesystem::file_size(path, error);
+    if (error)
+        throw Error(CLEFT_ERROR_FILE, "cannot read '" + path + "': " + error.message());
+    allocate_voxels(image);
+    const uintmax_t expected = static_cast<uintmax_t>(layout.skip) + image.bytes();
+    if (size != expected)
+        throw Error(CLEFT_ERROR_FORMAT, "'" + path + "' has " + std::to_string(size) + " bytes, but its voxels" +
+                                            (layout.skip > 0 ? " and what is skipped" : "") + " would have " +
+                                            std::to_string(expected));
+    std::ifstream file(path, std::ios::binary);
+    file.seekg(layout.skip);
+    file.read(reinterpret_cast<char*>(image.voxels.get()), static_cast<std::streamsize>(image.bytes()));
+    if (!file)
+        throw Error(CLEFT_ERROR_FILE, "cannot read '" + path + "'");
+    if (layout.big_endian != 0)
+        swap_bytes(image);
+    return image;
+}
+
+}  // namespace cleft::io

@@ -1,0 +1,172 @@
+// VTK legacy, text: versions up to 4.2 and 5 (in which cells are offsets and corners).
+#include "io/cell_labels.hpp"
+#include "io/mesh_data.hpp"
+#include "io/text_scanner.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace cleft::io {
+
+namespace {
+
+std::string upper(std::string_view word)
+{
+    std::string out(word);
+    std::transform(out.begin(), out.end(), out.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    return out;
+}
+
+std::vector<int64_t> read_integers(TextScanner& in, int64_t count)
+{
+    in.check_count(count, 2, "numbers");
+    std::vector<int64_t> numbers(static_cast<size_t>(count));
+    for (int64_t& number : numbers)
+        number = in.integer();
+    return numbers;
+}
+
+std::vector<double> read_reals(TextScanner& in, int64_t count)
+{
+    in.check_count(count, 2, "numbers");
+    std::vector<double> numbers(static_cast<size_t>(count));
+    for (double& number : numbers)
+        number = in.real();
+    return numbers;
+}
+
+// The corners of all cells in a row, and where each cell begins.
+CellLists read_cells(TextScanner& in)
+{
+    const int64_t first = in.count(1, "cells");
+    const int64_t second = in.count(1, "numbers");
+    CellLists cells;
+    if (upper(in.peek()) != "OFFSETS") {
+        const std::vector<int64_t> numbers = read_integers(in, second);
+        cells.offsets.push_back(0);
+        for (size_t i = 0; i < numbers.size(); i += static_cast<size_t>(numbers[i]) + 1) {
+            if (numbers[i] < 0 || static_cast<size_t>(numbers[i]) >= numbers.size() - i)
+                in.fail("a cell has more corners than there are");
+            for (size_t c = 1; c <= static_cast<size_t>(numbers[i]); ++c)
+                cells.corners.push_back(numbers[i + c]);
+            cells.offsets.push_back(static_cast<int64_t>(cells.corners.size()));
+        }
+        if (static_cast<int64_t>(cells.offsets.size()) != first + 1)
+            in.fail("there are not " + std::to_string(first) + " cells");
+        return cells;
+    }
+    in.skip_line();
+    cells.offsets = read_integers(in, first);
+    if (upper(in.word()) != "CONNECTIVITY")
+        in.fail("CONNECTIVITY must follow OFFSETS");
+    in.skip_line();
+    cells.corners = read_integers(in, second);
+    return cells;
+}
+
+// SCALARS name type [components], with an optional LOOKUP_TABLE.
+CellArray read_scalars(TextScanner& in, int64_t cells)
+{
+    CellArray array;
+    array.name = in.word();
+    in.word();
+    const int64_t components = in.more_on_line() ? in.integer() : 1;
+    if (components < 1 || components > 4)
+        in.fail("scalars have 1 to 4 components");
+    in.skip_line();
+    if (upper(in.peek()) == "LOOKUP_TABLE")
+        in.skip_line();
+    array.values = read_reals(in, cells * components);
+    array.components = components;
+    return array;
+}
+
+// Metadata run to the next empty line.
+void skip_metadata(TextScanner& in)
+{
+    in.skip_line();
+    while (!in.rest_of_line().empty())
+        ;
+}
+
+// FIELD name arrays, each: name components tuples type.
+void read_field(TextScanner& in, std::vector<CellArray>* arrays)
+{
+    in.word();
+    const int64_t count = in.count(4, "arrays");
+    for (int64_t i = 0; i < count; ++i) {
+        if (upper(in.peek()) == "METADATA")
+            skip_metadata(in);
+        CellArray array;
+        array.name = in.word();
+        array.components = in.integer();
+        const int64_t tuples = in.integer();
+        const std::string type = upper(in.word());
+        if (type == "STRING" || type == "VARIANT" || array.components < 1 || array.components > 1000 || tuples < 0 ||
+            tuples > INT64_MAX / 1000)
+            in.unsupported("array '" + array.name + "' cannot be read");
+        array.values = read_reals(in, array.components * tuples);
+        if (arrays)
+            arrays->push_back(std::move(array));
+    }
+}
+
+void read_header(TextScanner& in, const std::string& path)
+{
+    if (in.rest_of_line().substr(0, 14) != "# vtk DataFile")
+        in.fail("a VTK file begins with '# vtk DataFile'");
+    in.skip_line();
+    if (upper(in.word()) != "ASCII")
+        in.unsupported("binary legacy files cannot be read: write '" + path + "' as text or as .vtu");
+    if (upper(in.word()) != "DATASET" || upper(in.word()) != "UNSTRUCTURED_GRID")
+        in.unsupported("only an UNSTRUCTURED_GRID is a mesh of tetrahedra");
+}
+
+}  // namespace
+
+MeshData read_vtk(const std::string& path)
+{
+    TextScanner in(path);
+    read_header(in, path);
+    MeshData mesh;
+    CellLists cells;
+    std::vector<CellArray> arrays;
+    int64_t values = 0;  // of the section of data that is being read
+    bool of_cells = false;
+    while (!in.at_end()) {
+        const std::string section = upper(in.word());
+        if (section == "POINTS") {
+            const int64_t count = in.count(2, "points");
+            in.word();
+            mesh.points = read_reals(in, 3 * count);
+        } else if (section == "CELLS") {
+            cells = read_cells(in);
+        } else if (section == "CELL_TYPES") {
+            const std::vector<int64_t> types = read_integers(in, in.integer());
+            cells.types.assign(types.begin(), types.end());
+        } else if (section == "CELL_DATA" || section == "POINT_DATA") {
+            values = in.integer();
+            if (values < 0 || values > INT32_MAX)
+                in.fail("there cannot be " + std::to_string(values) + " values");
+            of_cells = section == "CELL_DATA";
+        } else if (section == "SCALARS") {
+            CellArray array = read_scalars(in, values);
+            if (of_cells)
+                arrays.push_back(std::move(array));
+        } else if (section == "VECTORS" || section == "NORMALS") {
+            in.skip_line();
+            read_reals(in, 3 * values);
+        } else if (section == "FIELD") {
+            read_field(in, of_cells ? &arrays : nullptr);
+        } else if (section == "METADATA") {
+            skip_metadata(in);
+        } else {
+            in.unsupported("section " + section.substr(0, 40) + " cannot be read");
+        }
+    }
+    naming_file(path, [&] { take_tetrahedra(cells, arrays, mesh); });
+    return mesh;
+}
+
+}  // namespace cleft::io

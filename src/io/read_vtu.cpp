@@ -1,0 +1,136 @@
+// VTK XML unstructured grids of one piece.
+#include "base/error.hpp"
+#include "io/cell_labels.hpp"
+#include "io/mesh_data.hpp"
+#include "io/text_scanner.hpp"
+#include "io/vtk_array.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace cleft::io {
+
+namespace {
+
+struct VtuFile {
+    VtkEncoding encoding;
+    std::vector<XmlTag> points;
+    std::vector<XmlTag> cells;
+    std::vector<XmlTag> cell_data;
+    int64_t point_count = -1;
+    int64_t cell_count = -1;
+};
+
+int64_t count_of(const XmlTag& piece, const std::string& attribute)
+{
+    const std::string text = piece.get(attribute);
+    int64_t count = -1;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+    if (error != std::errc() || end != text.data() + text.size() || count < 0 ||
+        count > std::numeric_limits<int32_t>::max())
+        throw Error(CLEFT_ERROR_FORMAT, attribute + "=\"" + text + "\" is no number of points or cells");
+    return count;
+}
+
+void read_file_tag(const XmlTag& tag, VtkEncoding& encoding)
+{
+    const std::string compressor = tag.get("compressor");
+    if (tag.get("type") != "UnstructuredGrid")
+        throw Error(CLEFT_ERROR_UNSUPPORTED, "only an UnstructuredGrid is a mesh of tetrahedra");
+    if (tag.get("byte_order") == "BigEndian")
+        throw Error(CLEFT_ERROR_UNSUPPORTED, "big-endian arrays cannot be read");
+    if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
+        throw Error(CLEFT_ERROR_UNSUPPORTED, "arrays compressed by " + compressor + " cannot be read");
+    encoding.compressed = !compressor.empty();
+    encoding.wide_headers = tag.get("header_type") == "UInt64";
+}
+
+VtuFile scan(std::string_view text)
+{
+    VtuFile file;
+    XmlScanner scanner(text);
+    std::vector<XmlTag>* section = nullptr;
+    bool known = false;
+    for (XmlTag tag; scanner.next(tag);) {
+        if (tag.name == "VTKFile") {
+            read_file_tag(tag, file.encoding);
+            known = true;
+        } else if (tag.name == "Piece") {
+            if (file.point_count >= 0)
+                throw Error(CLEFT_ERROR_UNSUPPORTED, "only files of one piece can be read");
+            file.point_count = count_of(tag, "NumberOfPoints");
+            file.cell_count = count_of(tag, "NumberOfCells");
+        } else if (tag.name == "Points") {
+            section = &file.points;
+        } else if (tag.name == "Cells") {
+            section = &file.cells;
+        } else if (tag.name == "CellData") {
+            section = &file.cell_data;
+        } else if (tag.name == "/Points" || tag.name == "/Cells" || tag.name == "/CellData") {
+            section = nullptr;
+        } else if (tag.name == "DataArray" && section) {
+            section->push_back(tag);
+        } else if (tag.name == "AppendedData") {
+            const size_t begin = text.find('_', tag.end);
+            if (begin == std::string_view::npos)
+                throw Error(CLEFT_ERROR_FORMAT, "the appended data are missing");
+            file.encoding.appended_base64 = tag.get("encoding") == "base64";
+            file.encoding.appended = text.substr(begin + 1);
+            break;
+        }
+    }
+    if (!known || file.point_count < 0)
+        throw Error(CLEFT_ERROR_FORMAT, "this is no VTK file with a piece of an unstructured grid");
+    return file;
+}
+
+const XmlTag& find(const std::vector<XmlTag>& arrays, const std::string& name)
+{
+    for (const XmlTag& array : arrays)
+        if (array.get("Name") == name)
+            return array;
+    throw Error(CLEFT_ERROR_FORMAT, "the array '" + name + "' is missing");
+}
+
+CellLists read_cells(const VtuFile& file)
+{
+    CellLists cells;
+    cells.offsets = read_vtk_integers(find(file.cells, "offsets"), file.encoding, file.cell_count);
+    cells.offsets.insert(cells.offsets.begin(), 0);
+    cells.corners = read_vtk_integers(find(file.cells, "connectivity"), file.encoding, cells.offsets.back());
+    const std::vector<int64_t> types = read_vtk_integers(find(file.cells, "types"), file.encoding, file.cell_count);
+    cells.types.assign(types.begin(), types.end());
+    return cells;
+}
+
+MeshData read(std::string_view text)
+{
+    const VtuFile file = scan(text);
+    MeshData mesh;
+    if (file.points.empty())
+        throw Error(CLEFT_ERROR_FORMAT, "the points are missing");
+    mesh.points = read_vtk_reals(file.points.front(), file.encoding, 3 * file.point_count);
+    for (const double coordinate : mesh.points)
+        if (!std::isfinite(coordinate))
+            throw Error(CLEFT_ERROR_FORMAT, "a coordinate is not finite");
+    std::vector<CellArray> arrays;
+    for (const XmlTag& tag : file.cell_data) {
+        const std::string components = tag.get("NumberOfComponents");
+        const bool is_number = tag.get("type").find("String") == std::string::npos;
+        if (is_number && (components.empty() || components == "1"))
+            arrays.push_back({tag.get("Name"), 1, read_vtk_reals(tag, file.encoding, file.cell_count)});
+    }
+    take_tetrahedra(read_cells(file), arrays, mesh);
+    return mesh;
+}
+
+}  // namespace
+
+MeshData read_vtu(const std::string& path)
+{
+    const std::string text = read_whole_file(path);
+    return naming_file(path, [&] { return read(text); });
+}
+
+}  // namespace cleft::io

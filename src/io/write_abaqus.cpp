@@ -1,0 +1,104 @@
+// Abaqus and CalculiX .inp: C3D4 elements in one ELSET for each label; SURFACE and NSET for each interface and each side
+// of the box. It holds the mesh alone, to be taken into a job by *INCLUDE.
+#include "base/error.hpp"
+#include "io/atomic_file.hpp"
+#include "io/element_faces.hpp"
+#include "io/writers.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace cleft::io {
+
+namespace {
+
+std::string upper(std::string name)
+{
+    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
+    return name;
+}
+
+// A surface of the file: several groups of triangles make one side of the box.
+struct Set {
+    std::string name;
+    std::vector<size_t> groups;
+};
+
+std::vector<Set> collect_sets(const MeshView& mesh)
+{
+    static const char* const sides[] = {"BOX_X_MIN", "BOX_X_MAX", "BOX_Y_MIN", "BOX_Y_MAX",
+                                        "BOX_Z_MIN", "BOX_Z_MAX", "HULL"};
+    std::vector<Set> sets;
+    for (size_t g = 0; g < mesh.groups.size(); ++g) {
+        const SurfaceGroup& group = mesh.groups[g];
+        const std::string name = group.is_interface() ? upper(group.name) : sides[group.side];
+        if (sets.empty() || sets.back().name != name)
+            sets.push_back({name, {}});
+        sets.back().groups.push_back(g);
+    }
+    return sets;
+}
+
+void write_node_set(const MeshView& mesh, const Set& set, std::vector<int32_t>& scratch, AtomicFile& file)
+{
+    scratch.clear();
+    for (const size_t g : set.groups)
+        scratch.insert(scratch.end(), mesh.groups[g].triangles, mesh.groups[g].triangles + 3 * mesh.groups[g].count);
+    std::sort(scratch.begin(), scratch.end());
+    scratch.erase(std::unique(scratch.begin(), scratch.end()), scratch.end());
+    constexpr size_t per_line = 16;
+    file.print("*NSET, NSET=", set.name, '\n');
+    for (size_t i = 0; i < scratch.size(); ++i) {
+        const bool ends = i + 1 == scratch.size() || i % per_line == per_line - 1;
+        file.print(scratch[i] + int64_t{1}, ends ? '\n' : ',');
+    }
+}
+
+void write_surface(const MeshView& mesh, const Set& set, const std::vector<std::vector<ElementFace>>& faces,
+                   AtomicFile& file)
+{
+    file.print("*SURFACE, NAME=", set.name, ", TYPE=ELEMENT\n");
+    for (const size_t g : set.groups)
+        for (int64_t t = 0; t < mesh.groups[g].count; ++t) {
+            const ElementFace& face = faces[g][static_cast<size_t>(t)];
+            file.print(face.tet + 1, ", S", face.face + 1, '\n');
+        }
+}
+
+void write_elements(const MeshView& mesh, AtomicFile& file)
+{
+    std::vector<std::vector<int64_t>> tets(mesh.labels.size());
+    for (int64_t t = 0; t < mesh.tet_count; ++t)
+        tets[mesh.label_index(mesh.tet_labels[t])].push_back(t);
+    for (size_t m = 0; m < tets.size(); ++m) {
+        file.print("*ELEMENT, TYPE=C3D4, ELSET=", upper(material_name(mesh.labels[m])), '\n');
+        for (const int64_t t : tets[m]) {
+            const int32_t* c = mesh.tets + 4 * t;
+            file.print(t + 1, ',', c[0] + int64_t{1}, ',', c[1] + int64_t{1}, ',', c[2] + int64_t{1}, ',',
+                       c[3] + int64_t{1}, '\n');
+        }
+    }
+}
+
+}  // namespace
+
+void write_abaqus(const MeshView& mesh, const std::string& path)
+{
+    const std::vector<std::vector<ElementFace>> faces = find_element_faces(mesh);
+    AtomicFile file(path);
+    file.print("** Tetrahedra by cleft: ELSET MATERIAL_<label>; SURFACE and NSET INTERFACE_<label>_<label>, BOX_<side>.\n"
+               "** The faces of an interface are those of the elements of its first label.\n*NODE, NSET=ALL\n");
+    for (int64_t i = 0; i < mesh.point_count; ++i) {
+        const double* p = mesh.points + 3 * i;
+        file.print(i + 1, ',', p[0], ',', p[1], ',', p[2], '\n');
+    }
+    write_elements(mesh, file);
+    std::vector<int32_t> scratch;
+    for (const Set& set : collect_sets(mesh)) {
+        write_node_set(mesh, set, scratch, file);
+        write_surface(mesh, set, faces, file);
+    }
+    file.commit();
+}
+
+}  // namespace cleft::io

@@ -1,0 +1,47 @@
+// MEDIT .mesh, text. The reference of a tetrahedron is its label, that of a triangle the number of its group; the names
+// of the groups are in comments at the top.
+#include "io/atomic_file.hpp"
+#include "io/writers.hpp"
+
+namespace cleft::io {
+
+namespace {
+
+void write_triangles(const MeshView& mesh, AtomicFile& file)
+{
+    file.print("\nTriangles\n", mesh.triangle_count(), '\n');
+    int32_t reference = 0;
+    for (const SurfaceGroup& group : mesh.groups) {
+        ++reference;
+        for (int64_t t = 0; t < group.count; ++t) {
+            const int32_t* c = group.triangles + 3 * t;
+            file.print(c[0] + int64_t{1}, ' ', c[1] + int64_t{1}, ' ', c[2] + int64_t{1}, ' ', reference, '\n');
+        }
+    }
+}
+
+}  // namespace
+
+void write_medit(const MeshView& mesh, const std::string& path)
+{
+    AtomicFile file(path);
+    file.print("MeshVersionFormatted 2\n# tetrahedra: the reference is the material; triangles:\n");
+    for (size_t g = 0; g < mesh.groups.size(); ++g)
+        file.print("# ", g + 1, " = ", mesh.groups[g].name, '\n');
+    file.print("Dimension 3\n\nVertices\n", mesh.point_count, '\n');
+    for (int64_t i = 0; i < mesh.point_count; ++i) {
+        const double* p = mesh.points + 3 * i;
+        file.print(p[0], ' ', p[1], ' ', p[2], " 0\n");
+    }
+    file.print("\nTetrahedra\n", mesh.tet_count, '\n');
+    for (int64_t t = 0; t < mesh.tet_count; ++t) {
+        const int32_t* c = mesh.tets + 4 * t;
+        file.print(c[0] + int64_t{1}, ' ', c[1] + int64_t{1}, ' ', c[2] + int64_t{1}, ' ', c[3] + int64_t{1}, ' ',
+                   mesh.tet_labels[t], '\n');
+    }
+    write_triangles(mesh, file);
+    file.print("\nEnd\n");
+    file.commit();
+}
+
+}  // namespace cleft::io

@@ -1,0 +1,16 @@
+// Arrays compressed in blocks, as VTK's XML files keep them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace cleft::io {
+
+// The compressed form of an array: [blocks, bytes a block, bytes of a short last block or 0, compressed bytes of each
+// block], all uint64, then the blocks. The same bytes for every number of threads.
+std::string compress_blocks(const void* data, size_t bytes, int threads);
+
+// Inflates `from` to exactly `bytes` bytes; false if the data are damaged.
+bool inflate_block(const char* from, size_t from_bytes, char* to, size_t bytes);
+
+}  // namespace cleft::io
