@@ -50,12 +50,7 @@ enum {
 };
 
 /** What the component does with a format; bits. \since 0.1 */
-enum {
-    CLEFT_IO_READS_MESH = 1,
-    CLEFT_IO_WRITES_MESH = 2,
-    CLEFT_IO_READS_VOLUME = 4,
-    CLEFT_IO_WRITES_SIZING = 8
-};
+enum { CLEFT_IO_READS_MESH = 1, CLEFT_IO_WRITES_MESH = 2, CLEFT_IO_READS_VOLUME = 4, CLEFT_IO_WRITES_SIZING = 8 };
 
 /** One row of the table of formats. The caller sets struct_size to sizeof(cleft_io_format_description). All texts are
  *  static. \since 0.1 */
@@ -76,7 +71,8 @@ CLEFT_IO_API cleft_status cleft_io_format_info(int32_t index, cleft_io_format_de
 
 /** What a file most likely holds, by its name (and, where the name leaves it open, its first bytes). \since 0.1 */
 enum { CLEFT_IO_UNKNOWN = 0, CLEFT_IO_VOLUME = 1, CLEFT_IO_MESH = 2 };
-/** CLEFT_IO_VOLUME, CLEFT_IO_MESH or CLEFT_IO_UNKNOWN; never fails. A folder is a volume (a DICOM series). \since 0.1 */
+/** CLEFT_IO_VOLUME, CLEFT_IO_MESH or CLEFT_IO_UNKNOWN; never fails. A folder is a volume (a DICOM series). \since 0.1
+ */
 CLEFT_IO_API int32_t cleft_io_guess(const char* path) CLEFT_NOEXCEPT;
 
 /* ------------------------------------------------------------------------------------------------- volumes -- */
@@ -124,8 +120,8 @@ typedef struct cleft_io_reading {
  *  that are zero or not finite, direction axes that lie in a plane. CLEFT_ERROR_FILE: files that are not there, cannot
  *  be read, or are in no known format. The caller owns *out. \since 0.1 */
 CLEFT_IO_API cleft_status cleft_io_read_volume(cleft_context* context, const cleft_options* options,
-                                               const char* const* paths, int64_t count,
-                                               const cleft_io_reading* reading, cleft_volume** out) CLEFT_NOEXCEPT;
+                                               const char* const* paths, int64_t count, const cleft_io_reading* reading,
+                                               cleft_volume** out) CLEFT_NOEXCEPT;
 
 /** How raw voxels lie in a file, x fastest. The caller sets struct_size to sizeof(cleft_io_raw). \since 0.1 */
 typedef struct cleft_io_raw {

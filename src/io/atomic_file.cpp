@@ -2,23 +2,25 @@
 
 #include "base/error.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fcntl.h>
 #include <filesystem>
-#include <sys/stat.h>
 #include <system_error>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 namespace fs = std::filesystem;
 
-namespace {
+namespace
+{
 
 [[noreturn]] void cannot_write(const std::string& path, int error)
 {
@@ -28,11 +30,13 @@ namespace {
 // The file that a path stands for: a symbolic link is followed, so that it stays a link.
 std::string target_of(const std::string& path)
 {
+    std::error_code ignored;  // a file that is not there yet is no failure
     std::error_code error;
-    const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : fs::path(path);
+    const bool is_link = fs::is_symlink(fs::symlink_status(path, ignored));
+    const fs::path target = is_link ? fs::weakly_canonical(path, error) : fs::path(path);
     if (error)
         cannot_write(path, error.value());
-    const fs::file_status status = fs::status(target, error);
+    const fs::file_status status = fs::status(target, ignored);
     if (fs::exists(status) && !fs::is_regular_file(status))
         throw Error(CLEFT_ERROR_FILE, "cannot write '" + path + "': it is no regular file");
     return target.string();
@@ -41,7 +45,8 @@ std::string target_of(const std::string& path)
 // A file that is replaced passes its permissions on.
 void keep_permissions(int descriptor, const std::string& old)
 {
-    struct stat status{};
+    struct stat status {
+    };
     if (stat(old.c_str(), &status) == 0 && fchmod(descriptor, status.st_mode & 07777) != 0)
         errno = 0;  // the new file then has the permissions of any new file
 }

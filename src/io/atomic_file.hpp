@@ -10,9 +10,11 @@
 #include <string_view>
 #include <type_traits>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-class AtomicFile {
+class AtomicFile
+{
 public:
     // Throws Error(CLEFT_ERROR_FILE) if the temporary cannot be made.
     explicit AtomicFile(const std::string& path);
@@ -74,7 +76,8 @@ private:
 };
 
 // For libraries that write to a path themselves, and go by its extension: they write to path(), then it is committed.
-class AtomicPath {
+class AtomicPath
+{
 public:
     AtomicPath(const std::string& target, const std::string& extension);
     ~AtomicPath();

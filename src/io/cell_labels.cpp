@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 constexpr int32_t vtk_tetra = 10;
 

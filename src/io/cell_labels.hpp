@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 struct CellLists {
     std::vector<int64_t> corners;

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 using Corners = std::array<int32_t, 3>;
 

@@ -6,7 +6,8 @@
 #include <new>
 #include <string>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 template <class Body>
 cleft_status entry(cleft_context* context, const Body& body) noexcept

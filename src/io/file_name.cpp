@@ -4,9 +4,11 @@
 #include <cctype>
 #include <string_view>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 std::string last_extension(const std::string& name)
 {

@@ -3,7 +3,8 @@
 
 #include <string>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 // ".msh", ".nii.gz": lower case, with the dot; "" if there is none. Of ".gz" the extension before it is a part.
 std::string extension_of(const std::string& path);

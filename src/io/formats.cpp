@@ -5,9 +5,11 @@
 #include <iterator>
 #include <sstream>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 bool has_extension(const cleft_io_format_description& row, const std::string& extension)
 {

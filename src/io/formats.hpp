@@ -5,7 +5,8 @@
 
 #include <string>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 int32_t format_count();
 const cleft_io_format_description& format_row(int32_t index);

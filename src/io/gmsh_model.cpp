@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 std::vector<int32_t> gmsh_volume_numbers(const MeshView& mesh)
 {

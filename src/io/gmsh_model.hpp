@@ -6,7 +6,8 @@
 
 #include <vector>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 constexpr int gmsh_triangle = 2;
 constexpr int gmsh_tetrahedron = 4;

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 bool PointNumbers::finish()
 {
@@ -15,9 +16,8 @@ bool PointNumbers::finish()
     for (size_t i = 0; i < numbers_.size(); ++i)
         sorted_[i] = {numbers_[i], static_cast<int32_t>(i)};
     std::sort(sorted_.begin(), sorted_.end());
-    return std::adjacent_find(sorted_.begin(), sorted_.end(), [](const auto& a, const auto& b) {
-               return a.first == b.first;
-           }) == sorted_.end();
+    return std::adjacent_find(sorted_.begin(), sorted_.end(),
+                              [](const auto& a, const auto& b) { return a.first == b.first; }) == sorted_.end();
 }
 
 int32_t PointNumbers::find(int64_t number) const

@@ -6,9 +6,11 @@
 #include <utility>
 #include <vector>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-class PointNumbers {
+class PointNumbers
+{
 public:
     void reserve(size_t count) { numbers_.reserve(count); }
     // The number of the next point.
@@ -19,7 +21,7 @@ public:
     int32_t find(int64_t number) const;
 
 private:
-    std::vector<int64_t> numbers_;  // in the order of the points
+    std::vector<int64_t> numbers_;                     // in the order of the points
     std::vector<std::pair<int64_t, int32_t>> sorted_;  // empty if the numbers are consecutive
 };
 

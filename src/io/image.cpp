@@ -2,25 +2,26 @@
 
 #include "base/error.hpp"
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 size_t size_of(Component component)
 {
     switch (component) {
-    case Component::uint8:
-    case Component::int8:
-        return 1;
-    case Component::uint16:
-    case Component::int16:
-        return 2;
-    case Component::uint32:
-    case Component::int32:
-    case Component::float32:
-        return 4;
-    case Component::uint64:
-    case Component::int64:
-    case Component::float64:
-        return 8;
+        case Component::uint8:
+        case Component::int8:
+            return 1;
+        case Component::uint16:
+        case Component::int16:
+            return 2;
+        case Component::uint32:
+        case Component::int32:
+        case Component::float32:
+            return 4;
+        case Component::uint64:
+        case Component::int64:
+        case Component::float64:
+            return 8;
     }
     return 0;
 }

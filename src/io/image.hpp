@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 enum class Component { uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64 };
 

@@ -3,18 +3,20 @@
 #include "base/error.hpp"
 #include "io/text_scanner.hpp"
 
+#include <fnmatch.h>
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fnmatch.h>
 #include <regex>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 namespace fs = std::filesystem;
 
-namespace {
+namespace
+{
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 

@@ -5,7 +5,8 @@
 
 #include <string>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 // Errors name the path.
 Image read_image_or_series(const std::string& path);

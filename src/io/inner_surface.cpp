@@ -1,6 +1,7 @@
 #include "io/inner_surface.hpp"
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 InnerSurface inner_surface(const MeshView& mesh)
 {

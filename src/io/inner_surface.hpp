@@ -8,7 +8,8 @@
 // Binary formats are written as the machine keeps its numbers.
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "binary files are little-endian");
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 struct InnerSurface {
     std::vector<int32_t> points;     // numbers of the mesh's points that are used, ascending

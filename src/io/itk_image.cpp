@@ -5,9 +5,6 @@
 #include "io/file_name.hpp"
 #include "io/image.hpp"
 
-#include <algorithm>
-#include <cstring>
-#include <filesystem>
 #include <itkBMPImageIO.h>
 #include <itkGDCMImageIO.h>
 #include <itkGDCMSeriesFileNames.h>
@@ -20,10 +17,15 @@
 #include <itkPNGImageIO.h>
 #include <itkTIFFImageIO.h>
 #include <itkVTKImageIO.h>
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 using Reader = itk::ImageIOBase::Pointer;
 
@@ -76,32 +78,32 @@ Component component_of(const itk::ImageIOBase& reader)
     using Type = itk::ImageIOBase::IOComponentEnum;
     const size_t size = reader.GetComponentSize();
     switch (reader.GetComponentType()) {
-    case Type::UCHAR:
-        return Component::uint8;
-    case Type::CHAR:
-        return Component::int8;
-    case Type::USHORT:
-        return Component::uint16;
-    case Type::SHORT:
-        return Component::int16;
-    case Type::UINT:
-        return Component::uint32;
-    case Type::INT:
-        return Component::int32;
-    case Type::ULONG:
-    case Type::ULONGLONG:
-        return size == 8 ? Component::uint64 : Component::uint32;
-    case Type::LONG:
-    case Type::LONGLONG:
-        return size == 8 ? Component::int64 : Component::int32;
-    case Type::FLOAT:
-        return Component::float32;
-    case Type::DOUBLE:
-        return Component::float64;
-    default:
-        throw Error(CLEFT_ERROR_FORMAT, "its type of voxels, " + reader.GetComponentTypeAsString(
-                                                                     reader.GetComponentType()) +
-                                            ", cannot be read");
+        case Type::UCHAR:
+            return Component::uint8;
+        case Type::CHAR:
+            return Component::int8;
+        case Type::USHORT:
+            return Component::uint16;
+        case Type::SHORT:
+            return Component::int16;
+        case Type::UINT:
+            return Component::uint32;
+        case Type::INT:
+            return Component::int32;
+        case Type::ULONG:
+        case Type::ULONGLONG:
+            return size == 8 ? Component::uint64 : Component::uint32;
+        case Type::LONG:
+        case Type::LONGLONG:
+            return size == 8 ? Component::int64 : Component::int32;
+        case Type::FLOAT:
+            return Component::float32;
+        case Type::DOUBLE:
+            return Component::float64;
+        default:
+            throw Error(CLEFT_ERROR_FORMAT, "its type of voxels, " +
+                                                reader.GetComponentTypeAsString(reader.GetComponentType()) +
+                                                ", cannot be read");
     }
 }
 
@@ -145,8 +147,8 @@ Reader writer_of(const std::string& extension)
         return Reader(itk::MetaImageIO::New());
     if (extension == ".vtk")
         return Reader(itk::VTKImageIO::New());
-    throw Error(CLEFT_ERROR_ARGUMENT, "a field can be written as .nrrd, .nii, .nii.gz, .mha or .vtk, not as '" +
-                                          extension + "'");
+    throw Error(CLEFT_ERROR_ARGUMENT,
+                "a field can be written as .nrrd, .nii, .nii.gz, .mha or .vtk, not as '" + extension + "'");
 }
 
 void check_geometry(const Image& image, const std::string& extension)
@@ -160,9 +162,8 @@ void check_geometry(const Image& image, const std::string& extension)
     }
     turned = turned || sheared;
     if ((extension == ".vtk" && turned) || (extension != ".nrrd" && sheared))
-        throw Error(CLEFT_ERROR_UNSUPPORTED,
-                    "a " + extension + " file cannot hold a grid that is " + (sheared ? "sheared" : "turned") +
-                        ": use .nrrd");
+        throw Error(CLEFT_ERROR_UNSUPPORTED, "a " + extension + " file cannot hold a grid that is " +
+                                                 (sheared ? "sheared" : "turned") + ": use .nrrd");
 }
 
 }  // namespace
@@ -197,8 +198,8 @@ std::vector<std::string> dicom_slices(const std::string& folder)
         names->SetDirectory(folder);
         const std::vector<std::string>& series = names->GetSeriesUIDs();
         if (series.size() != 1)
-            throw Error(CLEFT_ERROR_FILE, "the folder must hold one DICOM series, but holds " +
-                                              std::to_string(series.size()));
+            throw Error(CLEFT_ERROR_FILE,
+                        "the folder must hold one DICOM series, but holds " + std::to_string(series.size()));
         return std::vector<std::string>(names->GetFileNames(series.front()));
     });
 }

@@ -5,12 +5,13 @@
 #include <string>
 #include <vector>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 struct MeshData {
-    std::vector<double> points;    // x y z interleaved
-    std::vector<int32_t> tets;     // four corners each, from 0
-    std::vector<int32_t> labels;   // one a tetrahedron, or empty if the file has none
+    std::vector<double> points;   // x y z interleaved
+    std::vector<int32_t> tets;    // four corners each, from 0
+    std::vector<int32_t> labels;  // one a tetrahedron, or empty if the file has none
 };
 
 // One function a format; all throw Error. Numbers of points are checked.

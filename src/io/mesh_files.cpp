@@ -10,9 +10,11 @@
 #include <filesystem>
 #include <fstream>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 cleft_io_format resolve(const std::string& path, cleft_io_format format, int32_t direction)
 {
@@ -27,44 +29,44 @@ bool needs_surface(cleft_io_format format) { return format != CLEFT_FORMAT_VTU &
 void write(const MeshView& mesh, const std::string& path, cleft_io_format format, int threads)
 {
     switch (format) {
-    case CLEFT_FORMAT_VTU:
-        return write_vtu(mesh, path, threads);
-    case CLEFT_FORMAT_VTP:
-        return write_vtp(mesh, path, threads);
-    case CLEFT_FORMAT_VTK:
-        return write_vtk(mesh, path);
-    case CLEFT_FORMAT_MEDIT:
-        return write_medit(mesh, path);
-    case CLEFT_FORMAT_MSH41:
-        return write_msh41(mesh, path);
-    case CLEFT_FORMAT_MSH22:
-        return write_msh22(mesh, path);
-    case CLEFT_FORMAT_ABAQUS:
-        return write_abaqus(mesh, path);
-    case CLEFT_FORMAT_TETGEN:
-        return write_tetgen(mesh, path);
-    case CLEFT_FORMAT_STL:
-        return write_stl(mesh, path);
-    case CLEFT_FORMAT_PLY:
-        return write_ply(mesh, path);
-    default:
-        throw Error(CLEFT_ERROR_ARGUMENT, "there is no format " + std::to_string(format));
+        case CLEFT_FORMAT_VTU:
+            return write_vtu(mesh, path, threads);
+        case CLEFT_FORMAT_VTP:
+            return write_vtp(mesh, path, threads);
+        case CLEFT_FORMAT_VTK:
+            return write_vtk(mesh, path);
+        case CLEFT_FORMAT_MEDIT:
+            return write_medit(mesh, path);
+        case CLEFT_FORMAT_MSH41:
+            return write_msh41(mesh, path);
+        case CLEFT_FORMAT_MSH22:
+            return write_msh22(mesh, path);
+        case CLEFT_FORMAT_ABAQUS:
+            return write_abaqus(mesh, path);
+        case CLEFT_FORMAT_TETGEN:
+            return write_tetgen(mesh, path);
+        case CLEFT_FORMAT_STL:
+            return write_stl(mesh, path);
+        case CLEFT_FORMAT_PLY:
+            return write_ply(mesh, path);
+        default:
+            throw Error(CLEFT_ERROR_ARGUMENT, "there is no format " + std::to_string(format));
     }
 }
 
 MeshData read(const std::string& path)
 {
     switch (resolve(path, CLEFT_FORMAT_BY_NAME, CLEFT_IO_READS_MESH)) {
-    case CLEFT_FORMAT_VTU:
-        return read_vtu(path);
-    case CLEFT_FORMAT_VTK:
-        return read_vtk(path);
-    case CLEFT_FORMAT_MEDIT:
-        return read_medit(path);
-    case CLEFT_FORMAT_TETGEN:
-        return read_tetgen(path);
-    default:
-        return read_gmsh(path);
+        case CLEFT_FORMAT_VTU:
+            return read_vtu(path);
+        case CLEFT_FORMAT_VTK:
+            return read_vtk(path);
+        case CLEFT_FORMAT_MEDIT:
+            return read_medit(path);
+        case CLEFT_FORMAT_TETGEN:
+            return read_tetgen(path);
+        default:
+            return read_gmsh(path);
     }
 }
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <charconv>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 constexpr const char* material_prefix = "material_";
 constexpr const char* minus_word = "minus";
@@ -32,8 +34,8 @@ void add_interfaces(const cleft_surface* surface, std::vector<SurfaceGroup>& gro
         const int32_t a = pairs[2 * t];
         const int32_t b = pairs[2 * t + 1];
         if (t == 0 || groups.back().first != a || groups.back().second != b)
-            groups.push_back({"interface_" + word_of(a) + "_" + word_of(b), SurfaceGroup::no_side, a, b,
-                              triangles + 3 * t, 0});
+            groups.push_back(
+                {"interface_" + word_of(a) + "_" + word_of(b), SurfaceGroup::no_side, a, b, triangles + 3 * t, 0});
         ++groups.back().count;
     }
 }

@@ -8,29 +8,31 @@
 #include <filesystem>
 #include <fstream>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 Component component_of(cleft_type type)
 {
     switch (type) {
-    case CLEFT_TYPE_UINT8:
-        return Component::uint8;
-    case CLEFT_TYPE_UINT16:
-        return Component::uint16;
-    case CLEFT_TYPE_INT16:
-        return Component::int16;
-    case CLEFT_TYPE_UINT32:
-        return Component::uint32;
-    case CLEFT_TYPE_INT32:
-        return Component::int32;
-    case CLEFT_TYPE_FLOAT32:
-        return Component::float32;
-    case CLEFT_TYPE_FLOAT64:
-        return Component::float64;
-    default:
-        throw Error(CLEFT_ERROR_ARGUMENT, "there is no type of voxels " + std::to_string(type));
+        case CLEFT_TYPE_UINT8:
+            return Component::uint8;
+        case CLEFT_TYPE_UINT16:
+            return Component::uint16;
+        case CLEFT_TYPE_INT16:
+            return Component::int16;
+        case CLEFT_TYPE_UINT32:
+            return Component::uint32;
+        case CLEFT_TYPE_INT32:
+            return Component::int32;
+        case CLEFT_TYPE_FLOAT32:
+            return Component::float32;
+        case CLEFT_TYPE_FLOAT64:
+            return Component::float64;
+        default:
+            throw Error(CLEFT_ERROR_ARGUMENT, "there is no type of voxels " + std::to_string(type));
     }
 }
 

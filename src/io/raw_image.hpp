@@ -6,7 +6,8 @@
 
 #include <string>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 // The caller's structure, whatever version of the header it knows. Throws if it makes no sense.
 cleft_io_raw checked_layout(const cleft_io_raw* raw);

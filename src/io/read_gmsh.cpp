@@ -9,9 +9,11 @@
 #include <map>
 #include <utility>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 constexpr int64_t tetrahedron = 4;
 
@@ -22,12 +24,13 @@ struct ElementType {
 
 // Types 1 .. 31 of the manual.
 constexpr std::array<ElementType, 32> element_types = {{
-    {0, 0},  {1, 2},  {2, 3},  {2, 4},  {3, 4},  {3, 8},  {3, 6},  {3, 5},  {1, 3},  {2, 6},  {2, 9},
-    {3, 10}, {3, 27}, {3, 18}, {3, 14}, {0, 1},  {2, 8},  {3, 20}, {3, 15}, {3, 13}, {2, 9},  {2, 10},
-    {2, 12}, {2, 15}, {2, 15}, {2, 21}, {1, 4},  {1, 5},  {1, 6},  {3, 20}, {3, 35}, {3, 56},
+    {0, 0},  {1, 2},  {2, 3},  {2, 4},  {3, 4}, {3, 8}, {3, 6},  {3, 5},  {1, 3},  {2, 6},  {2, 9},
+    {3, 10}, {3, 27}, {3, 18}, {3, 14}, {0, 1}, {2, 8}, {3, 20}, {3, 15}, {3, 13}, {2, 9},  {2, 10},
+    {2, 12}, {2, 15}, {2, 15}, {2, 21}, {1, 4}, {1, 5}, {1, 6},  {3, 20}, {3, 35}, {3, 56},
 }};
 
-class GmshReader {
+class GmshReader
+{
 public:
     explicit GmshReader(const std::string& path) : in_(path) {}
 
@@ -70,16 +73,13 @@ private:
     bool version_4_ = false;
     bool binary_ = false;
     bool has_elements_ = false;
-    std::map<int64_t, int32_t> named_labels_;      // of physical groups whose name tells the label
+    std::map<int64_t, int32_t> named_labels_;       // of physical groups whose name tells the label
     std::map<int64_t, int64_t> groups_of_volumes_;  // first physical group of each volume
     PointNumbers numbers_;
     MeshData mesh_;
 };
 
-double GmshReader::real()
-{
-    return binary_ ? in_.binary<double>() : in_.real();
-}
+double GmshReader::real() { return binary_ ? in_.binary<double>() : in_.real(); }
 
 int64_t GmshReader::large_count(int64_t least_bytes, const char* what)
 {

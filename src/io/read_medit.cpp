@@ -3,17 +3,28 @@
 
 #include <map>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 // Numbers in each row of the sections that may be passed over.
 const std::map<std::string, int, std::less<>> rows_to_skip = {
-    {"Corners", 1},         {"RequiredVertices", 1},  {"Edges", 3},
-    {"Ridges", 1},          {"RequiredEdges", 1},     {"Triangles", 4},
-    {"RequiredTriangles", 1}, {"Quadrilaterals", 5},  {"RequiredQuadrilaterals", 1},
-    {"Normals", 3},         {"NormalAtVertices", 2},  {"Tangents", 3},
-    {"TangentAtVertices", 2}, {"RequiredTetrahedra", 1},
+    {"Corners", 1},
+    {"RequiredVertices", 1},
+    {"Edges", 3},
+    {"Ridges", 1},
+    {"RequiredEdges", 1},
+    {"Triangles", 4},
+    {"RequiredTriangles", 1},
+    {"Quadrilaterals", 5},
+    {"RequiredQuadrilaterals", 1},
+    {"Normals", 3},
+    {"NormalAtVertices", 2},
+    {"Tangents", 3},
+    {"TangentAtVertices", 2},
+    {"RequiredTetrahedra", 1},
 };
 
 void read_vertices(TextScanner& in, MeshData& mesh)

@@ -2,9 +2,11 @@
 #include "io/mesh_data.hpp"
 #include "io/text_scanner.hpp"
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 // The number from which TetGen counts points: 0 or 1, the number of the first one.
 int64_t read_nodes(const std::string& path, MeshData& mesh)

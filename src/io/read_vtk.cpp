@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cctype>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 std::string upper(std::string_view word)
 {

@@ -9,9 +9,11 @@
 #include <cmath>
 #include <limits>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 struct VtuFile {
     VtkEncoding encoding;

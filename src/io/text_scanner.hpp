@@ -7,7 +7,8 @@
 #include <string>
 #include <string_view>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 // The bytes of a file; throws Error(CLEFT_ERROR_FILE).
 std::string read_whole_file(const std::string& path);
@@ -23,7 +24,8 @@ auto naming_file(const std::string& path, const Body& body)
     }
 }
 
-class TextScanner {
+class TextScanner
+{
 public:
     // Comments run from `comment` to the end of the line; '\0': there are none.
     explicit TextScanner(const std::string& path, char comment = '\0');
@@ -46,8 +48,8 @@ public:
     int64_t integer();
     // A whole number that an int32 holds.
     int32_t label();
-    // A count of things of which each takes at least `least_bytes` bytes of what is left of the file: so that no damaged
-    // count makes us ask for memory that the file could never fill.
+    // A count of things of which each takes at least `least_bytes` bytes of what is left of the file: so that no
+    // damaged count makes us ask for memory that the file could never fill.
     int64_t count(int64_t least_bytes, const char* what);
     // The number of a point, in [base, base + points): from 0.
     int32_t point(int64_t base, int64_t points);

@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 using Vector3 = std::array<double, 3>;
 

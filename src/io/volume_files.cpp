@@ -12,9 +12,11 @@
 #include <cstdlib>
 #include <cstring>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 using Affine = std::array<double, 12>;
 
@@ -49,10 +51,9 @@ void create_indicators(cleft_context* context, const std::vector<Image>& images,
         for (int64_t f = 0; f < image.fields; ++f)
             fields.push_back(image.voxels.get() +
                              static_cast<size_t>(f * image.field_size()) * size_of(image.component));
-    check(context,
-          cleft_volume_create_indicators(context, type_of(images.front().component), fields.data(),
-                                         static_cast<int64_t>(fields.size()), images.front().dims.data(),
-                                         affine.data(), nullptr, out));
+    check(context, cleft_volume_create_indicators(context, type_of(images.front().component), fields.data(),
+                                                  static_cast<int64_t>(fields.size()), images.front().dims.data(),
+                                                  affine.data(), nullptr, out));
 }
 
 // The greatest distance between the places that two maps give to a corner of the grid, in voxels.
@@ -84,8 +85,7 @@ void check_same_grid(const Affine& a, const std::array<int64_t, 3>& dims_a, cons
         return std::to_string(dims[0]) + " x " + std::to_string(dims[1]) + " x " + std::to_string(dims[2]);
     };
     if (dims_a != dims_b)
-        throw Error(CLEFT_ERROR_ARGUMENT,
-                    "it has " + text(dims_b) + " voxels, but " + other + " has " + text(dims_a));
+        throw Error(CLEFT_ERROR_ARGUMENT, "it has " + text(dims_b) + " voxels, but " + other + " has " + text(dims_a));
     if (greatest_shift(a, b, dims_a) > tolerance)
         throw Error(CLEFT_ERROR_ARGUMENT, "its voxels are not at the places of those of " + other);
 }

@@ -7,9 +7,11 @@
 #include <limits>
 #include <utility>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 template <class T>
 T load(const std::byte* voxels, int64_t index)
@@ -30,26 +32,26 @@ template <class Body>
 auto with_type(Component component, const Body& body)
 {
     switch (component) {
-    case Component::uint8:
-        return body(uint8_t{});
-    case Component::int8:
-        return body(int8_t{});
-    case Component::uint16:
-        return body(uint16_t{});
-    case Component::int16:
-        return body(int16_t{});
-    case Component::uint32:
-        return body(uint32_t{});
-    case Component::int32:
-        return body(int32_t{});
-    case Component::uint64:
-        return body(uint64_t{});
-    case Component::int64:
-        return body(int64_t{});
-    case Component::float32:
-        return body(float{});
-    case Component::float64:
-        break;
+        case Component::uint8:
+            return body(uint8_t{});
+        case Component::int8:
+            return body(int8_t{});
+        case Component::uint16:
+            return body(uint16_t{});
+        case Component::int16:
+            return body(int16_t{});
+        case Component::uint32:
+            return body(uint32_t{});
+        case Component::int32:
+            return body(int32_t{});
+        case Component::uint64:
+            return body(uint64_t{});
+        case Component::int64:
+            return body(int64_t{});
+        case Component::float32:
+            return body(float{});
+        case Component::float64:
+            break;
     }
     return body(double{});
 }
@@ -167,24 +169,24 @@ bool looks_like_labels(const Image& image)
 cleft_type type_of(Component component)
 {
     switch (component) {
-    case Component::uint8:
-        return CLEFT_TYPE_UINT8;
-    case Component::uint16:
-        return CLEFT_TYPE_UINT16;
-    case Component::int16:
-        return CLEFT_TYPE_INT16;
-    case Component::uint32:
-        return CLEFT_TYPE_UINT32;
-    case Component::int32:
-        return CLEFT_TYPE_INT32;
-    case Component::float32:
-        return CLEFT_TYPE_FLOAT32;
-    case Component::float64:
-        return CLEFT_TYPE_FLOAT64;
-    case Component::int8:
-    case Component::uint64:
-    case Component::int64:
-        break;
+        case Component::uint8:
+            return CLEFT_TYPE_UINT8;
+        case Component::uint16:
+            return CLEFT_TYPE_UINT16;
+        case Component::int16:
+            return CLEFT_TYPE_INT16;
+        case Component::uint32:
+            return CLEFT_TYPE_UINT32;
+        case Component::int32:
+            return CLEFT_TYPE_INT32;
+        case Component::float32:
+            return CLEFT_TYPE_FLOAT32;
+        case Component::float64:
+            return CLEFT_TYPE_FLOAT64;
+        case Component::int8:
+        case Component::uint64:
+        case Component::int64:
+            break;
     }
     throw Error(CLEFT_ERROR_INTERNAL, "voxels were not converted");
 }

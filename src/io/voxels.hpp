@@ -4,7 +4,8 @@
 #include "cleft/cleft_io.h"
 #include "io/image.hpp"
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 // The affine map from voxel indices to the wanted world. Throws if it would flatten the volume.
 std::array<double, 12> affine_of(const Image& image, const cleft_io_reading& reading);

@@ -7,9 +7,11 @@
 #include <charconv>
 #include <cstring>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 // zlib shrinks by this factor at most: a longer claim is a damaged one.
 constexpr uint64_t greatest_ratio = 1100;
@@ -204,8 +206,8 @@ std::vector<To> convert_any(const XmlTag& array, const std::string& bytes)
 template <class To>
 std::vector<To> read_numbers(const XmlTag& array, const VtkEncoding& encoding, int64_t count)
 {
-    std::vector<To> numbers = array.get("format") == "ascii" ? parse_text<To>(array)
-                                                             : convert_any<To>(array, read_bytes(array, encoding));
+    std::vector<To> numbers =
+        array.get("format") == "ascii" ? parse_text<To>(array) : convert_any<To>(array, read_bytes(array, encoding));
     if (static_cast<int64_t>(numbers.size()) != count)
         damaged(array, "has " + std::to_string(numbers.size()) + " numbers instead of " + std::to_string(count));
     return numbers;

@@ -8,7 +8,8 @@
 #include <string_view>
 #include <vector>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 // What holds for all arrays of a file.
 struct VtkEncoding {

@@ -1,5 +1,5 @@
-// Abaqus and CalculiX .inp: C3D4 elements in one ELSET for each label; SURFACE and NSET for each interface and each side
-// of the box. It holds the mesh alone, to be taken into a job by *INCLUDE.
+// Abaqus and CalculiX .inp: C3D4 elements in one ELSET for each label; SURFACE and NSET for each interface and each
+// side of the box. It holds the mesh alone, to be taken into a job by *INCLUDE.
 #include "base/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/element_faces.hpp"
@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <cctype>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 std::string upper(std::string name)
 {
@@ -86,8 +88,9 @@ void write_abaqus(const MeshView& mesh, const std::string& path)
 {
     const std::vector<std::vector<ElementFace>> faces = find_element_faces(mesh);
     AtomicFile file(path);
-    file.print("** Tetrahedra by cleft: ELSET MATERIAL_<label>; SURFACE and NSET INTERFACE_<label>_<label>, BOX_<side>.\n"
-               "** The faces of an interface are those of the elements of its first label.\n*NODE, NSET=ALL\n");
+    file.print(
+        "** Tetrahedra by cleft: ELSET MATERIAL_<label>; SURFACE and NSET INTERFACE_<label>_<label>, BOX_<side>.\n"
+        "** The faces of an interface are those of the elements of its first label.\n*NODE, NSET=ALL\n");
     for (int64_t i = 0; i < mesh.point_count; ++i) {
         const double* p = mesh.points + 3 * i;
         file.print(i + 1, ',', p[0], ',', p[1], ',', p[2], '\n');

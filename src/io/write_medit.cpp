@@ -3,9 +3,11 @@
 #include "io/atomic_file.hpp"
 #include "io/writers.hpp"
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 void write_triangles(const MeshView& mesh, AtomicFile& file)
 {

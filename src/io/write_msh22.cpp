@@ -2,9 +2,11 @@
 #include "io/gmsh_model.hpp"
 #include "io/writers.hpp"
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 void write_elements(const MeshView& mesh, const std::vector<int32_t>& volumes, AtomicFile& file)
 {

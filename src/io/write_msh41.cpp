@@ -8,9 +8,11 @@
 #include <array>
 #include <limits>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 struct Box {
     std::array<double, 6> bounds;  // least x y z, greatest x y z
@@ -31,10 +33,10 @@ struct Box {
 
 // The mesh in the order of its entities: surfaces first, then volumes.
 struct Entities {
-    std::vector<int32_t> volumes;                 // numbers
-    std::vector<std::vector<int64_t>> tets;       // of each volume
-    std::vector<std::vector<int32_t>> points;     // of each surface, then of each volume
-    std::vector<Box> boxes;                       // of each surface, then of each volume
+    std::vector<int32_t> volumes;                  // numbers
+    std::vector<std::vector<int64_t>> tets;        // of each volume
+    std::vector<std::vector<int32_t>> points;      // of each surface, then of each volume
+    std::vector<Box> boxes;                        // of each surface, then of each volume
     std::vector<std::vector<int32_t>> boundaries;  // signed numbers of the surfaces around each volume
 };
 

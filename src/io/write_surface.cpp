@@ -8,9 +8,11 @@
 #include <array>
 #include <cstring>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 Vector3 point(const MeshView& mesh, int32_t p)
 {

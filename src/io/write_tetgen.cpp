@@ -1,12 +1,14 @@
-// TetGen .node, .ele and .face, text, numbered from 1. The attribute of a tetrahedron is its label, the marker of a face
-// the number of its group, whose name is in a comment at the end of .face.
+// TetGen .node, .ele and .face, text, numbered from 1. The attribute of a tetrahedron is its label, the marker of a
+// face the number of its group, whose name is in a comment at the end of .face.
 #include "io/atomic_file.hpp"
 #include "io/file_name.hpp"
 #include "io/writers.hpp"
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 void write_nodes(const MeshView& mesh, AtomicFile& file)
 {

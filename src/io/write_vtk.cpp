@@ -2,7 +2,8 @@
 #include "io/atomic_file.hpp"
 #include "io/writers.hpp"
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 void write_vtk(const MeshView& mesh, const std::string& path)
 {

@@ -8,9 +8,11 @@
 #include <limits>
 #include <vector>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 template <class T>
 constexpr const char* vtk_type = nullptr;
@@ -24,7 +26,8 @@ template <>
 constexpr const char* vtk_type<uint8_t> = "UInt8";
 
 // Gathers the compressed arrays, as their places must be known before the first byte is written.
-class AppendedArrays {
+class AppendedArrays
+{
 public:
     explicit AppendedArrays(int threads) : threads_(threads) {}
 
@@ -67,9 +70,10 @@ std::string add_offsets(AppendedArrays& arrays, int64_t cells, int corners)
 std::string add_cells(AppendedArrays& arrays, const int32_t* corners, int64_t cells, int corners_each)
 {
     const bool small = cells <= std::numeric_limits<int32_t>::max() / corners_each;
-    return arrays.add("connectivity", corners, corners_each * cells) +
-           (small ? add_offsets<int32_t>(arrays, cells, corners_each)
-                  : add_offsets<int64_t>(arrays, cells, corners_each));
+    std::string elements = arrays.add("connectivity", corners, corners_each * cells);
+    elements +=
+        small ? add_offsets<int32_t>(arrays, cells, corners_each) : add_offsets<int64_t>(arrays, cells, corners_each);
+    return elements;
 }
 
 void write_file(const std::string& path, const std::string& type, const std::string& piece,
@@ -118,8 +122,8 @@ void write_vtp(const MeshView& mesh, const std::string& path, int threads)
                         std::to_string(surface.count()) + "\">\n";
     piece += "<Points>\n" + arrays.add("Points", points.data(), static_cast<int64_t>(points.size()), 3) + "</Points>\n";
     piece += "<Polys>\n" + add_cells(arrays, surface.corners.data(), surface.count(), 3) + "</Polys>\n";
-    piece += "<CellData Scalars=\"material_1\">\n" + arrays.add("material_1", labels[0].data(), surface.count()) +
-             arrays.add("material_2", labels[1].data(), surface.count()) + "</CellData>\n</Piece>\n";
+    piece += "<CellData Scalars=\"material_1\">\n" + arrays.add("material_1", labels[0].data(), surface.count());
+    piece += arrays.add("material_2", labels[1].data(), surface.count()) + "</CellData>\n</Piece>\n";
     write_file(path, "PolyData", piece, arrays);
 }
 

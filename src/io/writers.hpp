@@ -5,7 +5,8 @@
 
 #include <string>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 void write_vtu(const MeshView& mesh, const std::string& path, int threads);
 void write_vtp(const MeshView& mesh, const std::string& path, int threads);

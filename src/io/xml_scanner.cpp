@@ -1,8 +1,10 @@
 #include "io/xml_scanner.hpp"
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 constexpr const char* blanks = " \t\r\n";
 

@@ -5,7 +5,8 @@
 #include <string>
 #include <string_view>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 struct XmlTag {
     std::string name;  // "/Points" for an end
@@ -17,7 +18,8 @@ struct XmlTag {
     std::string get(const std::string& attribute) const;
 };
 
-class XmlScanner {
+class XmlScanner
+{
 public:
     explicit XmlScanner(std::string_view text) : text_(text) {}
     // The next tag that is no comment or declaration; false at the end or where the file is damaged.

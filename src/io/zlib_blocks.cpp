@@ -2,12 +2,14 @@
 
 #include "base/parallel.hpp"
 
-#include <vector>
 #include <zlib.h>
+#include <vector>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
-namespace {
+namespace
+{
 
 constexpr size_t block_bytes = size_t{1} << 18;
 // Coordinates and numbers of points hardly shrink any further at a higher level, which takes three times as long.

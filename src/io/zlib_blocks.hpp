@@ -4,7 +4,8 @@
 #include <cstdint>
 #include <string>
 
-namespace cleft::io {
+namespace cleft::io
+{
 
 // The compressed form of an array: [blocks, bytes a block, bytes of a short last block or 0, compressed bytes of each
 // block], all uint64, then the blocks. The same bytes for every number of threads.

@@ -29,7 +29,8 @@ void sample_mesh_fill(sample_mesh* sample)
                 for (int t = 0; t < 6; ++t, ++tet) {
                     for (int c = 0; c < 4; ++c) {
                         const int corner = paths[t][c];
-                        sample->tets[4 * tet + c] = number_of(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2));
+                        sample->tets[4 * tet + c] =
+                            number_of(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2));
                     }
                     sample->labels[tet] = label_of(i, j, k);
                 }

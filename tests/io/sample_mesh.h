@@ -6,7 +6,10 @@
 #include "cleft/cleft.h"
 
 enum { SAMPLE_X = 4, SAMPLE_Y = 3, SAMPLE_Z = 3 };
-enum { SAMPLE_POINTS = (SAMPLE_X + 1) * (SAMPLE_Y + 1) * (SAMPLE_Z + 1), SAMPLE_TETS = 6 * SAMPLE_X * SAMPLE_Y * SAMPLE_Z };
+enum {
+    SAMPLE_POINTS = (SAMPLE_X + 1) * (SAMPLE_Y + 1) * (SAMPLE_Z + 1),
+    SAMPLE_TETS = 6 * SAMPLE_X * SAMPLE_Y * SAMPLE_Z
+};
 
 typedef struct sample_mesh {
     double points[3 * SAMPLE_POINTS];

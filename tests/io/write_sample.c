@@ -1,5 +1,6 @@
 /* write_sample FOLDER: writes the sample mesh in every format, and as bare arrays for the programs that compare:
- * points.f64, tets.i32, labels.i32, interface.i32 (three corners, two labels), hull.i32 (three corners, label, side). */
+ * points.f64, tets.i32, labels.i32, interface.i32 (three corners, two labels), hull.i32 (three corners, label, side).
+ */
 #include "cleft/cleft_io.h"
 #include "io/sample_mesh.h"
 
