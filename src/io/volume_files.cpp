@@ -44,16 +44,24 @@ void create_labels(cleft_context* context, const cleft_options* options, Image& 
 
 // All fields of all images; they are of one type here.
 void create_indicators(cleft_context* context, const std::vector<Image>& images, const Affine& affine,
-                       cleft_volume** out)
+                       const std::string& who, cleft_volume** out)
 {
     std::vector<const void*> fields;
     for (const Image& image : images)
         for (int64_t f = 0; f < image.fields; ++f)
             fields.push_back(image.voxels.get() +
                              static_cast<size_t>(f * image.field_size()) * size_of(image.component));
-    check(context, cleft_volume_create_indicators(context, type_of(images.front().component), fields.data(),
-                                                  static_cast<int64_t>(fields.size()), images.front().dims.data(),
-                                                  affine.data(), nullptr, out));
+    check(context,
+          cleft_volume_create_indicators(context, type_of(images.front().component), fields.data(),
+                                         static_cast<int64_t>(fields.size()), images.front().dims.data(), affine.data(),
+                                         nullptr, out),
+          who);
+}
+
+// For messages about all of them.
+std::string file_list(const char* const* paths, int64_t count)
+{
+    return std::string("'") + paths[0] + (count > 1 ? "' and others: " : "': ");
 }
 
 // The greatest distance between the places that two maps give to a corner of the grid, in voxels.
@@ -106,7 +114,7 @@ void unify(std::vector<Image>& images)
 void read_indicators(cleft_context* context, const char* const* paths, int64_t count, const cleft_io_reading& reading,
                      Image first, cleft_volume** out)
 {
-    const Affine affine = affine_of(first, reading);
+    const Affine affine = naming_file(paths[0], [&] { return affine_of(first, reading); });
     std::vector<Image> images;
     images.push_back(std::move(first));
     for (int64_t i = 1; i < count; ++i) {
@@ -118,25 +126,20 @@ void read_indicators(cleft_context* context, const char* const* paths, int64_t c
         });
     }
     unify(images);
-    create_indicators(context, images, affine, out);
+    create_indicators(context, images, affine, file_list(paths, count), out);
 }
 
 void read_volume(cleft_context* context, const cleft_options* options, const char* const* paths, int64_t count,
                  const cleft_io_reading& reading, cleft_volume** out)
 {
+    if (reading.kind == CLEFT_IO_KIND_LABELS && count > 1)
+        throw Error(CLEFT_ERROR_ARGUMENT, "a label map is one file, but there are " + std::to_string(count));
     Image first = read_image_or_series(required(paths[0], "a path"));
-    const bool is_single = count == 1 && first.fields == 1;
-    naming_file(paths[0], [&] {
-        const Affine affine = affine_of(first, reading);
-        const bool labels = reading.kind == CLEFT_IO_KIND_LABELS ||
-                            (reading.kind == CLEFT_IO_KIND_AUTO && is_single && looks_like_labels(first));
-        if (labels && count > 1)
-            throw Error(CLEFT_ERROR_ARGUMENT, "a label map is one file");
-        if (labels)
-            create_labels(context, options, first, affine, out);
-        else
-            read_indicators(context, paths, count, reading, std::move(first), out);
-    });
+    const bool may_be_labels = reading.kind == CLEFT_IO_KIND_AUTO && count == 1 && first.fields == 1;
+    if (reading.kind == CLEFT_IO_KIND_LABELS || (may_be_labels && looks_like_labels(first)))
+        naming_file(paths[0], [&] { create_labels(context, options, first, affine_of(first, reading), out); });
+    else
+        read_indicators(context, paths, count, reading, std::move(first), out);
 }
 
 Image read_field_image(const char* path, const cleft_io_reading& reading, Affine& affine)
@@ -185,7 +188,7 @@ cleft_status cleft_io_read_raw(cleft_context* context, const cleft_options* opti
             images.push_back(read_raw_image(required(paths[i], "a path"), layout));
         const Affine affine = affine_of(images.front(), cleft_io_reading{});
         if (is_floating(images.front().component)) {
-            create_indicators(context, images, affine, out);
+            create_indicators(context, images, affine, file_list(paths, count), out);
         } else if (count == 1) {
             create_labels(context, options, images.front(), affine, out);
         } else {

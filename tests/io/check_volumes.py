@@ -1,0 +1,249 @@
+"""Volumes written without ITK are read with their voxels in order, their labels and their place in the world:
+check_volumes.py DUMP_VOLUME."""
+import gzip
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+
+import nibabel
+import numpy as np
+from PIL import Image
+
+LPS, RAS = 0, 1
+AUTO, LABELS, INDICATORS = 0, 1, 2
+FLIP = np.diag([-1.0, -1.0, 1.0])  # between LPS and RAS
+FORMAT, ARGUMENT, FILE, NOT_FINITE = -14, -5, -13, -6
+
+DUMP = sys.argv[1]
+FOLDER = tempfile.mkdtemp()
+
+
+def path(name):
+    return os.path.join(FOLDER, name)
+
+
+def run_dump(paths, world=LPS, kind=AUTO, spacing=(0, 0, 0)):
+    out = path('out.bin')
+    run = subprocess.run([DUMP, str(world), str(kind), *map(str, spacing), out, *paths], stdout=subprocess.PIPE,
+                         stderr=subprocess.PIPE, text=True)
+    assert run.stderr == '', 'the library printed: ' + run.stderr
+    assert run.returncode in (0, 1), 'crashed: %d' % run.returncode
+    return run, out
+
+
+def read(*paths, **options):
+    """dims, affine (3 x 4), labels, the label at each voxel centre as [i, j, k]."""
+    run, out = run_dump(paths, **options)
+    assert run.returncode == 0, run.stdout
+    data = open(out, 'rb').read()
+    dims = np.frombuffer(data, '<i8', 3)
+    affine = np.frombuffer(data, '<f8', 12, 24).reshape(3, 4)
+    count = np.frombuffer(data, '<i8', 1, 120)[0]
+    labels = np.frombuffer(data, '<i4', count, 128)
+    centres = np.frombuffer(data, '<i4', -1, 128 + 4 * count).reshape(dims, order='F')
+    return dims, affine, labels, centres
+
+
+def refused(status, words, *paths, named=True, **options):
+    """The reading fails with the status and a sentence that names the last file and has the words."""
+    run, _ = run_dump(paths, **options)
+    assert run.returncode == 1, 'not refused: %r' % (paths,)
+    number, sentence = run.stdout.strip().split(' ', 1)
+    assert int(number) == status and words in sentence, run.stdout
+    assert not named or os.path.basename(paths[-1]) in sentence, run.stdout
+
+
+def check(voxels, affine, *paths, **options):
+    dims, got, labels, centres = read(*paths, **options)
+    assert tuple(dims) == voxels.shape, dims
+    assert np.abs(got - affine).max() < 1e-5 * max(1, np.abs(affine).max()), (got, affine)
+    assert labels.tolist() == np.unique(voxels).tolist(), labels
+    assert (centres == voxels).all()
+
+
+def random_labels(shape, dtype, values, seed=0):
+    return np.random.default_rng(seed).choice(np.array(values), shape).astype(dtype)
+
+
+def write_nrrd(name, voxels, fields='', spacings=True, data=None):
+    types = {'u1': 'uint8', 'i1': 'int8', 'u2': 'uint16', 'i2': 'int16', 'u4': 'uint32', 'i4': 'int32', 'u8': 'uint64',
+             'i8': 'int64', 'f4': 'float', 'f8': 'double'}
+    head = 'NRRD0004\ntype: %s\ndimension: %d\nsizes: %s\nendian: little\nencoding: raw\n%s\n' % (
+        types[voxels.dtype.str[1:]], voxels.ndim, ' '.join(map(str, voxels.shape)), fields)
+    with open(path(name), 'wb') as file:
+        file.write(head.encode() + (voxels.tobytes(order='F') if data is None else data))
+    return path(name)
+
+
+def test_nrrd_types():
+    identity = np.eye(3, 4)
+    for dtype, values in (('u1', (0, 5, 255)), ('i1', (-128, 0, 127)), ('u2', (0, 300, 65535)), ('i2', (-32768, 0, 1)),
+                          ('u4', (0, 70000, 2**31 - 1)), ('i4', (-2**31 + 1, -5, 2**31 - 1)), ('u8', (0, 1, 2**31 - 1)),
+                          ('i8', (-2**31 + 1, 3, 2**31 - 1)), ('f4', (0, 7, 40)), ('f8', (0, 7, 2**31 - 1))):
+        voxels = random_labels((4, 3, 5), '<' + dtype, values)
+        check(voxels.astype(np.int64), identity, write_nrrd('types.nrrd', voxels))
+    for dtype, value in (('u8', 2**31), ('i8', -2**31 - 1), ('i8', 2**40)):
+        voxels = random_labels((4, 3, 5), '<' + dtype, (0, value))
+        refused(FORMAT, 'does not fit', write_nrrd('wide.nrrd', voxels))
+
+
+def test_nrrd_geometry():
+    voxels = random_labels((4, 3, 5), '<u1', (1, 2, 9))
+    directions = np.array([[0.0, 0.5, 0.1], [-0.6, 0.0, 0.0], [0.0, 0.2, 2.0]])  # rows: steps of the axes; sheared
+    text = ' '.join('(%r,%r,%r)' % tuple(row) for row in directions.tolist())
+    for space, to_lps in (('left-posterior-superior', np.eye(3)), ('right-anterior-superior', FLIP)):
+        name = write_nrrd('space.nrrd', voxels,
+                          'space: %s\nspace directions: %s\nspace origin: (10,-20,30.5)\n' % (space, text))
+        affine = to_lps @ np.column_stack([directions.T, [10, -20, 30.5]])
+        check(voxels, affine, name)
+        check(voxels, FLIP @ affine, name, world=RAS)
+    name = write_nrrd('flat.nrrd', voxels, 'space: left-posterior-superior\n'
+                      'space directions: (1,0,0) (0,1,0) (1,1,0)\nspace origin: (0,0,0)\n')
+    refused(FORMAT, 'lie in a plane', name)
+    name = write_nrrd('spacings.nrrd', voxels, 'spacings: 0.5 0.25 3\n')
+    check(voxels, np.column_stack([np.diag([0.5, 0.25, 3]), np.zeros(3)]), name)
+    check(voxels, np.column_stack([np.diag([0.5, 2, 3]), np.zeros(3)]), name, spacing=(0, 2, 0))
+    refused(ARGUMENT, 'positive', name, spacing=(-1, 0, 0))
+
+
+def test_nrrd_contents():
+    voxels = random_labels((2, 4, 3, 5), '<f4', (0.0, 1.0))
+    refused(FORMAT, 'numbers a voxel', write_nrrd('vectors.nrrd', voxels, 'kinds: vector domain domain domain\n'))
+    voxels = random_labels((4, 3, 5), '<f4', (-1.0, 2.0))
+    check((voxels > 0).astype(int), np.eye(3, 4), write_nrrd('signed.nrrd', voxels))
+    refused(FORMAT, 'whole', write_nrrd('fraction.nrrd', voxels / 4), kind=LABELS)
+    voxels[1, 2, 3] = np.nan
+    refused(NOT_FINITE, '', write_nrrd('nan.nrrd', voxels))
+    refused(FILE, '', write_nrrd('short.nrrd', voxels, data=b'123'))
+    refused(FILE, 'no such file', path('missing.nrrd'))
+    with open(path('text.nrrd'), 'w') as file:
+        file.write('this is no volume\n')
+    refused(FILE, 'no format', path('text.nrrd'))
+    flat = random_labels((4, 3), '<u1', (1, 2, 9))
+    check(flat[:, :, None], np.eye(3, 4), write_nrrd('plane.nrrd', flat))
+
+
+def test_indicators():
+    fields = np.random.default_rng(1).random((3, 6, 5, 4)).astype('<f4')
+    winners = fields.argmax(axis=0)
+    names = [write_nrrd('f%d.nrrd' % i, np.asfortranarray(field)) for i, field in enumerate(fields)]
+    check(winners, np.eye(3, 4), *names)
+    names[1] = write_nrrd('double.nrrd', np.asfortranarray(fields[1]).astype('<f8'))
+    check(winners, np.eye(3, 4), *names)
+    whole = (fields * 250).astype('<u1')
+    names = [write_nrrd('w%d.nrrd' % i, np.asfortranarray(field)) for i, field in enumerate(whole)]
+    check(whole.argmax(axis=0), np.eye(3, 4), *names)
+    refused(ARGUMENT, 'one file', *names, kind=LABELS, named=False)
+    affine = np.diag([2.0, 2, 2, 1])
+    nibabel.save(nibabel.Nifti1Image(np.moveaxis(fields, 0, 3), affine), path('four.nii.gz'))
+    check(winners, affine[:3], path('four.nii.gz'), world=RAS)
+    shifted = write_nrrd('shifted.nrrd', np.asfortranarray(whole[1]), 'spacings: 1 1 2\n')
+    refused(ARGUMENT, 'places', names[0], shifted)
+    smaller = write_nrrd('smaller.nrrd', np.asfortranarray(whole[1, 1:]))
+    refused(ARGUMENT, '5 x 5 x 4', names[0], smaller)
+
+
+def test_nifti():
+    voxels = random_labels((4, 3, 5), 'i2', (-3, 0, 7, 999))
+    c, s = np.cos(0.3), np.sin(0.3)
+    rotated = np.array([[c * 0.5, -s * 2, 0, 5], [s * 0.5, c * 2, 0, -7], [0, 0, 3, 11], [0, 0, 0, 1]])
+    flipped = np.array([[-1.5, 0, 0, 90], [0, 0, 2, -126], [0, 1, 0, -72], [0, 0, 0, 1.0]])
+    for affine in (np.eye(4), rotated, flipped):
+        for name in ('v.nii', 'v.nii.gz', 'v.img'):
+            for sform, qform in ((1, 1), (0, 1), (2, 0)):
+                kind = nibabel.Nifti1Pair if name == 'v.img' else nibabel.Nifti1Image
+                image = kind(voxels, affine)
+                image.set_sform(affine if sform else None, sform)
+                image.set_qform(affine if qform else None, qform)
+                nibabel.save(image, path(name))
+                check(voxels, affine[:3], path(name), world=RAS)
+                check(voxels, FLIP @ affine[:3], path(name))
+    image = nibabel.Nifti1Image(voxels, rotated)  # the two disagree: ITK's choice, the sform
+    image.set_sform(flipped, 1)
+    image.set_qform(rotated, 1)
+    nibabel.save(image, path('both.nii'))
+    check(voxels, flipped[:3], path('both.nii'), world=RAS)
+
+
+def test_nifti_scaled():
+    image = nibabel.Nifti1Image(random_labels((4, 3, 5), 'u1', (0, 3, 9)), np.eye(4))
+    image.header.set_slope_inter(2, 1)
+    nibabel.save(image, path('scaled.nii'))
+    data = bytearray(open(path('scaled.nii'), 'rb').read())
+    data[112:120] = struct.pack('<2f', 2, 1)
+    open(path('scaled.nii'), 'wb').write(data)
+    stored = np.frombuffer(bytes(data[352:]), 'u1').reshape((4, 3, 5), order='F')
+    check(2 * stored.astype(int) + 1, np.eye(3, 4), path('scaled.nii'), world=RAS)
+
+
+def test_metaimage():
+    voxels = random_labels((4, 3, 5), '<u2', (0, 1, 500))
+    header = ('ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = False\n'
+              'TransformMatrix = 0 1 0 -1 0 0 0 0 1\nOffset = 1 2 3\nElementSpacing = 0.5 2 %s\nDimSize = 4 3 5\n'
+              'ElementType = MET_USHORT\nElementDataFile = %s\n')
+    affine = np.array([[0, -2, 0, 1], [0.5, 0, 0, 2], [0, 0, 3, 3.0]])
+    with open(path('v.mha'), 'wb') as file:
+        file.write((header % ('3', 'LOCAL')).encode() + voxels.tobytes(order='F'))
+    with open(path('v.mhd'), 'w') as file:
+        file.write(header % ('3', 'v.raw'))
+    open(path('v.raw'), 'wb').write(voxels.tobytes(order='F'))
+    check(voxels, affine, path('v.mha'))
+    check(voxels, affine, path('v.mhd'))
+    with open(path('zero.mha'), 'wb') as file:
+        file.write((header % ('0', 'LOCAL')).encode() + voxels.tobytes(order='F'))
+    refused(FORMAT, 'spacing', path('zero.mha'))
+    affine[2, 2] = 7
+    check(voxels, affine, path('zero.mha'), spacing=(0, 0, 7))
+
+
+def test_pictures():
+    voxels = random_labels((6, 4, 12), 'u1', (0, 85, 170))
+    pages = [Image.fromarray(voxels[:, :, k].T.copy()) for k in range(12)]
+    pages[0].save(path('stack.tif'), save_all=True, append_images=pages[1:])
+    pages[0].save(path('dpi.tif'), save_all=True, append_images=pages[1:], dpi=(300, 300))
+    pages[0].save(path('packed.tiff'), save_all=True, append_images=pages[1:], compression='tiff_lzw')
+    for name in ('stack.tif', 'dpi.tif', 'packed.tiff'):
+        check(voxels, np.eye(3, 4), path(name))
+    check(voxels, np.diag([0.5, 0.5, 2, 0])[:3], path('stack.tif'), spacing=(0.5, 0.5, 2))
+    for k, page in enumerate(pages):
+        page.save(path('s%d.png' % k))  # s10 comes after s9
+        page.save(path('n%03d.bmp' % (k + 1)))
+        page.save(path('t%d.tif' % k))
+    check(voxels, np.eye(3, 4), path('s*.png'))
+    check(voxels, np.eye(3, 4), path('n%03d.bmp'))
+    check(voxels, np.eye(3, 4), path('t?*.tif'))
+    check(voxels[:, :, :1], np.eye(3, 4), path('s0.png'))
+    palette = Image.fromarray((voxels[:, :, 0] // 85).T.copy(), 'P')
+    palette.putpalette([255, 0, 0, 0, 255, 0, 0, 0, 255])
+    palette.save(path('palette.png'))
+    check(voxels[:, :, :1] // 85, np.eye(3, 4), path('palette.png'))
+    Image.fromarray(np.zeros((4, 6, 3), 'u1')).save(path('colours.png'))
+    refused(FORMAT, 'numbers a voxel', path('colours.png'))
+    refused(FILE, 'no file', path('nothing*.png'))
+    pages[0].resize((3, 3)).save(path('s3.png'))
+    refused(FORMAT, 's3.png', path('s*.png'))
+
+
+def test_damaged():
+    """Cut and changed files are read or refused, never a crash; what they hold is not our affair."""
+    voxels = random_labels((4, 3, 5), 'i2', (0, 7))
+    nibabel.save(nibabel.Nifti1Image(voxels, np.eye(4)), path('whole.nii'))
+    sources = {'nii': path('whole.nii'), 'nrrd': write_nrrd('whole.nrrd', voxels.astype('<i2')), 'tif': path('stack.tif')}
+    random = np.random.default_rng(3)
+    for extension, source in sources.items():
+        data = open(source, 'rb').read()
+        for trial in range(25):
+            damaged = bytearray(data[:random.integers(len(data))] if trial % 3 == 0 else data)
+            for _ in range(trial % 3 * 2):
+                damaged[random.integers(min(len(damaged), 400))] = random.integers(256)
+            name = path('damaged.' + extension)
+            open(name, 'wb').write(damaged)
+            run_dump([name])
+
+
+for name, test in list(globals().items()):
+    if name.startswith('test_'):
+        test()
+        print('ok', name)

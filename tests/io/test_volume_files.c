@@ -1,0 +1,315 @@
+/* Raw voxels, sizing fields and fields. What other formats of volumes hold is tested by check_volumes.py. */
+#include "cleft/cleft_io.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+enum { NX = 4, NY = 3, NZ = 5, VOXELS = NX * NY * NZ };
+
+typedef struct fixture {
+    cleft_context* context;
+    char folder[64];
+    char path[128];
+} fixture;
+
+static const char* path_of(fixture* f, const char* name)
+{
+    snprintf(f->path, sizeof f->path, "%s/%s", f->folder, name);
+    return f->path;
+}
+
+static int set_up(void** state)
+{
+    fixture* f = calloc(1, sizeof *f);
+    strcpy(f->folder, "/tmp/cleft_io_XXXXXX");
+    *state = f;
+    return mkdtemp(f->folder) && cleft_context_create(&f->context) == CLEFT_OK ? 0 : -1;
+}
+
+static int tear_down(void** state)
+{
+    fixture* f = *state;
+    char command[128];
+    snprintf(command, sizeof command, "rm -rf %s", f->folder);
+    const int removed = system(command);
+    cleft_context_destroy(f->context);
+    free(f);
+    return removed;
+}
+
+static void write_file(const char* path, const void* head, size_t head_size, const void* data, size_t size)
+{
+    FILE* file = fopen(path, "wb");
+    assert_non_null(file);
+    fwrite(head, 1, head_size, file);
+    fwrite(data, 1, size, file);
+    fclose(file);
+}
+
+static void assert_refused(fixture* f, cleft_status status, cleft_status wanted, const char* words)
+{
+    assert_int_equal(status, wanted);
+    if (!strstr(cleft_context_last_error(f->context), words))
+        fail_msg("'%s' does not say '%s'", cleft_context_last_error(f->context), words);
+}
+
+static cleft_io_raw raw_layout(cleft_type type)
+{
+    const cleft_io_raw raw = {.struct_size = sizeof raw, .type = type, .dims = {NX, NY, NZ}, .spacing = {0.5, 1, 2}};
+    return raw;
+}
+
+static int32_t label_of(int voxel) { return voxel % 7 == 0 ? 300 : voxel / 20; }
+
+/* Every voxel centre has its label, and the corner of the box is at the origin. */
+static void check_labels(const cleft_volume* volume)
+{
+    for (int v = 0; v < VOXELS; ++v) {
+        const double centre[3] = {0.5 * (v % NX + 0.5), v / NX % NY + 0.5, 2 * (v / (NX * NY) + 0.5)};
+        int32_t label = -1;
+        assert_int_equal(cleft_volume_sample(volume, centre, 1, &label), CLEFT_OK);
+        assert_int_equal(label, label_of(v));
+    }
+}
+
+static void test_raw_labels(void** state)
+{
+    fixture* f = *state;
+    uint16_t native[VOXELS];
+    uint8_t swapped[2 * VOXELS];
+    for (int v = 0; v < VOXELS; ++v) {
+        native[v] = (uint16_t)label_of(v);
+        swapped[2 * v] = (uint8_t)(native[v] >> 8);
+        swapped[2 * v + 1] = (uint8_t)(native[v] & 255);
+    }
+    for (int big_endian = 0; big_endian < 2; ++big_endian)
+        for (int64_t skip = 0; skip < 10; skip += 9) {
+            cleft_io_raw raw = raw_layout(CLEFT_TYPE_UINT16);
+            raw.big_endian = big_endian;
+            raw.skip = skip;
+            const char* path = path_of(f, "a.raw");
+            write_file(path, "a header.", (size_t)skip, big_endian ? (void*)swapped : (void*)native, sizeof native);
+            cleft_volume* volume = NULL;
+            assert_int_equal(cleft_io_read_raw(f->context, NULL, &path, 1, &raw, &volume), CLEFT_OK);
+            check_labels(volume);
+            cleft_volume_destroy(volume);
+        }
+}
+
+static void test_raw_indicators(void** state)
+{
+    fixture* f = *state;
+    char paths[3][128];
+    const char* list[3];
+    for (int field = 0; field < 3; ++field) {
+        double values[VOXELS];
+        for (int v = 0; v < VOXELS; ++v)
+            values[v] = v % 3 == field ? 1 : 0.25 * field;
+        strcpy(paths[field], path_of(f, "0.raw"));
+        paths[field][strlen(paths[field]) - 5] = (char)('0' + field);
+        write_file(paths[field], "", 0, values, sizeof values);
+        list[field] = paths[field];
+    }
+    const cleft_io_raw raw = raw_layout(CLEFT_TYPE_FLOAT64);
+    cleft_volume* volume = NULL;
+    assert_int_equal(cleft_io_read_raw(f->context, NULL, list, 3, &raw, &volume), CLEFT_OK);
+    int64_t counts[3];
+    assert_int_equal(cleft_volume_copy_voxel_counts(volume, counts, 3), CLEFT_OK);
+    for (int field = 0; field < 3; ++field)
+        assert_int_equal(counts[field], VOXELS / 3);
+    cleft_volume_destroy(volume);
+}
+
+static void test_raw_refusals(void** state)
+{
+    fixture* f = *state;
+    const uint8_t bytes[VOXELS + 1] = {0};
+    const char* path = path_of(f, "a.raw");
+    const char* two[2] = {path, path};
+    const char* none = NULL;
+    cleft_volume* volume = NULL;
+    write_file(path, "", 0, bytes, VOXELS + 1);
+    cleft_io_raw raw = raw_layout(CLEFT_TYPE_UINT8);
+    assert_refused(f, cleft_io_read_raw(f->context, NULL, &path, 1, &raw, &volume), CLEFT_ERROR_FORMAT, "61 bytes");
+    write_file(path, "", 0, bytes, VOXELS - 1);
+    assert_refused(f, cleft_io_read_raw(f->context, NULL, &path, 1, &raw, &volume), CLEFT_ERROR_FORMAT, "59 bytes");
+    write_file(path, "", 0, bytes, VOXELS);
+    assert_refused(f, cleft_io_read_raw(f->context, NULL, two, 2, &raw, &volume), CLEFT_ERROR_ARGUMENT, "floating");
+    assert_refused(f, cleft_io_read_raw(f->context, NULL, &path, 0, &raw, &volume), CLEFT_ERROR_ARGUMENT, "one path");
+    assert_refused(f, cleft_io_read_raw(f->context, NULL, &none, 1, &raw, &volume), CLEFT_ERROR_NULL, "path");
+    assert_refused(f, cleft_io_read_raw(f->context, NULL, &path, 1, NULL, &volume), CLEFT_ERROR_NULL, "raw");
+    raw.spacing[1] = 0;
+    assert_refused(f, cleft_io_read_raw(f->context, NULL, &path, 1, &raw, &volume), CLEFT_ERROR_ARGUMENT, "spacing");
+    raw = raw_layout(99);
+    assert_refused(f, cleft_io_read_raw(f->context, NULL, &path, 1, &raw, &volume), CLEFT_ERROR_ARGUMENT, "type");
+    raw = raw_layout(CLEFT_TYPE_UINT8);
+    raw.dims[2] = INT64_MAX;
+    assert_refused(f, cleft_io_read_raw(f->context, NULL, &path, 1, &raw, &volume), CLEFT_ERROR_TOO_LARGE, "voxels");
+    raw.dims[2] = 0;
+    assert_refused(f, cleft_io_read_raw(f->context, NULL, &path, 1, &raw, &volume), CLEFT_ERROR_ARGUMENT, "voxel");
+    raw = raw_layout(CLEFT_TYPE_UINT8);
+    path = "/none/a.raw";
+    assert_refused(f, cleft_io_read_raw(f->context, NULL, &path, 1, &raw, &volume), CLEFT_ERROR_FILE, "/none/a.raw");
+    assert_null(volume);
+}
+
+/* A grid that is turned, flipped and off the origin; sheared if asked for. */
+static void make_affine(int sheared, double affine[12])
+{
+    const double turned[12] = {0, -0.8 * 1.5, 0.6 * 2, 10, 0, 0.6 * 1.5, 0.8 * 2, -20, -0.5, 0, 0, 30};
+    memcpy(affine, turned, sizeof turned);
+    if (sheared)
+        affine[9] = 0.3;
+}
+
+static cleft_volume* make_volume(fixture* f, const double affine[12])
+{
+    static const int64_t dims[3] = {NX, NY, NZ};
+    uint8_t voxels[VOXELS];
+    cleft_volume* volume = NULL;
+    for (int v = 0; v < VOXELS; ++v)
+        voxels[v] = v % NX < 2;
+    cleft_volume_create_labels(f->context, CLEFT_TYPE_UINT8, voxels, dims, affine, NULL, &volume);
+    return volume;
+}
+
+static cleft_sizing* make_sizing(fixture* f, const cleft_volume* volume)
+{
+    double values[VOXELS];
+    cleft_sizing* sizing = NULL;
+    for (int v = 0; v < VOXELS; ++v)
+        values[v] = 1 + v / 7.0;
+    cleft_sizing_create_values(f->context, volume, CLEFT_TYPE_FLOAT64, values, 0, NULL, &sizing);
+    return sizing;
+}
+
+static void test_sizing_comes_back(void** state)
+{
+    static const char* const names[] = {"a.nrrd", "a.nii", "a.nii.gz", "a.mha"};
+    fixture* f = *state;
+    double affine[12];
+    make_affine(0, affine);
+    cleft_volume* volume = make_volume(f, affine);
+    cleft_sizing* sizing = make_sizing(f, volume);
+    assert_non_null(sizing);
+    for (size_t i = 0; i < sizeof names / sizeof *names; ++i)
+        for (cleft_io_world world = CLEFT_IO_WORLD_LPS; world <= CLEFT_IO_WORLD_RAS; ++world) {
+            const cleft_io_reading reading = {.struct_size = sizeof reading, .world = world};
+            int64_t dims[3];
+            double read_affine[12];
+            double* values = NULL;
+            cleft_sizing* read = NULL;
+            assert_int_equal(cleft_io_write_sizing(f->context, sizing, path_of(f, names[i]), world), CLEFT_OK);
+            assert_int_equal(cleft_io_read_field(f->context, f->path, &reading, dims, read_affine, &values), CLEFT_OK);
+            assert_int_equal(dims[0], NX);
+            assert_int_equal(dims[1], NY);
+            assert_int_equal(dims[2], NZ);
+            for (int a = 0; a < 12; ++a)
+                assert_true(fabs(read_affine[a] - affine[a]) < 1e-5);
+            for (int v = 0; v < VOXELS; ++v)
+                assert_true(values[v] == (double)cleft_sizing_values(sizing)[v]);
+            cleft_io_free(values);
+            assert_int_equal(cleft_io_read_sizing(f->context, volume, f->path, &reading, 0, NULL, &read), CLEFT_OK);
+            assert_memory_equal(cleft_sizing_values(read), cleft_sizing_values(sizing), VOXELS * sizeof(float));
+            cleft_sizing_destroy(read);
+        }
+    cleft_sizing_destroy(sizing);
+    cleft_volume_destroy(volume);
+}
+
+static void test_sizing_of_sheared_grids(void** state)
+{
+    fixture* f = *state;
+    double affine[12];
+    make_affine(1, affine);
+    cleft_volume* volume = make_volume(f, affine);
+    cleft_sizing* sizing = make_sizing(f, volume);
+    cleft_sizing* read = NULL;
+    assert_int_equal(cleft_io_write_sizing(f->context, sizing, path_of(f, "a.nrrd"), 0), CLEFT_OK);
+    assert_int_equal(cleft_io_read_sizing(f->context, volume, f->path, NULL, 0, NULL, &read), CLEFT_OK);
+    cleft_sizing_destroy(read);
+    assert_refused(f, cleft_io_write_sizing(f->context, sizing, path_of(f, "a.nii"), 0), CLEFT_ERROR_UNSUPPORTED,
+                   "sheared");
+    assert_refused(f, cleft_io_write_sizing(f->context, sizing, path_of(f, "a.vtk"), 0), CLEFT_ERROR_UNSUPPORTED,
+                   "sheared");
+    assert_refused(f, cleft_io_write_sizing(f->context, sizing, path_of(f, "a.png"), 0), CLEFT_ERROR_ARGUMENT, ".nrrd");
+    cleft_sizing_destroy(sizing);
+    cleft_volume_destroy(volume);
+}
+
+static void test_sizing_of_another_grid_is_refused(void** state)
+{
+    fixture* f = *state;
+    double affine[12];
+    make_affine(0, affine);
+    cleft_volume* volume = make_volume(f, affine);
+    cleft_sizing* sizing = make_sizing(f, volume);
+    affine[3] += 0.1;
+    cleft_volume* shifted = make_volume(f, affine);
+    cleft_sizing* read = NULL;
+    assert_int_equal(cleft_io_write_sizing(f->context, sizing, path_of(f, "a.nrrd"), 0), CLEFT_OK);
+    assert_refused(f, cleft_io_read_sizing(f->context, shifted, f->path, NULL, 0, NULL, &read), CLEFT_ERROR_ARGUMENT,
+                   "places");
+    const cleft_io_reading ras = {.struct_size = sizeof ras, .world = CLEFT_IO_WORLD_RAS};
+    assert_refused(f, cleft_io_read_sizing(f->context, volume, f->path, &ras, 0, NULL, &read), CLEFT_ERROR_ARGUMENT,
+                   "places");
+    assert_null(read);
+    cleft_volume_destroy(shifted);
+    cleft_sizing_destroy(sizing);
+    cleft_volume_destroy(volume);
+}
+
+static void test_full_disk_keeps_the_old_field(void** state)
+{
+    static const char* const names[] = {"a.nrrd", "a.nii", "a.nii.gz", "a.mha"};
+    fixture* f = *state;
+    double affine[12];
+    make_affine(0, affine);
+    cleft_volume* volume = make_volume(f, affine);
+    cleft_sizing* sizing = make_sizing(f, volume);
+    for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
+        struct rlimit limit;
+        char kept[4] = "";
+        write_file(path_of(f, names[i]), "", 0, "old", 3);
+        signal(SIGXFSZ, SIG_IGN);
+        getrlimit(RLIMIT_FSIZE, &limit);
+        const struct rlimit small = {100, limit.rlim_max};
+        assert_int_equal(setrlimit(RLIMIT_FSIZE, &small), 0);
+        const cleft_status status = cleft_io_write_sizing(f->context, sizing, f->path, 0);
+        assert_int_equal(setrlimit(RLIMIT_FSIZE, &limit), 0);
+        assert_refused(f, status, CLEFT_ERROR_FILE, names[i]);
+        FILE* file = fopen(f->path, "rb");
+        assert_non_null(file);
+        assert_int_equal(fread(kept, 1, 4, file), 3);
+        assert_string_equal(kept, "old");
+        fclose(file);
+    }
+    cleft_sizing_destroy(sizing);
+    cleft_volume_destroy(volume);
+}
+
+int main(void)
+{
+#define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
+    const struct CMUnitTest tests[] = {
+        TEST(test_raw_labels),
+        TEST(test_raw_indicators),
+        TEST(test_raw_refusals),
+        TEST(test_sizing_comes_back),
+        TEST(test_sizing_of_sheared_grids),
+        TEST(test_sizing_of_another_grid_is_refused),
+        TEST(test_full_disk_keeps_the_old_field),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
