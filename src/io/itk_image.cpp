@@ -17,6 +17,7 @@
 #include <itkPNGImageIO.h>
 #include <itkTIFFImageIO.h>
 #include <itkVTKImageIO.h>
+#include <regex>
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
@@ -29,14 +30,12 @@ namespace
 
 using Reader = itk::ImageIOBase::Pointer;
 
-// What ITK says, without its class names, addresses and line ends.
+// What ITK says, without its name, class names, addresses and line ends.
 std::string sentence_of(const itk::ExceptionObject& error)
 {
     std::string text = error.GetDescription();
-    const size_t prefix = text.find("): ");
-    if (prefix != std::string::npos && text.find("(0x") < prefix)
-        text.erase(0, prefix + 3);
     std::replace(text.begin(), text.end(), '\n', ' ');
+    text = std::regex_replace(text, std::regex("^(itk::)?(ITK )?ERROR: |[A-Za-z0-9]+\\(0x[0-9a-f]+\\): "), "");
     return text.substr(0, text.find_last_not_of(' ') + 1);
 }
 
