@@ -8,11 +8,12 @@
 #include <cstdint>
 #include <vector>
 
-namespace cleft {
+namespace cleft
+{
 
 struct ParticleOptions {
-    int steps = 10;      // relaxation steps
-    uint64_t seed = 0;   // varies the arrangement; the same seed gives the same bytes
+    int steps = 10;     // relaxation steps
+    uint64_t seed = 0;  // varies the arrangement; the same seed gives the same bytes
 };
 
 // Relaxed particles of the box [0, grid.extent()]: the 8 corners first, then edges, faces, inside. A particle of a box

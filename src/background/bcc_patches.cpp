@@ -1,0 +1,143 @@
+#include "background/bcc_patches.hpp"
+
+#include "base/parallel.hpp"
+
+#include <cmath>
+
+namespace cleft
+{
+
+namespace
+{
+
+using Index = std::array<int32_t, 3>;
+
+size_t flat(const Index& i, const Index& dims)
+{
+    return static_cast<size_t>(i[0] + int64_t{dims[0]} * (i[1] + int64_t{dims[1]} * i[2]));
+}
+
+Index corner_dims(const Index& cells) { return {cells[0] + 1, cells[1] + 1, cells[2] + 1}; }
+
+// The lattice point i + shift; the last one of an axis lies on the wall exactly.
+Vec3 position(const BccPatches& lattice, const Index& i, double shift)
+{
+    Vec3 x;
+    for (size_t a = 0; a < 3; ++a) {
+        const auto axis = static_cast<int>(a);
+        x[axis] = i[a] == lattice.cells[a] ? lattice.extent[axis] : (i[a] + shift) * lattice.cell[axis];
+    }
+    return x;
+}
+
+// The nearest point of one of the two sublattices, and its squared distance in cells.
+Index nearest(const BccPatches& lattice, const Vec3& x, double shift, double& distance)
+{
+    const int32_t beyond = shift > 0 ? 1 : 0;
+    Index i;
+    distance = 0;
+    for (size_t a = 0; a < 3; ++a) {
+        const double u = x[static_cast<int>(a)] / lattice.cell[static_cast<int>(a)] - shift;
+        i[a] = std::clamp(static_cast<int32_t>(std::lround(u)), 0, lattice.cells[a] - beyond);
+        distance += (u - i[a]) * (u - i[a]);
+    }
+    return i;
+}
+
+// Whether h is constant at x and a little more than half a cell away from it along each axis.
+bool is_constant_near(const SizeSampler& size, const Vec3& x, double constant, const Vec3& cell)
+{
+    const auto is_constant = [&](const Vec3& p) { return size(p) >= 0.999 * constant; };
+    if (!is_constant(x))
+        return false;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Vec3 step = 0.6 * cell[axis] * Vec3::Unit(axis);
+        if (!is_constant(x - step) || !is_constant(x + step))
+            return false;
+    }
+    return true;
+}
+
+void mark_used(std::vector<uint8_t>& used, const Index& dims, const BccPatches& lattice, double shift,
+               const SizeSampler& size, double constant, const Run& run)
+{
+    used.assign(static_cast<size_t>(int64_t{dims[0]} * dims[1] * dims[2]), 0);
+    parallel_for(run, int64_t{dims[1]} * dims[2], 64, [&](int64_t begin, int64_t end) {
+        for (int64_t row = begin; row < end; ++row) {
+            Index i{0, static_cast<int32_t>(row % dims[1]), static_cast<int32_t>(row / dims[1])};
+            for (; i[0] < dims[0]; ++i[0])
+                used[flat(i, dims)] = is_constant_near(size, position(lattice, i, shift), constant, lattice.cell);
+        }
+    });
+}
+
+template <class Visit>
+void for_each_used(const std::vector<uint8_t>& used, const Index& dims, const Visit& visit)
+{
+    Index i;
+    for (i[2] = 0; i[2] < dims[2]; ++i[2])
+        for (i[1] = 0; i[1] < dims[1]; ++i[1])
+            for (i[0] = 0; i[0] < dims[0]; ++i[0])
+                if (used[flat(i, dims)])
+                    visit(i);
+}
+
+}  // namespace
+
+bool BccPatches::fill_the_box() const
+{
+    const auto all = [](const std::vector<uint8_t>& used) {
+        return std::find(used.begin(), used.end(), 0) == used.end();
+    };
+    return !empty() && all(corner_used) && all(centre_used);
+}
+
+bool BccPatches::owns(const Vec3& x, Walls walls) const
+{
+    if (empty())
+        return false;
+    double to_corner, to_centre;
+    const Index corner = nearest(*this, x, 0, to_corner), centre = nearest(*this, x, 0.5, to_centre);
+    if (walls != 0 || to_corner <= to_centre)
+        return corner_used[flat(corner, corner_dims(cells))];
+    return centre_used[flat(centre, cells)];
+}
+
+void BccPatches::add_particles(ParticleSet& out) const
+{
+    if (empty())
+        return;
+    for_each_used(corner_used, corner_dims(cells), [&](const Index& i) {
+        Walls walls = 0;
+        for (size_t a = 0; a < 3; ++a)
+            if (i[a] == 0 || i[a] == cells[a])
+                walls = static_cast<Walls>(walls | 1 << a);
+        if (wall_count(walls) < 3)
+            out.add(position(*this, i, 0), walls);
+    });
+    for_each_used(centre_used, cells, [&](const Index& i) { out.add(position(*this, i, 0.5), 0); });
+}
+
+BccPatches constant_size_patches(const SizingField& field, const SizeSampler& size, const Run& run)
+{
+    constexpr double kStretch = 0.1;
+    const double greatest = *std::max_element(field.h.begin(), field.h.end());
+    const double wanted = greatest * std::cbrt(2 / kParticleDensity[3]);
+    BccPatches lattice;
+    lattice.extent = size.extent();
+    Index cells;
+    for (size_t a = 0; a < 3; ++a) {
+        const double length = lattice.extent[static_cast<int>(a)];
+        const double count = std::max(1.0, std::round(length / wanted));
+        lattice.cell[static_cast<int>(a)] = length / count;
+        if (std::abs(length / count / wanted - 1) > kStretch)
+            return {};
+        cells[a] = static_cast<int32_t>(count);
+    }
+    lattice.cells = cells;
+    mark_used(lattice.corner_used, corner_dims(cells), lattice, 0, size, greatest, run);
+    mark_used(lattice.centre_used, cells, lattice, 0.5, size, greatest, run);
+    return lattice;
+}
+
+}  // namespace cleft

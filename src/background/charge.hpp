@@ -1,0 +1,87 @@
+// How many particles the sizing field asks for, and h read fast at any point.
+//
+// Particles in a volume have density 1.75 / h^3: with it the Delaunay edges of a relaxed arrangement have length h on
+// average. Each box wall carries its own layer of particles, which stands for the charge of a slab behind it: a
+// particle on a wall belongs to the box by one half (on an edge of the box by a quarter, in a corner by an eighth).
+#pragma once
+
+#include "sizing/sizing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace cleft
+{
+
+// Particles per h^D on a part of the box of dimension D: a corner, an edge, a face, the inside.
+constexpr std::array<double, 4> kParticleDensity{1.0, 1.0, 1.2, 1.75};
+
+// Thickness, in h, of the layer of a part of dimension D that the particles on its border stand for.
+constexpr double border_layer(size_t dimension)
+{
+    return 0.5 * kParticleDensity[dimension - 1] / kParticleDensity[dimension];
+}
+
+// SizingField::at in single precision, for the inner loops: h is read some hundred times a particle.
+class SizeSampler
+{
+public:
+    explicit SizeSampler(const SizingField& field)
+        : extent_(field.grid.extent()), inverse_spacing_(field.grid.spacing.cwiseInverse()), h_(field.h.data())
+    {
+        int64_t stride = 1;
+        for (size_t a = 0; a < 3; ++a) {
+            const int32_t cells = field.grid.dims[a];
+            walls_[a] = static_cast<float>(cells) - 0.5F;
+            last_[a] = std::max(0, cells - 2);
+            stride_[a] = cells > 1 ? stride : 0;
+            stride *= cells;
+        }
+    }
+
+    const Vec3& extent() const { return extent_; }
+
+    // h at x; a point outside the box is read at the nearest voxel centre.
+    float operator()(const Vec3& x) const { return at_voxel(to_voxels(x)); }
+
+    // Positions in voxels, 0 at the centre of the first.
+    Eigen::Array3f to_voxels(const Vec3& x) const
+    {
+        return (x.cwiseProduct(inverse_spacing_).array() - 0.5).cast<float>();
+    }
+    Eigen::Array3f length_to_voxels(float length) const
+    {
+        return (static_cast<double>(length) * inverse_spacing_).cast<float>();
+    }
+    // A point behind a wall goes to its mirror image.
+    Eigen::Array3f mirrored(const Eigen::Array3f& u) const
+    {
+        const Eigen::Array3f walls(walls_[0], walls_[1], walls_[2]), inside = (u + 0.5F).abs() - 0.5F;
+        return walls - (walls - inside).abs();
+    }
+    float at_voxel(const Eigen::Array3f& u) const
+    {
+        std::array<float, 3> t;
+        const float* corner = h_;
+        for (size_t a = 0; a < 3; ++a) {
+            const float v = std::max(0.0F, std::min(u[static_cast<int>(a)], walls_[a]));
+            const int32_t voxel = std::min(static_cast<int32_t>(v), last_[a]);
+            t[a] = std::min(v - static_cast<float>(voxel), 1.0F);
+            corner += voxel * stride_[a];
+        }
+        const auto mix = [](float low, float high, float share) { return low + share * (high - low); };
+        const auto row = [&](const float* p) { return mix(p[0], p[stride_[0]], t[0]); };
+        const auto plane = [&](const float* p) { return mix(row(p), row(p + stride_[1]), t[1]); };
+        return mix(plane(corner), plane(corner + stride_[2]), t[2]);
+    }
+
+private:
+    Vec3 extent_, inverse_spacing_;
+    const float* h_;
+    std::array<float, 3> walls_{};  // the far ones, in voxels
+    std::array<int32_t, 3> last_{};
+    std::array<int64_t, 3> stride_{};
+};
+
+}  // namespace cleft

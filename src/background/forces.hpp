@@ -1,0 +1,28 @@
+// The near electrostatic forces on particles, unit charges, in units of 1 / h^2 of the particle that they act on.
+//
+// The field of a charge at a particle is split in two: within the particle's reach R = 1.9 h, the field of the point
+// charge less that of a cloud of the same charge, radius R and density 1 / (2 pi R^2 r), which is (1 - r^2/R^2) / r^2
+// and vanishes at R with no jump; and the field of the cloud, which is smooth and left to the waves of long_waves.hpp.
+// The charge of the background, c / h^3, is split in the same way; its near field is a sum over directions.
+// The walls are mirrors: every charge has its images behind them.
+#pragma once
+
+#include "background/charge.hpp"
+#include "background/particle_set.hpp"
+#include "background/particle_tree.hpp"
+
+namespace cleft
+{
+
+// The reach R of a particle in units of its h.
+constexpr float kReach = 1.9F;
+
+// The repulsion of every particle by all near ones and by near images. All arrays in tree order; `reach` is kReach
+// times h.
+void near_repulsion(const ParticleTree& tree, const ParticleSet& particles, const std::vector<float>& reach,
+                    const Vec3& extent, std::vector<Eigen::Vector3f>& force, const Run& run);
+
+// The attraction by the near background charge, at a point where the size is h.
+Eigen::Vector3f near_attraction(const SizeSampler& size, const Vec3& x, float h);
+
+}  // namespace cleft

@@ -1,0 +1,55 @@
+// A tree of boxes over the particles, eight to a leaf, to find what is near. The particles are put into the order of
+// its leaves once; later, when they have moved a little, only the boxes are fitted again.
+#pragma once
+
+#include "base/run.hpp"
+#include "base/vec.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace cleft
+{
+
+constexpr int64_t kLeafSize = 8;
+
+// The order in which each run of eight points is a leaf: halves along the longest side, again and again.
+std::vector<int32_t> tree_order(const std::vector<Vec3>& points, const Run& run);
+
+struct ParticleTree {
+    struct Node {
+        Eigen::AlignedBox3d box;
+        float reach = 0;    // of a leaf: the greatest of its particles
+        int32_t leaf = -1;  // its number, or -1 for an inner node
+        int32_t next = 0;   // the node that follows all below this one
+    };
+    std::vector<Node> nodes;      // a parent before its children
+    std::vector<int32_t> leaves;  // the node of each leaf
+};
+
+ParticleTree make_tree(size_t points);
+
+// `points` in tree order; a particle feels the others that are nearer than its reach.
+void fit_boxes(ParticleTree& tree, const std::vector<Vec3>& points, const std::vector<float>& reach, const Run& run);
+
+// visit(leaf) for every leaf whose box is nearer than `reach` to the box.
+template <class Visit>
+void for_leaves_near(const ParticleTree& tree, const Eigen::AlignedBox3d& box, double reach, const Visit& visit)
+{
+    const auto end = static_cast<int32_t>(tree.nodes.size());
+    for (int32_t n = 0; n < end;) {
+        const ParticleTree::Node& node = tree.nodes[static_cast<size_t>(n)];
+
+        const Vec3 gap = (node.box.min() - box.max()).cwiseMax(box.min() - node.box.max()).cwiseMax(0.0);
+        if (gap.squaredNorm() >= reach * reach) {
+            n = node.next;
+            continue;
+        }
+        if (node.leaf >= 0)
+            visit(node.leaf);
+        ++n;
+    }
+}
+
+}  // namespace cleft

@@ -1,0 +1,80 @@
+#include "background/particles.hpp"
+
+#include "background/delaunay.hpp"
+#include "background/random.hpp"
+#include "background/relaxation.hpp"
+#include "background/repair.hpp"
+#include "background/seeding.hpp"
+#include "base/parallel.hpp"
+#include "base/stage_timer.hpp"
+
+#include <numeric>
+
+namespace cleft
+{
+
+namespace
+{
+
+// Far below anything that an angle could show, and enough for Delaunay to find no five points on a sphere in a lattice.
+constexpr double kJitter = 1e-9;  // in h
+
+void jitter(ParticleSet& particles, const SizeSampler& size, uint64_t variation, const Run& run)
+{
+    parallel_for(run, static_cast<int64_t>(particles.size()), 4096, [&](int64_t begin, int64_t end) {
+        for (int64_t i = begin; i < end; ++i) {
+            Vec3& x = particles.x[static_cast<size_t>(i)];
+            const double h = static_cast<double>(size(x));
+            for (int a = 0; a < 3; ++a)
+                if (!held(particles.walls[static_cast<size_t>(i)], static_cast<size_t>(a)))
+                    x[a] += kJitter * h * (2 * unit_random(variation + 2, static_cast<uint64_t>(3 * i + a)) - 1);
+        }
+    });
+}
+
+// Corners, edges, faces, inside; else in the order that they have.
+std::vector<Vec3> walls_first(const ParticleSet& particles)
+{
+    std::vector<Vec3> out;
+    out.reserve(particles.size());
+    for (int walls = 3; walls >= 0; --walls)
+        for (size_t i = 0; i < particles.size(); ++i)
+            if (wall_count(particles.walls[i]) == walls)
+                out.push_back(particles.x[i]);
+    return out;
+}
+
+}  // namespace
+
+std::vector<Vec3> relaxed_particles(const SizingField& field, const ParticleOptions& options, const Run& run)
+{
+    const SizeSampler size(field);
+    Seeds seeds;
+    {
+        const StageTimer timer(run, "background.seed");
+        run.report(0, "seeding the particles");
+        seeds = seed_particles(field, size, options.seed, run);
+    }
+    run.note("background.particles", static_cast<double>(seeds.particles.size()));
+    if (!seeds.at_rest) {
+        const StageTimer timer(run, "background.relax");
+        relax(seeds.particles, field, size, options.steps, run);
+    }
+    jitter(seeds.particles, size, options.seed, run);
+    return walls_first(seeds.particles);
+}
+
+TetMesh particle_background(const SizingField& field, const ParticleOptions& options, const Run& run)
+{
+    TetMesh mesh;
+    mesh.points = relaxed_particles(field, options, run);
+    {
+        const StageTimer timer(run, "background.delaunay");
+        mesh.tets = delaunay(mesh.points, run);
+    }
+    const StageTimer timer(run, "background.repair_all");
+    repair(mesh, RepairOptions{}, run);
+    return mesh;
+}
+
+}  // namespace cleft

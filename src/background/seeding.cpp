@@ -1,0 +1,126 @@
+#include "background/seeding.hpp"
+
+#include "background/bcc_patches.hpp"
+#include "background/charge_cells.hpp"
+#include "base/parallel.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace cleft
+{
+
+namespace
+{
+
+// Gathers charge along the curve and drops a particle at the centroid of each unit of it.
+class ErrorDiffusion
+{
+public:
+    // `phase` of the first unit is already there.
+    ErrorDiffusion(double phase, std::vector<Vec3>& out) : charge_(phase), out_(out) {}
+
+    void add(const Vec3& x, double charge, double h)
+    {
+        // The curve may come from the far side of a place that is none of ours: do not drop the particle half-way.
+        if (!started_ || (charge_ > 0 && (x - moment_ / charge_).squaredNorm() > 4 * h * h))
+            moment_ = charge_ * x;
+        started_ = true;
+        while (charge_ + charge >= 1) {
+            const double taken = 1 - charge_;
+            out_.push_back(moment_ + taken * x);
+            charge -= taken;
+            charge_ = 0;
+            moment_ = Vec3::Zero();
+        }
+        charge_ += charge;
+        moment_ += charge * x;
+    }
+
+private:
+    double charge_;
+    bool started_ = false;
+    Vec3 moment_ = Vec3::Zero();  // first moment of the charge gathered
+    std::vector<Vec3>& out_;
+};
+
+void refuse_too_many(double particles)
+{
+    if (particles > INT32_MAX)
+        throw Error(CLEFT_ERROR_TOO_LARGE, "the sizes ask for about " + std::to_string(std::llround(particles)) +
+                                               " background points, more than 2147483647");
+}
+
+template <size_t D>
+void seed_part(const BoxPart<D>& part, const SizeSampler& size, const BccPatches& patches, uint64_t variation,
+               const Run& run, ParticleSet& out)
+{
+    // Each run of the curve has a phase of its own: at worst one particle more or less in hundreds.
+    constexpr int64_t kTasksAtOnce = 8;
+    const std::vector<CurveCell<D>> tasks = curve_tasks(part, size, variation);
+    const auto count = static_cast<int64_t>(tasks.size());
+    const uint64_t stream = hashed(variation + 1, part.number);
+    std::vector<std::vector<Vec3>> found(static_cast<size_t>(chunk_count(count, kTasksAtOnce)));
+    parallel_chunks(run, count, kTasksAtOnce, [&](int64_t chunk, int64_t begin, int64_t end) {
+        const auto c = static_cast<size_t>(chunk);
+        ErrorDiffusion diffusion(unit_random(stream, c), found[c]);
+        for (int64_t t = begin; t < end; ++t)
+            walk_charge(part, size, tasks[static_cast<size_t>(t)], border_layer(D),
+                        [&](const Vec3& x, double charge, double h) {
+                            if (!patches.owns(x, part.walls))
+                                diffusion.add(x, charge, h);
+                        });
+    });
+    for (const auto& points : found) {
+        refuse_too_many(static_cast<double>(out.size() + points.size()));
+        for (const Vec3& x : points)
+            out.add(x, part.walls);
+    }
+}
+
+void add_corners(const Vec3& extent, ParticleSet& out)
+{
+    for (int corner = 0; corner < 8; ++corner)
+        out.add(extent.cwiseProduct(Vec3(corner & 1, corner >> 1 & 1, corner >> 2)), 7);
+}
+
+// The border of the box: for each axis the four edges along it and the two faces across it.
+void seed_border(const SizeSampler& size, const BccPatches& patches, uint64_t variation, const Run& run,
+                 ParticleSet& out)
+{
+    const Vec3 extent = size.extent();
+    for (int axis = 0; axis < 3; ++axis) {
+        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+        const auto number = static_cast<uint64_t>(8 * axis);
+        for (uint64_t side = 0; side < 4; ++side) {
+            BoxPart<1> edge{{axis}, Vec3::Zero(), static_cast<Walls>(7 ^ 1 << axis), number + side};
+            edge.origin[u] = side & 1 ? extent[u] : 0;
+            edge.origin[v] = side & 2 ? extent[v] : 0;
+            seed_part(edge, size, patches, variation, run, out);
+        }
+        for (uint64_t side = 0; side < 2; ++side) {
+            BoxPart<2> face{{u, v}, Vec3::Zero(), static_cast<Walls>(1 << axis), number + 4 + side};
+            face.origin[axis] = side ? extent[axis] : 0;
+            seed_part(face, size, patches, variation, run, out);
+        }
+    }
+}
+
+}  // namespace
+
+Seeds seed_particles(const SizingField& field, const SizeSampler& size, uint64_t variation, const Run& run)
+{
+    refuse_too_many(kParticleDensity[3] * sizing_charge(field));
+    const BccPatches patches = constant_size_patches(field, size, run);
+    Seeds seeds;
+    add_corners(size.extent(), seeds.particles);
+    patches.add_particles(seeds.particles);
+    seeds.at_rest = patches.fill_the_box();
+    if (!seeds.at_rest) {
+        seed_border(size, patches, variation, run, seeds.particles);
+        seed_part(inside_of_box(), size, patches, variation, run, seeds.particles);
+    }
+    return seeds;
+}
+
+}  // namespace cleft
