@@ -1,32 +1,46 @@
 #include "mesh/adjacency.hpp"
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "mesh/face_buckets.hpp"
 
 namespace cleft
 {
 
-std::vector<std::array<int32_t, 4>> tet_neighbours(const std::vector<Tet>& tets, int64_t point_count)
+namespace
+{
+
+constexpr int64_t kGrain = 2048;
+
+[[noreturn]] void refuse_crowded_face(const HalfFace* faces, size_t count)
+{
+    throw Error(CLEFT_ERROR_INVALID_MESH, std::to_string(count) + " tetrahedra share one face: " +
+                                              std::to_string(faces[0].tet()) + ", " + std::to_string(faces[1].tet()) +
+                                              ", " + std::to_string(faces[2].tet()) + (count > 3 ? ", ..." : ""));
+}
+
+}  // namespace
+
+std::vector<std::array<int32_t, 4>> tet_neighbours(const std::vector<Tet>& tets, int64_t point_count, const Run& run)
 {
     for (size_t t = 0; t < tets.size(); ++t)
         if (has_bad_index(tets[t], point_count) || has_repeated_corner(tets[t]))
             throw Error(CLEFT_ERROR_INVALID_MESH,
                         "tetrahedron " + std::to_string(t) + " does not have four different points of the mesh");
-    const FaceBuckets buckets(tets, point_count);
+    const FaceBuckets buckets(tets, point_count, run);
     std::vector<std::array<int32_t, 4>> neighbours(tets.size(), {-1, -1, -1, -1});
     const auto link = [&](const HalfFace& from, const HalfFace& to) {
         neighbours[static_cast<size_t>(from.tet())][static_cast<size_t>(from.corner())] = to.tet();
     };
-    buckets.for_each_face(0, point_count, [&](const HalfFace* faces, size_t count) {
-        if (count > 2)
-            throw Error(CLEFT_ERROR_INVALID_MESH, std::to_string(count) +
-                                                      " tetrahedra share one face: " + std::to_string(faces[0].tet()) +
-                                                      ", " + std::to_string(faces[1].tet()) + ", " +
-                                                      std::to_string(faces[2].tet()) + (count > 3 ? ", ..." : ""));
-        if (count == 2) {
-            link(faces[0], faces[1]);
-            link(faces[1], faces[0]);
-        }
+    parallel_for(run, point_count, kGrain, [&](int64_t begin, int64_t end) {
+        buckets.for_each_face(begin, end, [&](const HalfFace* faces, size_t count) {
+            if (count > 2)
+                refuse_crowded_face(faces, count);
+            if (count == 2) {
+                link(faces[0], faces[1]);
+                link(faces[1], faces[0]);
+            }
+        });
     });
     return neighbours;
 }

@@ -1,6 +1,7 @@
 // Which tetrahedra share a face.
 #pragma once
 
+#include "base/run.hpp"
 #include "mesh/tet_mesh.hpp"
 
 namespace cleft
@@ -13,8 +14,9 @@ inline constexpr int kEdgeCorners[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3
 inline constexpr int kEdgeOpposite[6][2] = {{2, 3}, {1, 3}, {1, 2}, {0, 3}, {0, 2}, {0, 1}};
 
 // neighbour[t][i]: the tetrahedron behind the face opposite corner i of t; -1 on the hull.
-// Linear time. A face of more than two tetrahedra is an Error (CLEFT_ERROR_INVALID_MESH).
-std::vector<std::array<int32_t, 4>> tet_neighbours(const std::vector<Tet>& tets, int64_t point_count);
+// Linear time, threaded. A face of more than two tetrahedra is an Error (CLEFT_ERROR_INVALID_MESH).
+std::vector<std::array<int32_t, 4>> tet_neighbours(const std::vector<Tet>& tets, int64_t point_count,
+                                                   const Run& run = Run());
 
 // Bits 0, 1, 2 of a point: its x, y, z must not change if the hull is to stay as it is. A hull face across an axis
 // (all three points have exactly the same coordinate) freezes that coordinate; any other hull face freezes all.

@@ -104,7 +104,7 @@ void append(Part& whole, Part&& part)
 Part check_all_faces(const Subject& s, const Run& run)
 {
     const auto point_count = static_cast<int64_t>(s.mesh.points.size());
-    const FaceBuckets buckets(s.mesh.tets, point_count);
+    const FaceBuckets buckets(s.mesh.tets, point_count, run);
     std::vector<Part> parts(static_cast<size_t>(chunk_count(point_count, kGrain)));
     parallel_chunks(run, point_count, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
         Part& part = parts[static_cast<size_t>(chunk)];

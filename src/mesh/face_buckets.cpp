@@ -9,6 +9,7 @@ namespace
 {
 
 constexpr size_t kMostTets = size_t{1} << 30;
+constexpr size_t kTetsACheck = size_t{1} << 16;  // between two looks for a cancel
 
 // The least point of the face opposite each corner.
 std::array<int32_t, 4> least_points(const Tet& t)
@@ -29,16 +30,18 @@ uint64_t other_points(const std::vector<Tet>& tets, uint32_t id)
 
 }  // namespace
 
-FaceBuckets::FaceBuckets(const std::vector<Tet>& tets, int64_t point_count)
+FaceBuckets::FaceBuckets(const std::vector<Tet>& tets, int64_t point_count, const Run& run)
     : tets_(tets), start_(static_cast<size_t>(point_count) + 1, 0)
 {
     if (tets.size() >= kMostTets)
         throw Error(CLEFT_ERROR_TOO_LARGE, "a mesh of 2^30 or more tetrahedra is too large for 32-bit face numbers");
     uint32_t total = 0;
-    for (const Tet& tet : tets) {
-        if (has_bad_index(tet, point_count))
+    for (size_t t = 0; t < tets.size(); ++t) {
+        if (t % kTetsACheck == 0)
+            run.check();
+        if (has_bad_index(tets[t], point_count))
             continue;
-        for (const int32_t p : least_points(tet))
+        for (const int32_t p : least_points(tets[t]))
             ++start_[static_cast<size_t>(p)];
         total += 4;
     }
@@ -48,6 +51,8 @@ FaceBuckets::FaceBuckets(const std::vector<Tet>& tets, int64_t point_count)
         s = end += s;
     ids_.resize(total);
     for (size_t t = tets.size(); t-- > 0;) {
+        if (t % kTetsACheck == 0)
+            run.check();
         if (has_bad_index(tets[t], point_count))
             continue;
         const std::array<int32_t, 4> least = least_points(tets[t]);

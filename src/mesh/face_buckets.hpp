@@ -1,6 +1,7 @@
 // Every face of every tetrahedron, grouped by its three points.
 #pragma once
 
+#include "base/run.hpp"
 #include "mesh/adjacency.hpp"
 
 #include <algorithm>
@@ -41,8 +42,8 @@ inline std::array<int32_t, 3> face_points(const std::vector<Tet>& tets, uint32_t
 class FaceBuckets
 {
 public:
-    // Throws CLEFT_ERROR_TOO_LARGE past 2^30 tetrahedra: four times their number must fit 32 bits.
-    FaceBuckets(const std::vector<Tet>& tets, int64_t point_count);
+    // Throws CLEFT_ERROR_TOO_LARGE from 2^30 tetrahedra on: four times their number must fit 32 bits.
+    FaceBuckets(const std::vector<Tet>& tets, int64_t point_count, const Run& run);
 
     // visit(const HalfFace* faces, size_t count) for each different face whose least point is in [begin, end), in an
     // order that depends on the mesh alone: least points ascend, and so do the tetrahedra of one face.

@@ -97,7 +97,7 @@ Interfaces extract_interfaces(const LabelledMesh& mesh, const Vec3& lo, const Ve
     run.report(0, "extracting interfaces");
     const auto point_count = static_cast<int64_t>(mesh.points.size());
     const BoundingBox box{lo, hi};
-    const FaceBuckets buckets(mesh.tets, point_count);
+    const FaceBuckets buckets(mesh.tets, point_count, run);
     std::vector<Faces> parts(static_cast<size_t>(chunk_count(point_count, kGrain)));
     run.report(0.3, "extracting interfaces");
     parallel_chunks(run, point_count, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {

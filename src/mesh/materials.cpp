@@ -61,7 +61,7 @@ std::vector<std::vector<double>> material_parts(const LabelledMesh& mesh, Materi
     const auto material = [&](int32_t t) { return mesh.material[static_cast<size_t>(t)]; };
     const auto point_count = static_cast<int64_t>(mesh.points.size());
     run.report(0, "finding parts");
-    const FaceBuckets buckets(mesh.tets, point_count);
+    const FaceBuckets buckets(mesh.tets, point_count, run);
     DisjointSets sets(mesh.tets.size());
     for (int64_t begin = 0; begin < point_count; begin += kPointsAReport) {
         run.report(0.3 + 0.6 * static_cast<double>(begin) / static_cast<double>(point_count), "finding parts");

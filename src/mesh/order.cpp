@@ -133,7 +133,7 @@ Tet least_corners_first(Tet t)
 }
 
 // Points of a curve are near each other, so the order of the corners is a spatial order of tetrahedra too.
-void order_tets(LabelledMesh& mesh)
+void order_tets(LabelledMesh& mesh, const Run& run)
 {
     std::vector<uint32_t> start(mesh.points.size() + 1, 0);
     for (const Tet& tet : mesh.tets)
@@ -148,8 +148,10 @@ void order_tets(LabelledMesh& mesh)
     const auto less = [&](int32_t a, int32_t b) {
         return mesh.tets[static_cast<size_t>(a)] < mesh.tets[static_cast<size_t>(b)];
     };
-    for (size_t p = 0; p < mesh.points.size(); ++p)
-        std::sort(order.begin() + start[p], order.begin() + start[p + 1], less);
+    parallel_for(run, static_cast<int64_t>(mesh.points.size()), kGrain, [&](int64_t begin, int64_t end) {
+        for (auto p = static_cast<size_t>(begin); p < static_cast<size_t>(end); ++p)
+            std::sort(order.begin() + start[p], order.begin() + start[p + 1], less);
+    });
 
     std::vector<Tet> tets(mesh.tets.size());
     std::vector<Material> material(mesh.material.size());
@@ -185,7 +187,7 @@ void order_spatially(LabelledMesh& mesh, const Run& run)
         }
     });
     run.report(0.6, "ordering");
-    order_tets(mesh);
+    order_tets(mesh, run);
 }
 
 }  // namespace cleft

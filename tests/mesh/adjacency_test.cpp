@@ -81,6 +81,15 @@ void neighbours_match_a_map_in_any_order(void**)
     }
 }
 
+void two_threads_find_the_same(void**)
+{
+    const TetMesh mesh = jittered_bcc(Vec3(1, 1, 1), {16, 16, 16});
+    const auto count = static_cast<int64_t>(mesh.points.size());
+    Run two;
+    two.threads = 2;
+    assert_true(tet_neighbours(mesh.tets, count, two) == tet_neighbours(mesh.tets, count));
+}
+
 // All tetrahedra at one point: the bucket of that point holds three quarters of all faces.
 void a_crowded_point_is_no_trouble(void**)
 {
@@ -140,6 +149,7 @@ int main()
     const CMUnitTest tests[] = {
         cmocka_unit_test(faces_look_outward),
         cmocka_unit_test(neighbours_match_a_map_in_any_order),
+        cmocka_unit_test(two_threads_find_the_same),
         cmocka_unit_test(a_crowded_point_is_no_trouble),
         cmocka_unit_test(impossible_meshes_are_refused),
         cmocka_unit_test(axes_freeze_by_the_sides_that_a_point_lies_in),
