@@ -3,21 +3,14 @@
 // It is C1, and the weights of all voxels add up to one wherever the point lies (for an integer width of 2 or more).
 #pragma once
 
+#include "volume/lanes.hpp"
+
+#include <array>
 #include <cmath>
 #include <cstdint>
 
 namespace cleft
 {
-
-// Weights come in rows of eight lanes, zero past the kernel's width, so that loops over a row need no remainder.
-constexpr int kLanes = 8;
-
-// The weights of the voxels first .. first + width - 1, and their derivatives by the position.
-struct AxisWeights {
-    int32_t first = 0;
-    alignas(32) float w[kLanes] = {};
-    alignas(32) float dw[kLanes] = {};
-};
 
 constexpr double kPi = 3.14159265358979323846;
 
@@ -25,6 +18,14 @@ inline double hann(double t, int width)
 {
     return std::abs(t) < 0.5 * width ? (1 + std::cos(2 * kPi * t / width)) / width : 0.0;
 }
+
+// The weights of the voxels first .. first + width - 1 along each axis, and their derivatives by the position. The
+// lanes past the width are zero, so that loops over a row need no remainder.
+struct KernelWeights {
+    std::array<int32_t, 3> first;
+    alignas(16) float w[3][kLanes];
+    alignas(16) float dw[3][kLanes];
+};
 
 class Hann
 {
@@ -41,37 +42,44 @@ public:
 
     int width() const { return width_; }
 
-    // Weights for the position u, voxel i being at u = i.
+    // Weights for the position u > -1, voxel centres being at integers.
     // cos(2 pi (phi - o) / width) is taken apart by the angle sum: phi, within half a voxel, is the same for all lanes.
-    void weights(double u, AxisWeights& out) const
+    template <bool WithSlopes>
+    void weights(const std::array<double, 3>& u, KernelWeights& out) const
     {
-        const double first = std::floor(u - 0.5 * width_ + 1);
-        const double phi = u - first - 0.5 * (width_ - 1);
-        double s, c;
-        sine_cosine(kPi * phi / width_, s, c);
-        const float sine = static_cast<float>(2 * s * c);
-        const float cosine = static_cast<float>(1 - 2 * s * s);
-        const float slope = static_cast<float>(-2 * kPi / width_);
-        out.first = static_cast<int32_t>(first);
-        for (int i = 0; i < kLanes; ++i) {
-            out.w[i] = mean_[i] + (cosine * cos_[i] + sine * sin_[i]);
-            out.dw[i] = slope * (sine * cos_[i] - cosine * sin_[i]);
+        alignas(16) float phi[4] = {}, sine[4], cosine[4];
+        for (size_t a = 0; a < 3; ++a) {
+            constexpr int positive = 4;
+            out.first[a] = static_cast<int32_t>(u[a] - 0.5 * width_ + (1 + positive)) - positive;
+            phi[a] = static_cast<float>(u[a] - (out.first[a] + 0.5 * (width_ - 1)));
+        }
+        const float frequency = static_cast<float>(2 * kPi / width_);
+        for (int a = 0; a < 4; ++a)
+            sine_cosine(0.5f * frequency * phi[a], sine[a], cosine[a]);
+        const FloatRow mean_row = FloatRow::load(mean_), cos_row = FloatRow::load(cos_), sin_row = FloatRow::load(sin_);
+        for (int a = 0; a < 3; ++a) {
+            (mean_row + (cos_row * cosine[a] + sin_row * sine[a])).store(out.w[a]);
+            if (WithSlopes)
+                (sin_row * (frequency * cosine[a]) + cos_row * (-frequency * sine[a])).store(out.dw[a]);
         }
     }
 
 private:
-    // Taylor's series; |x| <= pi / 4 because half a voxel of a kernel of two is the most that is asked for.
-    static void sine_cosine(double x, double& s, double& c)
+    // Of 2 x, by Taylor's series to the last bit of a float: |x| <= pi / 4, as phi is at most 1/2 and the width at
+    // least 2.
+    static void sine_cosine(float x, float& sine, float& cosine)
     {
-        const double q = x * x;
-        s = x * (1 - q / 6 * (1 - q / 20 * (1 - q / 42 * (1 - q / 72 * (1 - q / 110 * (1 - q / 156))))));
-        c = 1 - q / 2 * (1 - q / 12 * (1 - q / 30 * (1 - q / 56 * (1 - q / 90 * (1 - q / 132 * (1 - q / 182))))));
+        const float q = x * x;
+        const float s = x * (1 + q * (-1.f / 6 + q * (1.f / 120 + q * (-1.f / 5040 + q * (1.f / 362880)))));
+        const float c = 1 + q * (-1.f / 2 + q * (1.f / 24 + q * (-1.f / 720 + q * (1.f / 40320))));
+        sine = 2 * s * c;
+        cosine = 1 - 2 * s * s;
     }
 
     int width_;
-    alignas(32) float mean_[kLanes] = {};
-    alignas(32) float cos_[kLanes] = {};
-    alignas(32) float sin_[kLanes] = {};
+    alignas(16) float mean_[kLanes] = {};
+    alignas(16) float cos_[kLanes] = {};
+    alignas(16) float sin_[kLanes] = {};
 };
 
 // The bump that lets a voxel keep its centre: C1, one at its own centre, zero (with zero slope) at all others.

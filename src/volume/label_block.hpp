@@ -2,126 +2,114 @@
 #pragma once
 
 #include "volume/label_map.hpp"
+#include "volume/lanes.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstring>
 
 namespace cleft
 {
 
-constexpr int kGreatestBlock = 7;
-constexpr int kGreatestRows = kGreatestBlock * kGreatestBlock;
+constexpr int kGreatestWidth = 7;
+constexpr int kGreatestVolume = kGreatestWidth * kGreatestWidth * kGreatestWidth;
+// Room for the voxels of a cube, one after the other, and a chunk more; whole chunks, so that rows of it stay aligned.
+constexpr int kBlockRoom = (kGreatestVolume / kChunk + 2) * kChunk;
 
-// The voxels first .. first + width - 1 along each axis: in place where they lie in the grid, else copied.
+// The product of three rows of weights for every voxel of a cube, zero up to the next whole chunk. Rows are written
+// eight lanes at a time, of which the next row overwrites the surplus.
+inline void multiply_weights(const float* x, const float* y, const float* z, int width, float* out)
+{
+    const FloatRow row = FloatRow::load(x);
+    for (int k = 0; k < width; ++k)
+        for (int j = 0; j < width; ++j, out += width)
+            (row * (y[j] * z[k])).store(out);
+    std::memset(out, 0, kChunk * sizeof(float));
+}
+
+// The voxels first .. first + width - 1 along each axis.
 template <class Label>
 class LabelBlock
 {
 public:
-    LabelBlock(const LabelMap<Label>& map, const std::array<int32_t, 3>& first, int width) : width_(width)
+    LabelBlock(const LabelMap<Label>& map, const std::array<int32_t, 3>& first, int width)
+        : width_(width), size_(width * width * width)
     {
         const auto& dims = map.grid.dims;
         bool inside = true;
         for (size_t a = 0; a < 3; ++a)
             inside = inside && first[a] >= 0 && first[a] <= dims[a] - width;
-        if (inside) {
-            const int64_t start = map.grid.index(first[0], first[1], first[2]);
-            material_ = map.material.data() + start;
-            weight_ = map.weight.data() + start;
-            row_ = dims[0];
-            slice_ = int64_t{dims[0]} * dims[1];
-        } else {
-            copy(map, first);
-        }
+        if (inside)
+            copy_rows(map, first);
+        else
+            copy_mirrored(map, first);
+        std::memset(weight_ + size_, 0, kChunk);
+        for (int i = 0; i < size_; i += kChunk)
+            std::memset(left_ + i, 0xff, kChunk);
+        std::memset(left_ + size_, 0, kChunk);
     }
     LabelBlock(const LabelBlock&) = delete;
     LabelBlock& operator=(const LabelBlock&) = delete;
 
-    int width() const { return width_; }
-    const Label* material(int y, int z) const { return material_ + y * row_ + z * slice_; }
-    const uint8_t* weight(int y, int z) const { return weight_ + y * row_ + z * slice_; }
+    Label centre() const { return material_[size_ / 2]; }
+
+    // Goes to a material that was not visited yet, calling visit(i, weights) with the weights A of the voxels i .. i +
+    // 15 of the cube for every chunk, zero where another material is. Returns the material, or -1 if there is none
+    // left.
+    template <class Visit>
+    int next(const Visit& visit)
+    {
+        unsigned mask = 0;
+        for (; next_ < size_ && !mask; next_ += kChunk)
+            mask = ByteChunk::load(left_ + next_).mask();
+        if (!mask)
+            return -1;
+        next_ -= kChunk;
+        const Label material = material_[next_ + lowest_bit(mask)];
+        for (int i = 0; i < size_; i += kChunk) {
+            const ByteChunk mine = ByteChunk::equal(material_ + i, material);
+            ByteChunk::load(left_ + i).without(mine).store(left_ + i);
+            visit(i, mine & ByteChunk::load(weight_ + i));
+        }
+        return material;
+    }
 
 private:
-    void copy(const LabelMap<Label>& map, const std::array<int32_t, 3>& first)
+    void copy_rows(const LabelMap<Label>& map, const std::array<int32_t, 3>& first)
     {
-        const auto& dims = map.grid.dims;
+        const int64_t row = map.grid.dims[0], slice = row * map.grid.dims[1];
+        const int64_t start = map.grid.index(first[0], first[1], first[2]);
+        const Label* material = map.material.data() + start;
+        const uint8_t* weight = map.weight.data() + start;
+        int at = 0;
+        for (int z = 0; z < width_; ++z)
+            for (int y = 0; y < width_; ++y, at += width_) {
+                // Whole lanes, of which the next row overwrites the surplus.
+                std::memcpy(material_ + at, material + y * row + z * slice, kLanes * sizeof(Label));
+                std::memcpy(weight_ + at, weight + y * row + z * slice, kLanes);
+            }
+    }
+    void copy_mirrored(const LabelMap<Label>& map, const std::array<int32_t, 3>& first)
+    {
+        int32_t index[3][kGreatestWidth];
+        for (size_t a = 0; a < 3; ++a)
+            for (int i = 0; i < width_; ++i)
+                index[a][i] = mirrored(first[a] + i, map.grid.dims[a]);
+        int at = 0;
         for (int z = 0; z < width_; ++z)
             for (int y = 0; y < width_; ++y) {
-                const int64_t start =
-                    map.grid.index(0, mirrored(first[1] + y, dims[1]), mirrored(first[2] + z, dims[2]));
-                for (int x = 0; x < width_; ++x) {
-                    const auto v = static_cast<size_t>(start + mirrored(first[0] + x, dims[0]));
-                    material_copy_[kLanes * (y + width_ * z) + x] = map.material[v];
-                    weight_copy_[kLanes * (y + width_ * z) + x] = map.weight[v];
+                const int64_t start = map.grid.index(0, index[1][y], index[2][z]);
+                for (int x = 0; x < width_; ++x, ++at) {
+                    material_[at] = map.material[static_cast<size_t>(start + index[0][x])];
+                    weight_[at] = map.weight[static_cast<size_t>(start + index[0][x])];
                 }
             }
-        material_ = material_copy_;
-        weight_ = weight_copy_;
-        row_ = kLanes;
-        slice_ = int64_t{kLanes} * width_;
     }
 
-    int width_;
-    const Label* material_ = nullptr;
-    const uint8_t* weight_ = nullptr;
-    int64_t row_ = 0, slice_ = 0;
-    Label material_copy_[kLanes * kGreatestRows];
-    uint8_t weight_copy_[kLanes * kGreatestRows];
-};
-
-// Hands out the materials of a block one by one, each with its weights A and zeros where another material is.
-template <class Label>
-class BlockMaterials
-{
-public:
-    explicit BlockMaterials(const LabelBlock<Label>& block) : block_(block), rows_(block.width() * block.width())
-    {
-        uint8_t lanes[kLanes];
-        for (int i = 0; i < kLanes; ++i)
-            lanes[i] = i < block.width() ? 0xff : 0;
-        for (int r = 0; r < rows_; ++r)
-            std::memcpy(left_[r], lanes, kLanes);
-    }
-
-    // False when there is no further material. weights[z * width + y] is a row.
-    bool next(Label& material, uint8_t (*weights)[kLanes])
-    {
-        while (open_ < rows_ && empty(open_))
-            ++open_;
-        if (open_ == rows_)
-            return false;
-        const int width = block_.width();
-        const Label* first = block_.material(open_ % width, open_ / width);
-        int lane = 0;
-        while (!left_[open_][lane])
-            ++lane;
-        material = first[lane];
-        for (int z = 0, r = 0; z < width; ++z)
-            for (int y = 0; y < width; ++y, ++r)
-                take(material, block_.material(y, z), block_.weight(y, z), left_[r], weights[r]);
-        return true;
-    }
-
-private:
-    bool empty(int row) const
-    {
-        uint64_t bits;
-        std::memcpy(&bits, left_[row], sizeof(bits));
-        return bits == 0;
-    }
-    static void take(Label material, const Label* row, const uint8_t* weight, uint8_t* left, uint8_t* out)
-    {
-        for (int i = 0; i < kLanes; ++i) {
-            const auto mine = static_cast<uint8_t>(row[i] == material ? left[i] : 0);
-            left[i] = static_cast<uint8_t>(left[i] ^ mine);
-            out[i] = static_cast<uint8_t>(weight[i] & mine);
-        }
-    }
-
-    const LabelBlock<Label>& block_;
-    int rows_;
-    int open_ = 0;
-    alignas(16) uint8_t left_[kGreatestRows][kLanes];
+    int width_, size_;
+    int next_ = 0;
+    alignas(16) Label material_[kBlockRoom];
+    alignas(16) uint8_t weight_[kBlockRoom];
+    alignas(16) uint8_t left_[kBlockRoom];  // 0xff where no material was visited that the voxel has
 };
 
 }  // namespace cleft

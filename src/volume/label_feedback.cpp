@@ -29,60 +29,55 @@ struct VoxelShare {
     uint8_t gain[2];  // of the two others that have most of it
 };
 
-// The kernel and the bump at the two offsets -1/4 and 1/4 of a voxel.
+// The kernel and the bump at the points.
 struct PointWeights {
-    int reach;
+    int reach, width;
     float soft;
-    float w[2][kLanes] = {};
-    float s[2][3];
+    alignas(16) float f[kPoints][kBlockRoom];
+    float bumps[2][3];  // at the two offsets along an axis, -1/4 and 1/4
 
     explicit PointWeights(const Hann& kernel)
-        : reach(kernel.width() / 2), soft(static_cast<float>(0.5 * kernel.width()))
+        : reach(kernel.width() / 2), width(2 * reach + 1), soft(static_cast<float>(0.5 * kernel.width()))
     {
+        float axis[2][kLanes] = {};
         for (int e = 0; e < 2; ++e) {
-            for (int i = 0; i <= 2 * reach; ++i)
-                w[e][i] = static_cast<float>(hann((e ? 0.25 : -0.25) - (i - reach), kernel.width()));
+            const double offset = e ? 0.25 : -0.25;
+            for (int i = 0; i < width; ++i)
+                axis[e][i] = static_cast<float>(hann(offset - (i - reach), kernel.width()));
             for (int i = 0; i < 3; ++i)
-                s[e][i] = static_cast<float>(bump((e ? 0.25 : -0.25) - (i - 1)));
+                bumps[e][i] = static_cast<float>(bump(offset - (i - 1)));
         }
+        for (int p = 0; p < kPoints; ++p)
+            multiply_weights(axis[p & 1], axis[p >> 1 & 1], axis[p >> 2], width, f[p]);
     }
 };
 
-// f of one material at the eight points.
-void contract(const uint8_t (*weights)[kLanes], int width, const PointWeights& at, float* f)
+// f of the next material at the points, without bumps; the material, or -1 if there is none.
+template <class Label>
+int next_values(LabelBlock<Label>& block, const PointWeights& at, float* f)
 {
-    float yz[4][kLanes] = {};
-    for (int z = 0, r = 0; z < width; ++z) {
-        float y[2][kLanes] = {};
-        for (int j = 0; j < width; ++j, ++r)
-            for (int i = 0; i < kLanes; ++i) {
-                const auto a = static_cast<float>(weights[r][i]);
-                y[0][i] += at.w[0][j] * a;
-                y[1][i] += at.w[1][j] * a;
-            }
-        for (int i = 0; i < kLanes; ++i) {
-            yz[0][i] += at.w[0][z] * y[0][i];
-            yz[1][i] += at.w[0][z] * y[1][i];
-            yz[2][i] += at.w[1][z] * y[0][i];
-            yz[3][i] += at.w[1][z] * y[1][i];
-        }
-    }
-    for (int p = 0; p < kPoints; ++p) {
-        float sum = 0;
-        for (int i = 0; i < width; ++i)
-            sum += at.w[p & 1][i] * yz[p >> 1][i];
-        f[p] = sum;
-    }
+    ChunkSum sum[kPoints];
+    const int material = block.next([&](int i, ByteChunk weight) {
+        if (weight.all_zero())
+            return;
+        const FloatChunk a(weight);
+        for (int p = 0; p < kPoints; ++p)
+            sum[p].add(a, at.f[p] + i);
+    });
+    if (material >= 0)
+        for (int p = 0; p < kPoints; ++p)
+            f[p] = sum[p].total();
+    return material;
 }
 
-constexpr int kGreatestMaterials = kGreatestRows * kGreatestBlock;
+constexpr int kGreatestMaterials = kGreatestVolume;
 
 // All materials around a voxel with their f at the eight points.
 template <class Label>
 struct PointValues {
     int count = 0;
-    Label material[kGreatestMaterials + 1];  // one more: the place where a further one would go
-    float f[kGreatestMaterials][kPoints];
+    Label material[kGreatestMaterials];
+    float f[kGreatestMaterials + 1][kPoints];  // one more: a row for the search that finds none
 };
 
 template <class Label>
@@ -100,7 +95,8 @@ void add_bumps(const LabelMap<Label>& map, const PointWeights& at, const std::ar
                     continue;
                 const auto k = std::find(out.material, out.material + out.count, map.material[v]) - out.material;
                 for (int q = 0; q < kPoints; ++q)
-                    out.f[k][q] += static_cast<float>(b) * at.s[q & 1][dx] * at.s[q >> 1 & 1][dy] * at.s[q >> 2][dz];
+                    out.f[k][q] +=
+                        static_cast<float>(b) * at.bumps[q & 1][dx] * at.bumps[q >> 1 & 1][dy] * at.bumps[q >> 2][dz];
             }
         }
 }
@@ -134,20 +130,19 @@ void divide_points(const PointValues<Label>& values, float soft, float* share)
 template <class Label>
 VoxelShare<Label> voxel_share(const LabelMap<Label>& map, const PointWeights& at, const std::array<int32_t, 3>& p)
 {
-    const int width = 2 * at.reach + 1;
-    const LabelBlock<Label> block(map, {p[0] - at.reach, p[1] - at.reach, p[2] - at.reach}, width);
-    BlockMaterials<Label> materials(block);
+    LabelBlock<Label> block(map, {p[0] - at.reach, p[1] - at.reach, p[2] - at.reach}, at.width);
     PointValues<Label> values;
-    uint8_t weights[kGreatestRows][kLanes];
-    while (materials.next(values.material[values.count], weights)) {
-        contract(weights, width, at, values.f[values.count]);
-        ++values.count;
+    for (;;) {
+        const int material = next_values(block, at, values.f[values.count]);
+        if (material < 0)
+            break;
+        values.material[values.count++] = static_cast<Label>(material);
     }
     add_bumps(map, at, p, values);
     float share[kGreatestMaterials];
     divide_points(values, at.soft, share);
 
-    const Label own = block.material(at.reach, at.reach)[at.reach];
+    const Label own = block.centre();
     VoxelShare<Label> out{own, 0, {own, own}, {0, 0}};
     float most[2] = {0, 0};
     for (int k = 0; k < values.count; ++k) {
@@ -176,7 +171,7 @@ template <class Label>
 struct ShareWindow {
     ShareWindow(const Grid& g, int32_t planes_) : grid(g), planes(planes_), row(int64_t{g.dims[0]} + 2 * kBox)
     {
-        const auto n = static_cast<size_t>(row * grid.dims[1] * planes) + kLanes;
+        const auto n = static_cast<size_t>(row * grid.dims[1] * planes) + kChunk;
         own.resize(n);
         lack.resize(n);
         for (int i = 0; i < 2; ++i) {
@@ -188,6 +183,12 @@ struct ShareWindow {
     size_t start(int32_t y, int32_t z) const
     {
         return static_cast<size_t>(row * (y + int64_t{grid.dims[1]} * (z % planes)));
+    }
+    // A row of voxels that all belong to their own material.
+    void clear_row(size_t start)
+    {
+        for (auto* plane : {&lack, &gain[0], &gain[1]})
+            std::fill_n(plane->begin() + static_cast<std::ptrdiff_t>(start), row, uint8_t{0});
     }
     void set(size_t i, const VoxelShare<Label>& s)
     {
@@ -216,12 +217,12 @@ void fill_row(const LabelMap<Label>& map, const PointWeights& at, int32_t y, int
     const int32_t nx = map.grid.dims[0];
     const auto voxels = static_cast<size_t>(map.grid.index(0, y, z));
     const size_t start = window.start(y, z);
+    window.clear_row(start);
     for (int32_t x = 0; x < nx; ++x) {
-        const size_t v = voxels + static_cast<size_t>(x);
-        const Label own = map.material[v];
-        const VoxelShare<Label> whole{own, 0, {own, own}, {0, 0}};
-        window.set(start + kBox + static_cast<size_t>(x),
-                   in_band(map.code[v]) ? voxel_share(map, at, {x, y, z}) : whole);
+        const size_t v = voxels + static_cast<size_t>(x), i = start + kBox + static_cast<size_t>(x);
+        window.own[i] = map.material[v];
+        if (in_band(map.code[v]))
+            window.set(i, voxel_share(map, at, {x, y, z}));
     }
     for (int32_t x = -kBox; x < 0; ++x)
         window.copy(start + kBox + static_cast<size_t>(mirrored(x, nx)), start + static_cast<size_t>(x + kBox));
@@ -229,37 +230,45 @@ void fill_row(const LabelMap<Label>& map, const PointWeights& at, int32_t y, int
         window.copy(start + kBox + static_cast<size_t>(mirrored(x, nx)), start + static_cast<size_t>(x + kBox));
 }
 
-// How much of the volume around a voxel its own material lacks, -1 .. 1.
+// Half a voxel of the outermost ones: the box has sides of four voxels.
+constexpr int kBoxWeight[kLanes] = {1, 2, 2, 2, 1};
+constexpr int kBoxRows = 25;
+constexpr double kBoxTotal = 8 * 8 * 8;
+
+// How much of the volume around voxel x of a row its own material lacks, -1 .. 1. rows: where the 25 rows around start.
 template <class Label>
-double lack_around(const ShareWindow<Label>& window, Label own, const std::array<int32_t, 3>& p)
+double lack_around(const ShareWindow<Label>& window, Label own, const size_t* rows, size_t x)
 {
-    static constexpr int kRow[kLanes] = {1, 2, 2, 2, 1, 0, 0, 0};
-    const auto& dims = window.grid.dims;
-    int sum = 0;
-    for (int dz = 0; dz < 5; ++dz)
-        for (int dy = 0; dy < 5; ++dy) {
-            const size_t i = window.start(mirrored(p[1] + dy - kBox, dims[1]), mirrored(p[2] + dz - kBox, dims[2])) +
-                             static_cast<size_t>(p[0]);
-            int row = 0;
-            for (size_t e = 0; e < kLanes; ++e) {
-                row += window.own[i + e] == own ? kRow[e] * window.lack[i + e] : 0;
-                row -= window.other[0][i + e] == own ? kRow[e] * window.gain[0][i + e] : 0;
-                row -= window.other[1][i + e] == own ? kRow[e] * window.gain[1][i + e] : 0;
-            }
-            sum += kRow[dz] * kRow[dy] * row;
-        }
-    return sum / (kShareOne * 512);
+    WordSum sum;
+    for (int r = 0; r < kBoxRows; ++r) {
+        const auto held = [&, i = rows[r] + x](const std::vector<Label>& material, const std::vector<uint8_t>& part) {
+            return ByteChunk::equal(&material[i], own) & ByteChunk::load(&part[i]);
+        };
+        // A voxel lists a material once, so at most one of the two gains counts.
+        sum.add(kBoxWeight[r / 5] * kBoxWeight[r % 5], held(window.own, window.lack),
+                held(window.other[0], window.gain[0]) | held(window.other[1], window.gain[1]));
+    }
+    int16_t lanes[kLanes];
+    sum.store(lanes);
+    int total = 0;
+    for (int i = 0; i < kLanes; ++i)
+        total += kBoxWeight[i] * lanes[i];
+    return total / (kShareOne * kBoxTotal);
 }
 
 template <class Label>
 void correct_row(LabelMap<Label>& map, const ShareWindow<Label>& window, int32_t y, int32_t z)
 {
+    const auto& dims = map.grid.dims;
+    size_t rows[kBoxRows];
+    for (int r = 0; r < kBoxRows; ++r)
+        rows[r] = window.start(mirrored(y + r % 5 - kBox, dims[1]), mirrored(z + r / 5 - kBox, dims[2]));
     const auto voxels = static_cast<size_t>(map.grid.index(0, y, z));
-    for (int32_t x = 0; x < map.grid.dims[0]; ++x) {
-        const size_t v = voxels + static_cast<size_t>(x);
+    for (size_t x = 0; x < static_cast<size_t>(dims[0]); ++x) {
+        const size_t v = voxels + x;
         if (!in_band(map.code[v]))
             continue;
-        const double a = map.weight[v] * std::exp(kGain * lack_around(window, map.material[v], {x, y, z}));
+        const double a = map.weight[v] * std::exp(kGain * lack_around(window, map.material[v], rows, x));
         map.weight[v] = static_cast<uint8_t>(std::lround(std::clamp<double>(a, kWeightLeast, kWeightGreatest)));
     }
 }

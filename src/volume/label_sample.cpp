@@ -29,100 +29,111 @@ size_t voxel_at(const Grid& grid, const std::array<double, 3>& u)
     return static_cast<size_t>(grid.index(i, j, k));
 }
 
-template <bool WithGradient>
-void contract(const uint8_t (*weights)[kLanes], int width, const std::array<AxisWeights, 3>& axis, double& value,
-              double* gradient)
-{
-    float sum[kLanes] = {}, sum_dy[kLanes] = {}, sum_dz[kLanes] = {};
-    for (int z = 0, r = 0; z < width; ++z) {
-        float plane[kLanes] = {}, plane_dy[kLanes] = {};
-        for (int y = 0; y < width; ++y, ++r)
-            for (int i = 0; i < kLanes; ++i) {
-                const auto a = static_cast<float>(weights[r][i]);
-                plane[i] += axis[1].w[y] * a;
-                if (WithGradient)
-                    plane_dy[i] += axis[1].dw[y] * a;
-            }
-        for (int i = 0; i < kLanes; ++i) {
-            sum[i] += axis[2].w[z] * plane[i];
-            if (WithGradient) {
-                sum_dy[i] += axis[2].w[z] * plane_dy[i];
-                sum_dz[i] += axis[2].dw[z] * plane[i];
-            }
-        }
-    }
-    constexpr double step = 1.0 / kWeightOne;
-    double f = 0, dx = 0, dy = 0, dz = 0;
-    for (int i = 0; i < width; ++i) {
-        f += double{axis[0].w[i]} * sum[i];
+// The kernel for every voxel of a block, and its derivatives by x, y and z.
+struct BlockWeights {
+    alignas(16) float f[kBlockRoom];
+    alignas(16) float slope[3][kBlockRoom];
+
+    template <bool WithGradient>
+    void set(const KernelWeights& k, int width)
+    {
+        multiply_weights(k.w[0], k.w[1], k.w[2], width, f);
         if (WithGradient) {
-            dx += double{axis[0].dw[i]} * sum[i];
-            dy += double{axis[0].w[i]} * sum_dy[i];
-            dz += double{axis[0].w[i]} * sum_dz[i];
+            multiply_weights(k.dw[0], k.w[1], k.w[2], width, slope[0]);
+            multiply_weights(k.w[0], k.dw[1], k.w[2], width, slope[1]);
+            multiply_weights(k.w[0], k.w[1], k.dw[2], width, slope[2]);
         }
     }
-    value = step * f;
-    if (WithGradient) {
-        gradient[0] = step * dx;
-        gradient[1] = step * dy;
-        gradient[2] = step * dz;
-    }
+};
+
+// The part of the kernel in f of the next material; false when there is none.
+template <bool WithGradient, class Label>
+bool next_share(LabelBlock<Label>& block, const BlockWeights& weights, Shares& out)
+{
+    ChunkSum f, slope[3];
+    const int material = block.next([&](int i, ByteChunk weight) {
+        const FloatChunk a(weight);
+        f.add(a, weights.f + i);
+        if (WithGradient)
+            for (int d = 0; d < 3; ++d)
+                slope[d].add(a, weights.slope[d] + i);
+    });
+    if (material < 0)
+        return false;
+    constexpr double step = 1.0 / kWeightOne;
+    const int k = out.count++;
+    out.material[k] = material;
+    out.value[k] = step * f.total();
+    if (WithGradient)
+        for (int d = 0; d < 3; ++d)
+            out.gradient[k][d] = step * slope[d].total();
+    return true;
 }
 
-template <class Label, bool WithGradient>
+// The eight voxels whose centres are around a point, x fastest.
+struct Corners {
+    int64_t voxel[8];
+    double offset[3];  // from the first of them
+
+    Corners(const Grid& grid, const std::array<double, 3>& u)
+    {
+        int64_t step[3][2];
+        const int64_t stride[3] = {1, grid.dims[0], int64_t{grid.dims[0]} * grid.dims[1]};
+        for (size_t a = 0; a < 3; ++a) {
+            const int32_t low = static_cast<int32_t>(u[a] + 1) - 1;
+            offset[a] = u[a] - low;
+            step[a][0] = stride[a] * std::max(low, 0);
+            step[a][1] = stride[a] * std::min(low + 1, grid.dims[a] - 1);
+        }
+        for (int c = 0; c < 8; ++c)
+            voxel[c] = step[0][c & 1] + step[1][c >> 1 & 1] + step[2][c >> 2];
+    }
+};
+
+template <bool WithGradient, class Label>
 void add_bumps(const LabelMap<Label>& map, const std::array<double, 3>& u, Shares& out)
 {
-    std::array<int32_t, 3> cell;
+    const Corners corners(map.grid, u);
+    int any = 0;
+    for (const int64_t v : corners.voxel)
+        any |= bump_of(map.code[static_cast<size_t>(v)]);
+    if (!any)
+        return;
     double w[3][2], dw[3][2];
-    for (size_t a = 0; a < 3; ++a) {
-        const double low = std::floor(u[a]);
-        cell[a] = static_cast<int32_t>(low);
+    for (int a = 0; a < 3; ++a)
         for (int e = 0; e < 2; ++e) {
-            w[a][e] = bump(u[a] - low - e);
-            dw[a][e] = bump_slope(u[a] - low - e);
+            w[a][e] = bump(corners.offset[a] - e);
+            dw[a][e] = bump_slope(corners.offset[a] - e);
         }
-    }
-    for (int corner = 0; corner < 8; ++corner) {
-        const int e[3] = {corner & 1, corner >> 1 & 1, corner >> 2};
-        const auto v = static_cast<size_t>(map.grid.index(mirrored(cell[0] + e[0], map.grid.dims[0]),
-                                                          mirrored(cell[1] + e[1], map.grid.dims[1]),
-                                                          mirrored(cell[2] + e[2], map.grid.dims[2])));
-        const int code = bump_of(map.code[v]);
-        if (code == 0)
+    for (int c = 0; c < 8; ++c) {
+        const auto v = static_cast<size_t>(corners.voxel[c]);
+        const double b = bump_of(map.code[v]) * (1.0 / kWeightOne);
+        if (b == 0)
             continue;
-        const double b = code * (1.0 / kWeightOne);
-        const Material material = map.material[v];
-        const auto k = std::find(out.material, out.material + out.count, material) - out.material;
-        const double wx = w[0][e[0]], wy = w[1][e[1]], wz = w[2][e[2]];
-        out.value[k] += b * wx * wy * wz;
+        const auto k = std::find(out.material, out.material + out.count, Material{map.material[v]}) - out.material;
+        const int x = c & 1, y = c >> 1 & 1, z = c >> 2;
+        out.value[k] += b * w[0][x] * w[1][y] * w[2][z];
         if (WithGradient) {
-            out.gradient[k][0] += b * dw[0][e[0]] * wy * wz;
-            out.gradient[k][1] += b * wx * dw[1][e[1]] * wz;
-            out.gradient[k][2] += b * wx * wy * dw[2][e[2]];
+            out.gradient[k][0] += b * dw[0][x] * w[1][y] * w[2][z];
+            out.gradient[k][1] += b * w[0][x] * dw[1][y] * w[2][z];
+            out.gradient[k][2] += b * w[0][x] * w[1][y] * dw[2][z];
         }
     }
 }
 
-template <class Label, bool WithGradient>
+template <bool WithGradient, class Label>
 void find_shares(const LabelMap<Label>& map, const std::array<double, 3>& u, Shares& out)
 {
-    std::array<AxisWeights, 3> axis;
-    std::array<int32_t, 3> first;
-    for (size_t a = 0; a < 3; ++a) {
-        map.kernel.weights(u[a], axis[a]);
-        first[a] = axis[a].first;
-    }
-    const LabelBlock<Label> block(map, first, map.kernel.width());
-    BlockMaterials<Label> materials(block);
-    alignas(16) uint8_t weights[kGreatestRows][kLanes];
+    const int width = map.kernel.width();
+    KernelWeights kernel;
+    map.kernel.template weights<WithGradient>(u, kernel);
+    LabelBlock<Label> block(map, kernel.first, width);
+    BlockWeights weights;
+    weights.set<WithGradient>(kernel, width);
     out.count = 0;
-    Label material;
-    while (materials.next(material, weights)) {
-        out.material[out.count] = material;
-        contract<WithGradient>(weights, block.width(), axis, out.value[out.count], out.gradient[out.count]);
-        ++out.count;
+    while (next_share<WithGradient>(block, weights, out)) {
     }
-    add_bumps<Label, WithGradient>(map, u, out);
+    add_bumps<WithGradient>(map, u, out);
 }
 
 // Ascending by material, without those that have no share.
@@ -147,7 +158,7 @@ void single(Material material, bool with_gradient, Samples& out)
         out.gradient.assign(1, Vec3::Zero());
 }
 
-template <class Label, bool WithGradient>
+template <bool WithGradient, class Label>
 void sample_shares(const LabelMap<Label>& map, const Vec3& x, Samples& out)
 {
     const auto u = voxel_position(map.grid, x);
@@ -156,7 +167,7 @@ void sample_shares(const LabelMap<Label>& map, const Vec3& x, Samples& out)
         return single(map.material[nearest], WithGradient, out);
 
     Shares shares;
-    find_shares<Label, WithGradient>(map, u, shares);
+    find_shares<WithGradient>(map, u, shares);
     int entries[kGreatestShares], count;
     order(shares, entries, count);
     double sum = 0;
@@ -188,13 +199,13 @@ void sample_shares(const LabelMap<Label>& map, const Vec3& x, Samples& out)
 template <class Label>
 void sample(const LabelMap<Label>& map, const Vec3& x, Samples& out)
 {
-    sample_shares<Label, false>(map, x, out);
+    sample_shares<false>(map, x, out);
 }
 
 template <class Label>
 void sample_gradient(const LabelMap<Label>& map, const Vec3& x, Samples& out)
 {
-    sample_shares<Label, true>(map, x, out);
+    sample_shares<true>(map, x, out);
 }
 
 template <class Label>
@@ -205,7 +216,7 @@ Material material_at(const LabelMap<Label>& map, const Vec3& x)
     if (depth_of(map.code[nearest]) >= map.reach())
         return map.material[nearest];
     Shares shares;
-    find_shares<Label, false>(map, u, shares);
+    find_shares<false>(map, u, shares);
     int best = 0;
     for (int i = 1; i < shares.count; ++i)
         if (shares.value[i] > shares.value[best] ||

@@ -17,43 +17,32 @@ constexpr double kMargin = 0.02;
 
 // The kernel at a voxel centre.
 struct CentreWeights {
-    int reach;
-    double w[kLanes] = {};
+    int reach, width;
+    alignas(16) float f[kBlockRoom];
 
-    explicit CentreWeights(const Hann& kernel) : reach(kernel.width() / 2)
+    explicit CentreWeights(const Hann& kernel) : reach(kernel.width() / 2), width(2 * reach + 1)
     {
-        for (int i = 0; i <= 2 * reach; ++i)
-            w[i] = hann(i - reach, kernel.width());
+        float axis[kLanes] = {};
+        for (int i = 0; i < width; ++i)
+            axis[i] = static_cast<float>(hann(i - reach, kernel.width()));
+        multiply_weights(axis, axis, axis, width, f);
     }
 };
 
 // f of the voxel's own material minus the best other one, at its centre, without its bump.
 template <class Label>
-double lead_at_centre(const LabelMap<Label>& map, const CentreWeights& centre, int32_t x, int32_t y, int32_t z)
+double lead_at_centre(const LabelMap<Label>& map, const CentreWeights& at, const std::array<int32_t, 3>& p)
 {
-    const int width = 2 * centre.reach + 1;
-    const LabelBlock<Label> block(map, {x - centre.reach, y - centre.reach, z - centre.reach}, width);
-    BlockMaterials<Label> materials(block);
-    const Label own_material = block.material(centre.reach, centre.reach)[centre.reach];
-    double own = 0, other = 0;
-    uint8_t weights[kGreatestRows][kLanes];
-    Label material;
-    while (materials.next(material, weights)) {
-        double f = 0;
-        for (int k = 0, r = 0; k < width; ++k)
-            for (int j = 0; j < width; ++j, ++r) {
-                double row = 0;
-                for (int i = 0; i < width; ++i)
-                    row += centre.w[i] * weights[r][i];
-                f += centre.w[k] * centre.w[j] * row;
-            }
-        f /= kWeightOne;
-        if (material == own_material)
-            own = f;
-        else
-            other = std::max(other, f);
+    LabelBlock<Label> block(map, {p[0] - at.reach, p[1] - at.reach, p[2] - at.reach}, at.width);
+    float own = 0, other = 0;
+    for (;;) {
+        ChunkSum f;
+        const int material = block.next([&](int i, ByteChunk weight) { f.add(FloatChunk(weight), at.f + i); });
+        if (material < 0)
+            return double{own - other} / kWeightOne;
+        float& place = material == block.centre() ? own : other;
+        place = std::max(place, f.total());
     }
-    return own - other;
 }
 
 // True if the voxel lies in a run of at most two equal voxels along an axis. A half-space has none.
@@ -115,13 +104,13 @@ void find_weights(LabelMap<Label>& map, const Run& run)
     const CentreWeights centre(map.kernel);
     for_band(map, run, 0.25, [&](int32_t x, int32_t y, int32_t z, size_t v) {
         if (is_thin(map, {x, y, z}))
-            map.code[v] = thin_bump(lead_at_centre(map, centre, x, y, z));
+            map.code[v] = thin_bump(lead_at_centre(map, centre, {x, y, z}));
     });
     feed_back_volume(map, 0.3, run);
     feed_back_volume(map, 0.6, run);
     // A bump moves no other centre, so one pass in any order is exact.
     for_band(map, run, 0.9, [&](int32_t x, int32_t y, int32_t z, size_t v) {
-        const double lack = kMargin - lead_at_centre(map, centre, x, y, z);
+        const double lack = kMargin - lead_at_centre(map, centre, {x, y, z});
         if (lack > 0)
             map.code[v] = std::max(map.code[v], static_cast<uint8_t>(std::ceil(kWeightOne * lack)));
     });
