@@ -5,18 +5,23 @@
 #include "volume/grid.hpp"
 #include "volume/volume.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
-namespace cleft {
+namespace cleft
+{
 
+// Lengths are in world units. What is said explicitly wins: interface_size, label_sizes and the user's field may ask
+// for sizes below the least spacing. A size_min that is given (not 0) holds for them too: nothing is smaller.
 struct SizingOptions {
-    double size = 0;             // constant size everywhere; 0: computed from the volume
-    double size_min = 0;         // 0: the least spacing of the grid
-    double size_max = 0;         // 0: no limit but a quarter of the longest side of the box
-    double feature_scale = 1;    // size at an interface = feature_scale * local feature size
-    double gradation = 0.3;      // Lipschitz constant of h
-    double interface_size = 0;   // greatest size at an interface; 0: none
+    double size = 0;            // constant size instead of features (size_min, size_max unused); 0: from the volume
+    double size_min = 0;        // 0: the least spacing of the grid, for sizes that come from features
+    double size_max = 0;        // 0: a quarter of the longest side of the box, but no more than its shortest side
+                                // (elements of a plate should not be flatter than it) or the greatest spacing
+    double feature_scale = 1;   // size at an interface = feature_scale * local feature size
+    double gradation = 0.3;     // Lipschitz constant of h
+    double interface_size = 0;  // greatest size at an interface; 0: none
     std::vector<std::pair<int32_t, double>> label_sizes;  // (label, greatest size inside it)
     const float* user = nullptr;  // a user's own field at voxel centres, combined by minimum; may be null
 };
@@ -32,6 +37,31 @@ struct SizingField {
     double greatest() const;
 };
 
+// In the header because particles ask for it a hundred times each.
+inline double SizingField::at(const Vec3& x) const
+{
+    const float* corner = h.data();
+    double t[3];
+    int64_t step[3];
+    int64_t stride = 1;
+    for (int a = 0; a < 3; ++a) {
+        const int32_t n = grid.dims[static_cast<size_t>(a)];
+        const double u = std::min(std::max(x[a] / grid.spacing[a] - 0.5, 0.0), static_cast<double>(n - 1));
+        const int32_t low = std::min(static_cast<int32_t>(u), std::max(n - 2, 0));
+        t[a] = u - low;
+        step[a] = n > 1 ? stride : 0;
+        corner += low * stride;
+        stride *= n;
+    }
+    const auto along_x = [&](const float* p) { return p[0] + t[0] * (static_cast<double>(p[step[0]]) - p[0]); };
+    const auto in_plane = [&](const float* p) {
+        const double low = along_x(p);
+        return low + t[1] * (along_x(p + step[1]) - low);
+    };
+    const double low = in_plane(corner);
+    return low + t[2] * (in_plane(corner + step[2]) - low);
+}
+
 // The three distance transforms of the paper (section 3, Sizing Field), then limits, user's field and gradation.
 SizingField compute_sizing(const Volume& volume, const SizingOptions& options, const Run& run);
 SizingField constant_sizing(const Grid& grid, double size);
@@ -42,7 +72,7 @@ SizingField sizing_from_values(const Grid& grid, const double* values);
 double sizing_charge(const SizingField& field);
 // Tetrahedra that the particle background would have.
 double expected_background_tets(const SizingField& field);
-// Every value times `factor`.
+// Every value, and the gradation with them, times `factor`.
 void scale_sizing(SizingField& field, double factor);
 
 }  // namespace cleft

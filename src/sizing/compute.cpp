@@ -1,0 +1,165 @@
+#include "sizing/compute.hpp"
+
+#include "base/stage_timer.hpp"
+#include "sizing/feature_size.hpp"
+#include "sizing/gradient_limit.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace cleft
+{
+namespace
+{
+
+void check_size(const char* name, double value)
+{
+    if (!(value >= 0) || !std::isfinite(value))
+        throw Error(CLEFT_ERROR_OPTION, std::string(name) + " must be 0 or a positive, finite length");
+}
+
+void check_options(const SizingOptions& options)
+{
+    check_size("size", options.size);
+    check_size("size_min", options.size_min);
+    check_size("size_max", options.size_max);
+    check_size("interface_size", options.interface_size);
+    if (options.size_max > 0 && options.size_max < options.size_min)
+        throw Error(CLEFT_ERROR_OPTION, "size_max is less than size_min");
+    if (!(options.feature_scale > 0) || !std::isfinite(options.feature_scale))
+        throw Error(CLEFT_ERROR_OPTION, "feature_scale must be positive and finite");
+    if (!(options.gradation > 0) || !std::isfinite(options.gradation))
+        throw Error(CLEFT_ERROR_OPTION, "gradation must be positive and finite");
+    for (const auto& [label, size] : options.label_sizes)
+        if (!(size > 0) || !std::isfinite(size))
+            throw Error(CLEFT_ERROR_OPTION,
+                        "the size of label " + std::to_string(label) + " must be a positive, finite length");
+}
+
+// The values that a field may have, from the options and the box.
+struct Limits {
+    double greatest;       // where nothing asks for less
+    double least_feature;  // no feature asks for less
+    double least;          // nothing asks for less
+};
+
+double default_size_max(const Grid& grid)
+{
+    const Vec3 box = grid.extent();
+    return std::max(grid.spacing.maxCoeff(), std::min(0.25 * box.maxCoeff(), box.minCoeff()));
+}
+
+Limits limits_of(const Grid& grid, const SizingOptions& options)
+{
+    if (options.size > 0)
+        return {options.size, options.size, std::min(options.size, options.size_min)};
+    double greatest = options.size_max > 0 ? options.size_max : default_size_max(grid);
+    if (options.size_max <= 0)
+        greatest = std::max(greatest, options.size_min);
+    const double least = options.size_min > 0 ? options.size_min : std::min(grid.spacing.minCoeff(), greatest);
+    return {greatest, least, options.size_min};
+}
+
+// The greatest size in each material: the limit, or the size of its label.
+std::vector<float> material_sizes(const std::vector<int32_t>& labels, const SizingOptions& options,
+                                  const Limits& limits, const Run& run)
+{
+    std::vector<float> sizes(labels.size(), static_cast<float>(limits.greatest));
+    for (const auto& [label, size] : options.label_sizes) {
+        const auto found = std::find(labels.begin(), labels.end(), label);
+        if (found == labels.end()) {
+            run.say(CLEFT_LOG_WARNING,
+                    "a size is given for label " + std::to_string(label) + ", which the volume does not have");
+            continue;
+        }
+        float& kept = sizes[static_cast<size_t>(found - labels.begin())];
+        kept = std::min(kept, static_cast<float>(std::max(size, limits.least)));
+    }
+    return sizes;
+}
+
+void lower_to_material_sizes(const Labelling& labelling, const std::vector<float>& sizes, std::vector<float>& h,
+                             const Progress& progress)
+{
+    const int32_t n = labelling.grid.dims[0];
+    parallel_with_progress(
+        progress, row_count(labelling.grid), rows_per_chunk(labelling.grid), [&](int64_t, int64_t begin, int64_t end) {
+            std::vector<Material> materials(static_cast<size_t>(n));
+            for (int64_t row = begin; row < end; ++row) {
+                labelling.read(row * n, n, materials.data());
+                float* const values = h.data() + row * n;
+                for (int32_t i = 0; i < n; ++i)
+                    values[i] = std::min(values[i], sizes[static_cast<size_t>(materials[static_cast<size_t>(i)])]);
+            }
+        });
+}
+
+void lower_to_features(const FeatureSizes& features, const SizingOptions& options, const Limits& limits,
+                       std::vector<float>& h)
+{
+    const double interface_size = options.interface_size > 0 ? std::max(options.interface_size, limits.least)
+                                                             : std::numeric_limits<double>::infinity();
+    for (size_t n = 0; n < features.voxel.size(); ++n) {
+        const double feature = std::max(limits.least_feature, options.feature_scale * features.size[n]);
+        float& value = h[static_cast<size_t>(features.voxel[n])];
+        value = std::min(value, static_cast<float>(std::min(feature, interface_size)));
+    }
+}
+
+void lower_to_user(const float* user, const Limits& limits, std::vector<float>& h)
+{
+    for (size_t v = 0; v < h.size(); ++v) {
+        if (!(user[v] > 0) || !std::isfinite(user[v]))
+            throw bad_sizing_value(static_cast<int64_t>(v));
+        h[v] = std::min(h[v], std::max(user[v], static_cast<float>(limits.least)));
+    }
+}
+
+void note_features(const FeatureSizes& features, const Run& run)
+{
+    run.note("sizing.interface_voxels", static_cast<double>(features.voxel.size()));
+    run.note("sizing.medial_voxels", static_cast<double>(features.medial_voxels));
+}
+
+void note_field(const SizingField& field, const Run& run)
+{
+    run.note("sizing.least", field.least());
+    run.note("sizing.greatest", field.greatest());
+    run.note("sizing.expected_background_tets", expected_background_tets(field));
+}
+
+}  // namespace
+
+SizingField compute_sizing(const Labelling& labelling, const std::vector<int32_t>& labels, const SizingOptions& options,
+                           const Run& run)
+{
+    const StageTimer timer(run, "sizing");
+    const Grid& grid = labelling.grid;
+    check_options(options);
+    check_sizing_grid(grid);
+    const Limits limits = limits_of(grid, options);
+    const Progress progress{run, 0, 1, "sizing"};
+
+    FeatureSizes features;
+    if (options.size <= 0 || options.interface_size > 0)
+        features = local_feature_sizes(labelling, progress.part(0, 0.6));
+    note_features(features, run);
+    if (options.size > 0)  // only the places are wanted
+        std::fill(features.size.begin(), features.size.end(), std::numeric_limits<float>::infinity());
+
+    SizingField field{grid, std::vector<float>(static_cast<size_t>(grid.size()), static_cast<float>(limits.greatest)),
+                      options.gradation};
+    lower_to_features(features, options, limits, field.h);
+    if (!options.label_sizes.empty())
+        lower_to_material_sizes(labelling, material_sizes(labels, options, limits, run), field.h,
+                                progress.part(0.6, 0.65));
+    if (options.user)
+        lower_to_user(options.user, limits, field.h);
+    features = {};
+    limit_gradient(grid, options.gradation, field.h, progress.part(0.65, 1));
+    note_field(field, run);
+    return field;
+}
+
+}  // namespace cleft

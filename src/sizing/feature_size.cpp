@@ -1,0 +1,135 @@
+#include "sizing/feature_size.hpp"
+
+#include "sizing/feature_transform.hpp"
+#include "sizing/medial_axis.hpp"
+#include "sizing/thin_parts.hpp"
+
+#include <cmath>
+
+namespace cleft
+{
+namespace
+{
+
+// nearest[v] = v where is_site(v), else -1; returns the number of sites.
+template <class IsSite>
+int64_t mark_sites(std::vector<int32_t>& nearest, const IsSite& is_site)
+{
+    int64_t count = 0;
+    for (size_t v = 0; v < nearest.size(); ++v) {
+        const bool site = is_site(v);
+        nearest[v] = site ? static_cast<int32_t>(v) : -1;
+        count += site;
+    }
+    return count;
+}
+
+struct MedialAxis {
+    const Grid& grid;
+    VoxelCoordinates coordinates;
+    const std::vector<uint8_t>& held;
+    const std::vector<int32_t>& nearest;  // medial voxel
+
+    // The distance from x, a point in the voxel (i, j, k), which the nearest medial voxel of the voxel or of one of its
+    // neighbours holds.
+    float distance(int32_t i, int32_t j, int32_t k, const Vec3& x) const
+    {
+        const std::array<int32_t, 3> at{i, j, k};
+        const int64_t voxel = grid.index(i, j, k);
+        const std::array<int64_t, 3> stride{1, grid.index(0, 1, 0), grid.index(0, 0, 1)};
+        std::array<int32_t, 7> candidates{nearest[static_cast<size_t>(voxel)]};
+        size_t count = 1;
+        for (size_t a = 0; a < 3; ++a) {
+            if (at[a] > 0)
+                candidates[count++] = nearest[static_cast<size_t>(voxel - stride[a])];
+            if (at[a] + 1 < grid.dims[a])
+                candidates[count++] = nearest[static_cast<size_t>(voxel + stride[a])];
+        }
+        double least = INFINITY;
+        for (size_t c = 0; c < count; ++c) {
+            if (c > 0 && candidates[c] == candidates[c - 1])
+                continue;
+            const auto site = coordinates.of(candidates[c]);
+            const Vec3 place = grid.centre(site[0], site[1], site[2]) +
+                               medial_offset(held[static_cast<size_t>(candidates[c])], grid.spacing);
+            least = std::min(least, (place - x).squaredNorm());
+        }
+        return static_cast<float>(std::sqrt(least));
+    }
+};
+
+// The interface voxels of some rows with their feature size.
+FeatureSizes sizes_of_rows(const MedialAxis& axis, const InterfacePoints& points, int64_t begin, int64_t end)
+{
+    const Grid& grid = axis.grid;
+    FeatureSizes found;
+    for (int64_t row = begin; row < end; ++row) {
+        const auto j = static_cast<int32_t>(row % grid.dims[1]);
+        const auto k = static_cast<int32_t>(row / grid.dims[1]);
+        for (int32_t i = 0; i < grid.dims[0]; ++i) {
+            const int64_t voxel = row * grid.dims[0] + i;
+            if (!points.contains(voxel))
+                continue;
+            const auto& offset = points[voxel].offset;
+            const Vec3 x = grid.centre(i, j, k) + Vec3(offset[0], offset[1], offset[2]);
+            found.voxel.push_back(static_cast<int32_t>(voxel));
+            found.size.push_back(axis.distance(i, j, k, x));
+        }
+    }
+    return found;
+}
+
+FeatureSizes read_at_interface(const MedialAxis& axis, const InterfacePoints& points, const Progress& progress)
+{
+    const int64_t rows = row_count(axis.grid);
+    const int64_t grain = rows_per_chunk(axis.grid);
+    std::vector<FeatureSizes> parts(static_cast<size_t>(chunk_count(rows, grain)));
+    parallel_with_progress(progress, rows, grain, [&](int64_t chunk, int64_t begin, int64_t end) {
+        parts[static_cast<size_t>(chunk)] = sizes_of_rows(axis, points, begin, end);
+    });
+    FeatureSizes all;
+    all.voxel.reserve(static_cast<size_t>(points.count()));
+    all.size.reserve(static_cast<size_t>(points.count()));
+    for (FeatureSizes& part : parts) {
+        all.voxel.insert(all.voxel.end(), part.voxel.begin(), part.voxel.end());
+        all.size.insert(all.size.end(), part.size.begin(), part.size.end());
+        part = {};
+    }
+    return all;
+}
+
+FeatureSizes without_medial_axis(const InterfacePoints& points, int64_t voxels)
+{
+    FeatureSizes all;
+    for (int64_t v = 0; v < voxels; ++v)
+        if (points.contains(v))
+            all.voxel.push_back(static_cast<int32_t>(v));
+    all.size.assign(all.voxel.size(), INFINITY);
+    return all;
+}
+
+}  // namespace
+
+FeatureSizes local_feature_sizes(const Labelling& labelling, const Progress& progress)
+{
+    const Grid& grid = labelling.grid;
+    InterfacePoints points(labelling, progress.part(0, 0.15));
+    if (points.count() == 0)
+        return {};
+    std::vector<uint8_t> medial = thin_medial_places(labelling, points, progress.part(0.15, 0.2));
+    points.forget_sides();
+    std::vector<int32_t> nearest(static_cast<size_t>(grid.size()));
+    mark_sites(nearest, [&](size_t v) { return points.contains(static_cast<int64_t>(v)); });
+    feature_transform(grid, nearest, progress.part(0.2, 0.5));
+    add_medial_places(labelling, points, nearest, medial, progress.part(0.5, 0.7));
+    const int64_t medial_voxels = mark_sites(nearest, [&](size_t v) { return medial[v] != 0; });
+    if (medial_voxels == 0)
+        return without_medial_axis(points, grid.size());
+    feature_transform(grid, nearest, progress.part(0.7, 0.95));
+    FeatureSizes sizes =
+        read_at_interface({grid, VoxelCoordinates(grid), medial, nearest}, points, progress.part(0.95, 1));
+    sizes.medial_voxels = medial_voxels;
+    return sizes;
+}
+
+}  // namespace cleft

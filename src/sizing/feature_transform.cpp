@@ -1,0 +1,159 @@
+// One axis after the other (Felzenszwalb, Huttenlocher 2012; Maurer, Qi, Raghavan 2003): along a line of voxels the
+// squared distances to the sites found so far are parabolas of one width, and their lower envelope is built by a stack.
+#include "sizing/feature_transform.hpp"
+
+namespace cleft
+{
+namespace
+{
+
+// Columns that are worked on together, so that a cache line of a strided read is used whole.
+constexpr int32_t block_width = 16;
+
+void transform_row(int32_t* row, int32_t first, int32_t n)
+{
+    int32_t last = -1;
+    for (int32_t i = 0; i < n; ++i) {
+        if (row[i] >= 0)
+            last = row[i];
+        row[i] = last;
+    }
+    int32_t next = -1;
+    for (int32_t i = n - 1; i >= 0; --i) {
+        const int32_t here = first + i;
+        if (row[i] == here)
+            next = here;
+        else if (next >= 0 && (row[i] < 0 || next - here < here - row[i]))
+            row[i] = next;
+    }
+}
+
+// The lines of voxels along one axis, with the sites in the space of the axes before it. Places along a line are in
+// voxels, squared distances are divided by the squared spacing of the line.
+struct Columns {
+    const Grid& grid;
+    VoxelCoordinates coordinates;
+    int axis;
+    int64_t stride;
+    double x_ratio, y_ratio;           // squared ratios of the spacings to that of the line
+    std::vector<double> half_inverse;  // 1 / (2 d)
+
+    Columns(const Grid& g, int a) : grid(g), coordinates(g), axis(a), stride(a == 1 ? g.dims[0] : g.index(0, 0, 1))
+    {
+        const Vec3 ratio = g.spacing / g.spacing[a];
+        x_ratio = ratio[0] * ratio[0];
+        y_ratio = a == 1 ? 0 : ratio[1] * ratio[1];
+        half_inverse.resize(static_cast<size_t>(length()));
+        for (size_t d = 1; d < half_inverse.size(); ++d)
+            half_inverse[d] = 0.5 / static_cast<double>(d);
+    }
+
+    int32_t length() const { return grid.dims[static_cast<size_t>(axis)]; }
+    int64_t blocks_in_row() const { return chunk_count(grid.dims[0], block_width); }
+    int64_t count() const { return blocks_in_row() * grid.dims[static_cast<size_t>(3 - axis)]; }
+
+    // Squared distance to the site from the column (i, other), within the plane that is orthogonal to the axis.
+    double squared_offset(int32_t site, int32_t i, int32_t other) const
+    {
+        const auto at = coordinates.of(site);
+        const double dx = i - at[0];
+        const double dy = other - at[1];
+        return x_ratio * dx * dx + y_ratio * dy * dy;
+    }
+};
+
+// A block of columns, one after the other, and the lower envelope of one of them.
+struct ColumnScratch {
+    std::vector<int32_t> site;
+    std::vector<double> height;  // squared offset of the site
+    std::vector<int32_t> place;  // of the parabolas of the envelope
+    std::vector<int32_t> held;   // their sites
+    std::vector<double> start;   // from where each is the lowest
+
+    explicit ColumnScratch(size_t n) : site(n * block_width), height(n * block_width), place(n), held(n), start(n) {}
+};
+
+// height[y] + (x - y)^2 for each y that has a site: which is the lowest at each x?
+void transform_column(const Columns& columns, int32_t* site, const double* height, ColumnScratch& s)
+{
+    const int32_t n = columns.length();
+    const double* half_inverse = columns.half_inverse.data();
+    int32_t* place = s.place.data();
+    int32_t* held = s.held.data();
+    double* start = s.start.data();
+    int32_t size = 0;
+    for (int32_t y = 0; y < n; ++y) {
+        if (site[y] < 0)
+            continue;
+        double from = -1;
+        while (size > 0) {
+            const int32_t u = place[size - 1];
+            from = 0.5 * (u + y) + (height[y] - height[u]) * half_inverse[y - u];
+            if (from > start[size - 1])
+                break;
+            from = -1;
+            --size;
+        }
+        place[size] = y;
+        held[size] = site[y];
+        start[size++] = from;
+    }
+    if (size == 0)
+        return;
+    int32_t p = 0;
+    for (int32_t y = 0; y < n; ++y) {
+        while (p + 1 < size && start[p + 1] < y)
+            ++p;
+        site[y] = held[p];
+    }
+}
+
+void transform_block(const Columns& columns, int64_t number, std::vector<int32_t>& nearest, ColumnScratch& s)
+{
+    const auto other = static_cast<int32_t>(number / columns.blocks_in_row());
+    const auto i0 = static_cast<int32_t>(number % columns.blocks_in_row()) * block_width;
+    const int32_t width = std::min(block_width, columns.grid.dims[0] - i0);
+    const int64_t n = columns.length();
+    int32_t* const corner =
+        nearest.data() + (columns.axis == 1 ? columns.grid.index(i0, 0, other) : columns.grid.index(i0, other, 0));
+    for (int64_t y = 0; y < n; ++y)
+        for (int32_t c = 0; c < width; ++c) {
+            const int32_t site = corner[y * columns.stride + c];
+            s.site[static_cast<size_t>(c * n + y)] = site;
+            s.height[static_cast<size_t>(c * n + y)] = columns.squared_offset(site, i0 + c, other);
+        }
+    for (int32_t c = 0; c < width; ++c)
+        transform_column(columns, s.site.data() + c * n, s.height.data() + c * n, s);
+    for (int64_t y = 0; y < n; ++y)
+        for (int32_t c = 0; c < width; ++c)
+            corner[y * columns.stride + c] = s.site[static_cast<size_t>(c * n + y)];
+}
+
+void transform_columns(const Grid& grid, int axis, std::vector<int32_t>& nearest, const Progress& progress)
+{
+    const Columns columns(grid, axis);
+    if (columns.length() == 1)
+        return;
+    const int64_t grain = std::max<int64_t>(1, 16384 / (int64_t{columns.length()} * block_width));
+    parallel_with_progress(progress, columns.count(), grain, [&](int64_t, int64_t begin, int64_t end) {
+        ColumnScratch scratch(static_cast<size_t>(columns.length()));
+        for (int64_t block = begin; block < end; ++block)
+            transform_block(columns, block, nearest, scratch);
+    });
+}
+
+}  // namespace
+
+void feature_transform(const Grid& grid, std::vector<int32_t>& nearest, const Progress& progress)
+{
+    const int32_t n = grid.dims[0];
+    const auto rows = progress.part(0, 0.1);
+    parallel_with_progress(rows, row_count(grid), rows_per_chunk(grid), [&](int64_t, int64_t begin, int64_t end) {
+        for (int64_t row = begin; row < end; ++row)
+            transform_row(nearest.data() + row * n, static_cast<int32_t>(row * n), n);
+    });
+    transform_columns(grid, 1, nearest, progress.part(0.1, 0.5));
+    transform_columns(grid, 2, nearest, progress.part(0.5, 1));
+}
+
+}  // namespace cleft

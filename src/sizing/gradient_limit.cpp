@@ -1,0 +1,347 @@
+// Raster scans with the 13 neighbours that a scan has passed (Danielsson's vector propagation with all neighbours):
+// each voxel carries the voxel b whose cone is the lowest found so far, and offers it to the voxels that follow. The
+// cell of a cone need not be connected through neighbouring voxels, so a few voxels can miss their best cone; a last
+// pair of scans with the plain distances to the neighbours (a chamfer transform) closes the gaps.
+#include "sizing/gradient_limit.hpp"
+
+#include "sizing/wavefront.hpp"
+
+#include <cmath>
+#include <limits>
+
+#if defined(_MSC_VER)
+#define CLEFT_RESTRICT __restrict
+#else
+#define CLEFT_RESTRICT __restrict__
+#endif
+
+namespace cleft
+{
+namespace
+{
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+// The direction of a scan along each axis; scanned coordinates count up from 0 in that direction.
+struct Scan {
+    std::array<int32_t, 3> sign;
+
+    int32_t at(size_t axis, int32_t step, const Grid& grid) const
+    {
+        return sign[axis] > 0 ? step : grid.dims[axis] - 1 - step;
+    }
+};
+
+// The cones that the voxels of a row carry: apex (in voxels) and the value there. One unused voxel at either end.
+struct ConeRow {
+    std::vector<float> x, y, z, value;
+    std::vector<int32_t> apex;
+
+    void resize(size_t n)
+    {
+        for (auto* v : {&x, &y, &z})
+            v->assign(n + 2, 0);
+        value.assign(n + 2, infinity);
+        apex.assign(n + 2, -1);
+    }
+};
+
+// One scan of all rows. While cones are carried, a voxel stores its cone's apex and the value there, and not the value
+// of the cone at the voxel: that follows from both, and the cone travels on without a rounding.
+class ConeScan
+{
+public:
+    ConeScan(const Grid& grid, double gradation, std::vector<float>& value, std::vector<int32_t>& apex,
+             const Scan& scan)
+        : grid_(grid), value_(value), apex_(apex), scan_(scan), coordinates_(grid)
+    {
+        // Lengths in units of the greatest spacing: their squares stay within the range of float.
+        const double unit = grid.spacing.maxCoeff();
+        for (size_t a = 0; a < 3; ++a)
+            spacing_[a] = static_cast<float>(grid.spacing[static_cast<int>(a)] / unit);
+        slope_ = static_cast<float>(gradation * unit);
+        scratch_.resize(static_cast<size_t>(std::min(wavefront_batch, grid.dims[2])));
+        for (Scratch& s : scratch_) {
+            for (ConeRow& row : s.rows)
+                row.resize(static_cast<size_t>(grid.dims[0]));
+            s.squared.resize(static_cast<size_t>(grid.dims[0]) + 2);
+            s.best.resize(static_cast<size_t>(grid.dims[0]));
+            s.pick.resize(static_cast<size_t>(grid.dims[0]));
+        }
+    }
+
+    void row(int32_t plane, int32_t row);
+    void finish(const Progress& progress);
+
+private:
+    // The rows a plane works with: three of the plane before, two of its own, each in a slot by its number.
+    struct Scratch {
+        std::array<ConeRow, 5> rows;
+        std::vector<float> squared;  // distance in y and z from an apex to the row that is worked on
+        std::vector<float> best;
+        std::vector<int32_t> pick;  // which neighbour offered the best
+    };
+
+    static size_t slot_before(int32_t row) { return static_cast<size_t>(row % 3); }
+    static size_t slot_own(int32_t row) { return static_cast<size_t>(3 + row % 2); }
+
+    void load(int32_t j, int32_t k, ConeRow& out) const;
+    void evaluate(int32_t j, int32_t k, const ConeRow& row, float* h) const;
+    void offer(const ConeRow& from, int32_t number, int32_t j, int32_t k, Scratch& s) const;
+    void take(const std::array<const ConeRow*, 4>& from, Scratch& s, ConeRow& own) const;
+    void along(int32_t j, int32_t k, ConeRow& own, float* best) const;
+
+    const Grid& grid_;
+    std::vector<float>& value_;  // at the apex
+    std::vector<int32_t>& apex_;
+    Scan scan_;
+    VoxelCoordinates coordinates_;
+    std::array<float, 3> spacing_{};
+    float slope_ = 0;
+    std::vector<Scratch> scratch_;  // by plane, of those under way
+};
+
+void ConeScan::load(int32_t j, int32_t k, ConeRow& out) const
+{
+    const auto start = static_cast<size_t>(grid_.index(0, j, k));
+    const auto n = static_cast<size_t>(grid_.dims[0]);
+    std::copy_n(value_.data() + start, n, out.value.data() + 1);
+    std::copy_n(apex_.data() + start, n, out.apex.data() + 1);
+    const int32_t* CLEFT_RESTRICT apex = out.apex.data() + 1;
+    float* CLEFT_RESTRICT x = out.x.data() + 1;
+    float* CLEFT_RESTRICT y = out.y.data() + 1;
+    float* CLEFT_RESTRICT z = out.z.data() + 1;
+    for (int32_t i = 0; i < grid_.dims[0]; ++i) {
+        const auto at = coordinates_.of(apex[i]);
+        x[i] = static_cast<float>(at[0]);
+        y[i] = static_cast<float>(at[1]);
+        z[i] = static_cast<float>(at[2]);
+    }
+}
+
+// The values of a row's own cones at its voxels.
+void ConeScan::evaluate(int32_t j, int32_t k, const ConeRow& row, float* h) const
+{
+    const float* CLEFT_RESTRICT x = row.x.data() + 1;
+    const float* CLEFT_RESTRICT y = row.y.data() + 1;
+    const float* CLEFT_RESTRICT z = row.z.data() + 1;
+    const float* CLEFT_RESTRICT value = row.value.data() + 1;
+    float* CLEFT_RESTRICT out = h;
+    const auto fj = static_cast<float>(j);
+    const auto fk = static_cast<float>(k);
+    const float sx = spacing_[0], sy = spacing_[1], sz = spacing_[2], slope = slope_;
+    for (int32_t i = 0; i < grid_.dims[0]; ++i) {
+        const float dx = (static_cast<float>(i) - x[i]) * sx;
+        const float dy = (fj - y[i]) * sy;
+        const float dz = (fk - z[i]) * sz;
+        out[i] = value[i] + slope * std::sqrt(dx * dx + dy * dy + dz * dz);
+    }
+}
+
+// Offers the cones of a row to the row (j, k): each voxel compares those of the three voxels next to it.
+void ConeScan::offer(const ConeRow& from, int32_t number, int32_t j, int32_t k, Scratch& s) const
+{
+    const int32_t n = grid_.dims[0];
+    const float* CLEFT_RESTRICT x = from.x.data();
+    const float* CLEFT_RESTRICT y = from.y.data();
+    const float* CLEFT_RESTRICT z = from.z.data();
+    const float* CLEFT_RESTRICT value = from.value.data();
+    float* CLEFT_RESTRICT squared = s.squared.data();
+    const auto fj = static_cast<float>(j);
+    const auto fk = static_cast<float>(k);
+    const float sx = spacing_[0], sy = spacing_[1], sz = spacing_[2], slope = slope_;
+    for (int32_t c = 0; c < n + 2; ++c) {
+        const float dy = (fj - y[c]) * sy;
+        const float dz = (fk - z[c]) * sz;
+        squared[c] = dy * dy + dz * dz;
+    }
+    float* CLEFT_RESTRICT best = s.best.data();
+    int32_t* CLEFT_RESTRICT pick = s.pick.data();
+    const int32_t code = 3 * number;
+    for (int32_t shift = 0; shift < 3; ++shift) {
+        for (int32_t i = 0; i < n; ++i) {
+            const float dx = (static_cast<float>(i) - x[i + shift]) * sx;
+            const float offered = value[i + shift] + slope * std::sqrt(dx * dx + squared[i + shift]);
+            const float held = best[i];
+            const int32_t better = -static_cast<int32_t>(offered < held);  // a mask: the loop is to be vectorized
+            best[i] = offered < held ? offered : held;
+            pick[i] = (pick[i] & ~better) | ((code + shift) & better);
+        }
+    }
+}
+
+void ConeScan::take(const std::array<const ConeRow*, 4>& from, Scratch& s, ConeRow& own) const
+{
+    for (int32_t i = 0; i < grid_.dims[0]; ++i) {
+        const int32_t pick = s.pick[static_cast<size_t>(i)];
+        if (pick < 0)
+            continue;
+        const ConeRow& row = *from[static_cast<size_t>(pick / 3)];
+        const auto c = static_cast<size_t>(i + pick % 3);
+        const auto o = static_cast<size_t>(i + 1);
+        own.x[o] = row.x[c];
+        own.y[o] = row.y[c];
+        own.z[o] = row.z[c];
+        own.value[o] = row.value[c];
+        own.apex[o] = row.apex[c];
+    }
+}
+
+// Offers each voxel's cone to the next one of the row.
+void ConeScan::along(int32_t j, int32_t k, ConeRow& own, float* best) const
+{
+    const float step = slope_ * spacing_[0];
+    for (int32_t t = 1; t < grid_.dims[0]; ++t) {
+        const int32_t i = scan_.at(0, t, grid_);
+        const int32_t before = i - scan_.sign[0];
+        if (best[before] - step >= best[i])
+            continue;  // no cone grows by less than that
+        const auto c = static_cast<size_t>(before + 1);
+        const float dx = (static_cast<float>(i) - own.x[c]) * spacing_[0];
+        const float dy = (static_cast<float>(j) - own.y[c]) * spacing_[1];
+        const float dz = (static_cast<float>(k) - own.z[c]) * spacing_[2];
+        const float offered = own.value[c] + slope_ * std::sqrt(dx * dx + dy * dy + dz * dz);
+        if (offered >= best[i])
+            continue;
+        const auto o = static_cast<size_t>(i + 1);
+        best[i] = offered;
+        own.x[o] = own.x[c];
+        own.y[o] = own.y[c];
+        own.z[o] = own.z[c];
+        own.value[o] = own.value[c];
+        own.apex[o] = own.apex[c];
+    }
+}
+
+void ConeScan::row(int32_t plane, int32_t row)
+{
+    Scratch& s = scratch_[static_cast<size_t>(plane % wavefront_batch)];
+    const int32_t k = scan_.at(2, plane, grid_);
+    const int32_t j = scan_.at(1, row, grid_);
+    ConeRow& own = s.rows[slot_own(row)];
+    load(j, k, own);
+    evaluate(j, k, own, s.best.data());
+    std::fill(s.pick.begin(), s.pick.end(), -1);
+
+    std::array<const ConeRow*, 4> from{};
+    if (plane > 0) {
+        for (int32_t r = row == 0 ? 0 : row + 1; r <= std::min(row + 1, grid_.dims[1] - 1); ++r)
+            load(scan_.at(1, r, grid_), scan_.at(2, plane - 1, grid_), s.rows[slot_before(r)]);
+        for (int32_t d = -1; d <= 1; ++d)
+            if (row + d >= 0 && row + d < grid_.dims[1])
+                from[static_cast<size_t>(d + 1)] = &s.rows[slot_before(row + d)];
+    }
+    if (row > 0)
+        from[3] = &s.rows[slot_own(row - 1)];
+    for (size_t f = 0; f < 4; ++f)
+        if (from[f])
+            offer(*from[f], static_cast<int32_t>(f), j, k, s);
+    take(from, s, own);
+    along(j, k, own, s.best.data());
+
+    const auto start = static_cast<size_t>(grid_.index(0, j, k));
+    const auto n = static_cast<size_t>(grid_.dims[0]);
+    std::copy_n(own.value.data() + 1, n, value_.data() + start);
+    std::copy_n(own.apex.data() + 1, n, apex_.data() + start);
+}
+
+// Turns the values at the apexes into the values of the cones at the voxels.
+void ConeScan::finish(const Progress& progress)
+{
+    parallel_with_progress(progress, row_count(grid_), rows_per_chunk(grid_), [&](int64_t, int64_t begin, int64_t end) {
+        ConeRow cones;
+        cones.resize(static_cast<size_t>(grid_.dims[0]));
+        for (int64_t row = begin; row < end; ++row) {
+            const auto j = static_cast<int32_t>(row % grid_.dims[1]);
+            const auto k = static_cast<int32_t>(row / grid_.dims[1]);
+            load(j, k, cones);
+            evaluate(j, k, cones, value_.data() + row * grid_.dims[0]);
+        }
+    });
+}
+
+// One scan of the chamfer transform: h(x) <= h(y) + gradation |x - y| for the neighbours y that the scan has passed.
+class ChamferScan
+{
+public:
+    ChamferScan(const Grid& grid, double gradation, std::vector<float>& h, const Scan& scan)
+        : grid_(grid), h_(h), scan_(scan)
+    {
+        for (int dk = 0; dk < 2; ++dk)
+            for (int dj = 0; dj < 2; ++dj)
+                for (int di = 0; di < 2; ++di) {
+                    const double length = Vec3(di, dj, dk).cwiseProduct(grid.spacing).norm();
+                    step_[static_cast<size_t>(4 * dk + 2 * dj + di)] = static_cast<float>(gradation * length);
+                }
+    }
+
+    void row(int32_t plane, int32_t row)
+    {
+        const int32_t n = grid_.dims[0];
+        float* h = at(plane, row);
+        for (int32_t d = -1; d <= 1; ++d)
+            if (plane > 0 && row + d >= 0 && row + d < grid_.dims[1])
+                from_row(at(plane - 1, row + d), d == 0 ? 4 : 6, h);
+        if (row > 0)
+            from_row(at(plane, row - 1), 2, h);
+        for (int32_t t = 1; t < n; ++t) {
+            const int32_t i = scan_.at(0, t, grid_);
+            h[i] = std::min(h[i], h[i - scan_.sign[0]] + step_[1]);
+        }
+    }
+
+private:
+    float* at(int32_t plane, int32_t row)
+    {
+        return h_.data() + grid_.index(0, scan_.at(1, row, grid_), scan_.at(2, plane, grid_));
+    }
+
+    void from_row(const float* CLEFT_RESTRICT other, size_t offset, float* CLEFT_RESTRICT h) const
+    {
+        const int32_t n = grid_.dims[0];
+        const float straight = step_[offset], aslant = step_[offset + 1];
+        if (n == 1) {
+            h[0] = std::min(h[0], other[0] + straight);
+            return;
+        }
+        h[0] = std::min(h[0], std::min(other[0] + straight, other[1] + aslant));
+        for (int32_t i = 1; i + 1 < n; ++i) {
+            const float side = std::min(other[i - 1], other[i + 1]) + aslant;
+            const float here = std::min(other[i] + straight, side);
+            h[i] = here < h[i] ? here : h[i];
+        }
+        h[n - 1] = std::min(h[n - 1], std::min(other[n - 1] + straight, other[n - 2] + aslant));
+    }
+
+    const Grid& grid_;
+    std::vector<float>& h_;
+    Scan scan_;
+    std::array<float, 8> step_{};  // by 4 dk + 2 dj + di
+};
+
+}  // namespace
+
+void limit_gradient(const Grid& grid, double gradation, std::vector<float>& h, const Progress& progress)
+{
+    constexpr std::array<Scan, 4> scans{{{{1, 1, 1}}, {{-1, -1, -1}}, {{1, -1, 1}}, {{-1, 1, -1}}}};
+    constexpr double part = 1.0 / (scans.size() + 2);
+    std::vector<int32_t> apex(h.size());
+    for (size_t v = 0; v < apex.size(); ++v)
+        apex[v] = static_cast<int32_t>(v);
+    double done = 0;
+    for (const Scan& scan : scans) {
+        ConeScan cones(grid, gradation, h, apex, scan);
+        wavefront(progress.part(done, done + part), grid.dims[2], grid.dims[1],
+                  [&](int32_t plane, int32_t row) { cones.row(plane, row); });
+        done += part;
+    }
+    ConeScan(grid, gradation, h, apex, scans[0]).finish(progress.part(done, done));
+    for (const Scan& scan : {scans[0], scans[1]}) {
+        ChamferScan chamfer(grid, gradation, h, scan);
+        wavefront(progress.part(done, done + part), grid.dims[2], grid.dims[1],
+                  [&](int32_t plane, int32_t row) { chamfer.row(plane, row); });
+        done += part;
+    }
+}
+
+}  // namespace cleft

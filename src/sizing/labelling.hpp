@@ -1,0 +1,57 @@
+// What the sizing stage needs of a volume: the material of each voxel, read row by row.
+#pragma once
+
+#include "mesh/tet_mesh.hpp"
+#include "volume/grid.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace cleft
+{
+
+struct Labelling {
+    Grid grid;
+    // Writes the materials of the voxels first .. first + count - 1; may be called from many threads.
+    std::function<void(int64_t first, int64_t count, Material* out)> read;
+};
+
+// The rows of voxels around a row that moves through the grid. Each row is read once while it is among the nine around
+// the current one. Past the faces of the grid the outermost voxels repeat.
+class RowWindow
+{
+public:
+    explicit RowWindow(const Labelling& labelling) : labelling_(labelling)
+    {
+        rows_.assign(9, std::vector<Material>(static_cast<size_t>(labelling.grid.dims[0]) + 2));
+        held_.fill(-1);
+    }
+
+    // Row (j, k) or the nearest row of the grid; element -1 repeats the first voxel, element dims[0] the last one.
+    // Holds while rows at most one step away from it are asked for.
+    const Material* row(int32_t j, int32_t k)
+    {
+        const Grid& grid = labelling_.grid;
+        j = std::clamp(j, 0, grid.dims[1] - 1);
+        k = std::clamp(k, 0, grid.dims[2] - 1);
+        const auto slot = static_cast<size_t>(3 * (k % 3) + j % 3);
+        const int64_t number = j + int64_t{grid.dims[1]} * k;
+        Material* first = rows_[slot].data() + 1;
+        if (held_[slot] != number) {
+            labelling_.read(number * grid.dims[0], grid.dims[0], first);
+            first[-1] = first[0];
+            first[grid.dims[0]] = first[grid.dims[0] - 1];
+            held_[slot] = number;
+        }
+        return first;
+    }
+
+private:
+    const Labelling& labelling_;
+    std::vector<std::vector<Material>> rows_;
+    std::array<int64_t, 9> held_{};
+};
+
+}  // namespace cleft

@@ -1,0 +1,219 @@
+#include "sizing/medial_axis.hpp"
+
+namespace cleft
+{
+namespace
+{
+
+// Interface points of voxel stairs lie up to about half a voxel off the surface, so that the axis of any plane or
+// sphere would have branches to each stair. A place m between two voxels counts only if the two interface points p, q
+// subtend more than 120 degrees at m and are further apart than any stair (pruning of the integer medial axis), or, in
+// a sheet thinner than that, belong to opposite sides of it. Stairs are as high as the greatest spacing.
+constexpr double stair_length = 4;        // in greatest spacings
+constexpr double least_sheet = 0.8;       // in voxels, each axis by its own spacing
+constexpr double opposite_sides = -0.85;  // cosine of the angle between the normals of two sides of a sheet
+constexpr double opposite_deep = -0.5;    // the same for two points around a deepest voxel
+
+struct Position {
+    Vec3 point, normal;
+};
+
+bool is_medial(const Vec3& m, const Position& p, const Position& q, const Vec3& spacing, double opposite)
+{
+    const Vec3 to_p = p.point - m;
+    const Vec3 to_q = q.point - m;
+    const double dot = to_p.dot(to_q);
+    if (dot >= 0 || 4 * dot * dot <= to_p.squaredNorm() * to_q.squaredNorm())
+        return false;
+    const Vec3 apart = p.point - q.point;
+    const double stair = stair_length * spacing.maxCoeff();
+    if (apart.squaredNorm() > stair * stair)
+        return true;
+    return p.normal.dot(q.normal) < opposite && apart.cwiseQuotient(spacing).squaredNorm() > least_sheet * least_sheet;
+}
+
+// Where the way from x along an axis is as far from p as from q, as a part of its length.
+double equidistant_part(const Vec3& x, int axis, double length, const Vec3& p, const Vec3& q)
+{
+    const double slope = 2 * (q - p)[axis] * length;
+    const double difference = (q - x).squaredNorm() - (p - x).squaredNorm();
+    return slope != 0 ? std::clamp(difference / slope, 0.0, 1.0) : 0.5;
+}
+
+class MedialSearch
+{
+public:
+    MedialSearch(const Grid& grid, const InterfacePoints& points, const std::vector<int32_t>& nearest)
+        : grid_(grid),
+          coordinates_(grid),
+          points_(points),
+          nearest_(nearest),
+          stride_{1, grid.index(0, 1, 0), grid.index(0, 0, 1)}
+    {
+    }
+
+    void row(int32_t j, int32_t k, RowWindow& window, uint8_t* medial) const
+    {
+        // The rows that hold the next voxel along each axis.
+        const Material* own = window.row(j, k);
+        const std::array<const Material*, 3> next{own + 1, window.row(j + 1, k), window.row(j, k + 1)};
+        const int axes = 1 | (j + 1 < grid_.dims[1]) << 1 | (k + 1 < grid_.dims[2]) << 2;
+        const int64_t start = grid_.index(0, j, k);
+        for (int32_t i = 0; i < grid_.dims[0]; ++i) {
+            const int32_t* site = nearest_.data() + start + i;
+            int differ = 0;  // the axes along which the next voxel is of the same material and has another site
+            for (size_t a = 0; a < 3; ++a)
+                if ((axes >> a & 1) && next[a][i] == own[i] && site[0] != site[stride_[a]])
+                    differ |= 1 << a;
+            if (i + 1 == grid_.dims[0])
+                differ &= ~1;
+            if (differ == 0)
+                continue;
+            crossing({i, j, k}, site, differ, medial[i]);
+            if (medial[i] == 0 && is_deepest({i, j, k}, site))
+                medial[i] = pack_medial(0, 0);
+        }
+    }
+
+private:
+    Vec3 centre(const std::array<int32_t, 3>& at) const { return grid_.centre(at[0], at[1], at[2]); }
+
+    Vec3 point(int32_t site) const
+    {
+        const InterfacePoint& point = points_[site];
+        return centre(coordinates_.of(site)) + Vec3(point.offset[0], point.offset[1], point.offset[2]);
+    }
+
+    Position position(int32_t site) const
+    {
+        const InterfacePoint& at = points_[site];
+        return {point(site), Vec3(at.normal[0], at.normal[1], at.normal[2])};
+    }
+
+    // Whether the voxels of two sites touch, and their normals are not opposite: then no place between them is medial.
+    // The most frequent case, seen without their coordinates.
+    bool are_alike(int32_t p, int32_t q) const
+    {
+        const int64_t apart = std::abs(int64_t{p} - q);
+        const int64_t planes = (apart + stride_[1] + 1) / stride_[2];
+        const int64_t rest = std::abs(apart - planes * stride_[2]);
+        if (planes > 1 || (rest > 1 && std::abs(rest - stride_[1]) > 1))
+            return false;
+        const auto& n = points_[p].normal;
+        const auto& m = points_[q].normal;
+        return n[0] * m[0] + n[1] * m[1] + n[2] * m[2] >= opposite_sides;
+    }
+
+    // The place between x and the next voxel along an axis, in steps from x, or -1 if it is not medial.
+    double crossing_part(const Vec3& x, int axis, const Position& p, const Position& q) const
+    {
+        const double part = equidistant_part(x, axis, grid_.spacing[axis], p.point, q.point);
+        Vec3 m = x;
+        m[axis] += part * grid_.spacing[axis];
+        return is_medial(m, p, q, grid_.spacing, opposite_sides) ? part : -1;
+    }
+
+    // Keeps the crossing whose axis is most nearly that from one interface point to the other: it is the best defined.
+    void crossing(const std::array<int32_t, 3>& at, const int32_t* site, int axes, uint8_t& held) const
+    {
+        double best = 0;
+        for (int a = 0; a < 3; ++a) {
+            if (!(axes >> a & 1))
+                continue;
+            const int32_t other = site[stride_[static_cast<size_t>(a)]];
+            if (are_alike(site[0], other))
+                continue;
+            const Position p = position(site[0]);
+            const Position q = position(other);
+            const Vec3 apart = p.point - q.point;
+            const double alignment = apart[a] * apart[a] / apart.squaredNorm();
+            const double part = crossing_part(centre(at), a, p, q);
+            if (part >= 0 && alignment > best) {
+                best = alignment;
+                held = pack_medial(a, part);
+            }
+        }
+    }
+
+    // Whether an inner voxel is at least as far from the interface as its neighbours, and between opposite points.
+    // Where the axis is a point or a line, as in a ball or a rod, no two neighbours need have such points.
+    bool is_deepest(const std::array<int32_t, 3>& at, const int32_t* site) const
+    {
+        if (points_.contains(site - nearest_.data()))
+            return false;
+        for (size_t a = 0; a < 3; ++a) {
+            if (grid_.dims[a] == 1)
+                continue;
+            if (at[a] == 0 || at[a] + 1 == grid_.dims[a])
+                return false;
+            // The distance to one point is convex: on one side it would be greater.
+            if (site[stride_[a]] == site[0] && site[-stride_[a]] == site[0])
+                return false;
+        }
+        const Vec3 x = centre(at);
+        const Vec3 inward = x - point(site[0]);
+        const double depth = inward.squaredNorm();
+        Eigen::Index first = 0;  // the likeliest axis to lead deeper
+        inward.cwiseAbs().maxCoeff(&first);
+        std::array<Position, 6> around;
+        for (int n = 0; n < 3; ++n) {
+            const int a = (static_cast<int>(first) + n) % 3;
+            for (int side = 0; side < 2; ++side) {
+                const bool after = (side == 0) == (inward[a] > 0);
+                const int64_t step = grid_.dims[static_cast<size_t>(a)] == 1 ? 0 : (after ? 1 : -1);
+                Vec3 y = x;
+                y[a] += static_cast<double>(step) * grid_.spacing[a];
+                const int32_t other = site[step * stride_[static_cast<size_t>(a)]];
+                if ((point(other) - y).squaredNorm() > depth)
+                    return false;
+                around[static_cast<size_t>(2 * n + side)] = position(other);
+            }
+        }
+        return is_between_opposite(x, around) && !follows_crossing(x, site);
+    }
+
+    // Whether a voxel before x holds the axis between itself and x.
+    bool follows_crossing(const Vec3& x, const int32_t* site) const
+    {
+        for (int a = 0; a < 3; ++a) {
+            const int64_t step = grid_.dims[static_cast<size_t>(a)] == 1 ? 0 : stride_[static_cast<size_t>(a)];
+            Vec3 before = x;
+            before[a] -= grid_.spacing[a];
+            if (site[-step] != site[0] && crossing_part(before, a, position(site[-step]), position(site[0])) >= 0)
+                return true;
+        }
+        return false;
+    }
+
+    bool is_between_opposite(const Vec3& x, const std::array<Position, 6>& around) const
+    {
+        for (size_t p = 0; p < around.size(); ++p)
+            for (size_t q = 0; q < p; ++q)
+                if (is_medial(x, around[p], around[q], grid_.spacing, opposite_deep))
+                    return true;
+        return false;
+    }
+
+    const Grid& grid_;
+    VoxelCoordinates coordinates_;
+    const InterfacePoints& points_;
+    const std::vector<int32_t>& nearest_;
+    std::array<int64_t, 3> stride_;
+};
+
+}  // namespace
+
+void add_medial_places(const Labelling& labelling, const InterfacePoints& points, const std::vector<int32_t>& nearest,
+                       std::vector<uint8_t>& medial, const Progress& progress)
+{
+    const Grid& grid = labelling.grid;
+    const MedialSearch search(grid, points, nearest);
+    parallel_with_progress(progress, row_count(grid), rows_per_chunk(grid), [&](int64_t, int64_t begin, int64_t end) {
+        RowWindow window(labelling);
+        for (int64_t row = begin; row < end; ++row)
+            search.row(static_cast<int32_t>(row % grid.dims[1]), static_cast<int32_t>(row / grid.dims[1]), window,
+                       medial.data() + row * grid.dims[0]);
+    });
+}
+
+}  // namespace cleft

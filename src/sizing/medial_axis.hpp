@@ -1,0 +1,36 @@
+// The medial axis of the materials: the places inside a material from which the nearest interface points lie in
+// opposite directions. The distance from it, read at an interface, is the local feature size.
+#pragma once
+
+#include "sizing/interface_points.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace cleft
+{
+
+// What a voxel holds of the medial axis: nothing (0), or a place on the way from its centre to that of the next voxel
+// along an axis, in steps of 1/63.
+constexpr int medial_steps = 63;
+
+inline uint8_t pack_medial(int axis, double part)
+{
+    return static_cast<uint8_t>((axis + 1) << 6 | static_cast<int>(part * medial_steps + 0.5));
+}
+
+// The place, relative to the voxel's centre.
+inline Vec3 medial_offset(uint8_t held, const Vec3& spacing)
+{
+    Vec3 offset = Vec3::Zero();
+    const int axis = (held >> 6) - 1;
+    offset[axis] = (held & medial_steps) * spacing[axis] / medial_steps;
+    return offset;
+}
+
+// Adds the places between neighbouring voxels whose nearest interface points differ, and the deepest voxels: `nearest`
+// is the feature transform of the interface voxels.
+void add_medial_places(const Labelling& labelling, const InterfacePoints& points, const std::vector<int32_t>& nearest,
+                       std::vector<uint8_t>& medial, const Progress& progress);
+
+}  // namespace cleft

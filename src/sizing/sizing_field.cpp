@@ -1,0 +1,88 @@
+// Sizing fields that are given, what can be asked of any, and scaling it.
+#include "sizing/compute.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace cleft
+{
+namespace
+{
+
+// Particles per unit of charge at which relaxed particles have a mean distance of h, and tetrahedra per particle of
+// their Delaunay mesh. Particles on the walls count for the half, quarter or eighth of their surroundings that is in
+// the box, so that the charge of the box is that of its particles, and their share of tetrahedra likewise.
+constexpr double particles_per_charge = 1.75;
+constexpr double tets_per_particle = 5.9;
+
+}  // namespace
+
+void check_sizing_grid(const Grid& grid)
+{
+    for (const int32_t n : grid.dims)
+        if (n < 1)
+            throw Error(CLEFT_ERROR_ARGUMENT,
+                        "the grid of a sizing field must have at least one voxel along each axis");
+    if (!(grid.spacing.minCoeff() > 0) || !grid.spacing.allFinite())
+        throw Error(CLEFT_ERROR_ARGUMENT, "the spacing of a sizing field must be positive and finite");
+    const double voxels = static_cast<double>(grid.dims[0]) * grid.dims[1] * grid.dims[2];
+    if (voxels > std::numeric_limits<int32_t>::max())
+        throw Error(CLEFT_ERROR_TOO_LARGE, "a sizing field can have at most 2147483647 voxels");
+}
+
+Error bad_sizing_value(int64_t voxel)
+{
+    return Error(CLEFT_ERROR_NOT_FINITE,
+                 "the sizing value of voxel " + std::to_string(voxel) + " is not a positive, finite number");
+}
+
+SizingField constant_sizing(const Grid& grid, double size)
+{
+    check_sizing_grid(grid);
+    if (!(size > 0) || !std::isfinite(size))
+        throw Error(CLEFT_ERROR_ARGUMENT, "a constant size must be positive and finite");
+    return {grid, std::vector<float>(static_cast<size_t>(grid.size()), static_cast<float>(size)), 0.3};
+}
+
+SizingField sizing_from_values(const Grid& grid, const double* values)
+{
+    check_sizing_grid(grid);
+    SizingField field{grid, std::vector<float>(static_cast<size_t>(grid.size())), 0.3};
+    for (size_t v = 0; v < field.h.size(); ++v) {
+        field.h[v] = static_cast<float>(values[v]);
+        if (!(field.h[v] > 0) || !std::isfinite(field.h[v]))
+            throw bad_sizing_value(static_cast<int64_t>(v));
+    }
+    return field;
+}
+
+double SizingField::least() const { return *std::min_element(h.begin(), h.end()); }
+
+double SizingField::greatest() const { return *std::max_element(h.begin(), h.end()); }
+
+double sizing_charge(const SizingField& field)
+{
+    double sum = 0;
+    for (const float value : field.h) {
+        const double h = value;
+        sum += 1 / (h * h * h);
+    }
+    return sum * field.grid.spacing.prod();
+}
+
+double expected_background_tets(const SizingField& field)
+{
+    return tets_per_particle * particles_per_charge * sizing_charge(field);
+}
+
+void scale_sizing(SizingField& field, double factor)
+{
+    if (!(factor > 0) || !std::isfinite(factor))
+        throw Error(CLEFT_ERROR_ARGUMENT, "the factor of a sizing field must be positive and finite");
+    for (float& value : field.h)
+        value = static_cast<float>(value * factor);
+    field.gradation *= factor;
+}
+
+}  // namespace cleft

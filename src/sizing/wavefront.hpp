@@ -1,0 +1,42 @@
+// A loop over planes and the rows in them where row (plane, row) needs (plane - 1, row + 1) and all that come before:
+// the order of a raster scan whose stencil holds all neighbours that it has passed. Several planes are under way at a
+// time, each a little behind the one before, and the outcome is that of the serial loop.
+#pragma once
+
+#include "sizing/voxel_rows.hpp"
+
+#include <atomic>
+#include <thread>
+#include <vector>
+
+namespace cleft
+{
+
+// Planes that are handed out together, between two reports.
+constexpr int32_t wavefront_batch = 16;
+
+// body(plane, row) in the order above. It must not throw: planes that wait for its rows would wait forever.
+template <class Body>
+void wavefront(const Progress& progress, int32_t planes, int32_t rows, const Body& body)
+{
+    for (int32_t first = 0; first < planes; first += wavefront_batch) {
+        progress.report(static_cast<double>(first) / planes);
+        const int32_t count = std::min(wavefront_batch, planes - first);
+        std::vector<std::atomic<int32_t>> done(static_cast<size_t>(count));
+        parallel_for(progress.run, count, 1, [&](int64_t p, int64_t) {
+            for (int32_t row = 0; row < rows; ++row) {
+                if (p > 0) {
+                    const auto& before = done[static_cast<size_t>(p - 1)];
+                    while (before.load(std::memory_order_acquire) < std::min(row + 2, rows)) {
+                        progress.run.check();  // the plane before may never come: its thread was cancelled
+                        std::this_thread::yield();
+                    }
+                }
+                body(first + static_cast<int32_t>(p), row);
+                done[static_cast<size_t>(p)].store(row + 1, std::memory_order_release);
+            }
+        });
+    }
+}
+
+}  // namespace cleft
