@@ -64,17 +64,41 @@ int create_temporary(const std::string& path, const std::string& extension, std:
     }
 }
 
-// Gives the old file a second name, or none if there is no old file (or no hard links here).
-std::string keep_aside(const std::string& path)
+// What is at a path, kept within reach under a second name.
+class OldFile
 {
-    for (int i = 0;; ++i) {
-        const std::string name = path + ".old" + std::to_string(getpid()) + "-" + std::to_string(i);
-        if (link(path.c_str(), name.c_str()) == 0)
-            return name;
-        if (errno != EEXIST)
-            return "";
+public:
+    explicit OldFile(const std::string& path) : path_(path), is_there_(access(path.c_str(), F_OK) == 0)
+    {
+        for (int i = 0; is_there_ && name_.empty(); ++i) {
+            const std::string name = path + ".old" + std::to_string(getpid()) + "-" + std::to_string(i);
+            if (link(path.c_str(), name.c_str()) == 0)
+                name_ = name;
+            else if (errno != EEXIST)
+                return;  // no hard links here
+        }
     }
-}
+    ~OldFile()
+    {
+        if (!name_.empty())
+            unlink(name_.c_str());
+    }
+    OldFile(const OldFile&) = delete;
+    OldFile& operator=(const OldFile&) = delete;
+
+    void put_back()
+    {
+        if (!is_there_)
+            unlink(path_.c_str());
+        else if (!name_.empty() && std::rename(name_.c_str(), path_.c_str()) == 0)
+            name_.clear();
+    }
+
+private:
+    std::string path_;
+    std::string name_;
+    bool is_there_;
+};
 
 // Makes the renaming itself last. Some file systems cannot; the file is complete all the same.
 void flush_folder(const std::string& path)
@@ -140,42 +164,33 @@ void AtomicFile::finish()
         fail();
 }
 
+void AtomicFile::take_name()
+{
+    if (std::rename(temporary_.c_str(), path_.c_str()) != 0)
+        fail();
+    temporary_.clear();
+}
+
 void AtomicFile::commit_all(const std::initializer_list<AtomicFile*>& files)
 {
     for (AtomicFile* file : files)
         file->finish();
-    if (files.size() == 1) {
-        AtomicFile& file = **files.begin();
-        if (std::rename(file.temporary_.c_str(), file.path_.c_str()) != 0)
-            file.fail();
-        file.temporary_.clear();
-        flush_folder(file.path_);
-        return;
-    }
-    // Hard links keep the old files within reach until all the new ones have their names.
-    std::vector<std::pair<AtomicFile*, std::string>> renamed;
-    for (AtomicFile* file : files) {
-        const std::string old = keep_aside(file->path_);
-        if (std::rename(file->temporary_.c_str(), file->path_.c_str()) == 0) {
-            file->temporary_.clear();
-            renamed.emplace_back(file, old);
-            continue;
+    std::vector<std::unique_ptr<OldFile>> old;
+    if (files.size() > 1)  // of one file, the renaming itself is all or nothing
+        for (const AtomicFile* file : files)
+            old.push_back(std::make_unique<OldFile>(file->path_));
+    size_t renamed = 0;
+    try {
+        for (AtomicFile* file : files) {
+            file->take_name();
+            ++renamed;
         }
-        const int error = errno;
-        if (!old.empty())
-            unlink(old.c_str());
-        for (const auto& [done, former] : renamed) {
-            if (former.empty())
-                unlink(done->path_.c_str());
-            else
-                (void)std::rename(former.c_str(), done->path_.c_str());
-        }
-        cannot_write(file->path_, error);
+    } catch (...) {
+        for (size_t i = 0; i < renamed; ++i)
+            old[i]->put_back();
+        throw;
     }
-    for (const auto& [file, old] : renamed)
-        if (!old.empty())
-            unlink(old.c_str());
-    flush_folder(renamed.front().first->path_);
+    flush_folder((*files.begin())->path_);
 }
 
 AtomicPath::AtomicPath(const std::string& target, const std::string& extension) : target_(target_of(target))

@@ -66,6 +66,7 @@ private:
 
     void flush();
     void finish();
+    void take_name();
     [[noreturn]] void fail() const;
 
     std::string path_;

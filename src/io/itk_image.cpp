@@ -17,10 +17,10 @@
 #include <itkPNGImageIO.h>
 #include <itkTIFFImageIO.h>
 #include <itkVTKImageIO.h>
-#include <regex>
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <regex>
 
 namespace cleft::io
 {
@@ -39,11 +39,24 @@ std::string sentence_of(const itk::ExceptionObject& error)
     return text.substr(0, text.find_last_not_of(' ') + 1);
 }
 
+// ITK writes warnings to the terminal unless told not to, for the whole process.
+class Quiet
+{
+public:
+    Quiet() : before_(itk::Object::GetGlobalWarningDisplay()) { itk::Object::GlobalWarningDisplayOff(); }
+    ~Quiet() { itk::Object::SetGlobalWarningDisplay(before_); }
+    Quiet(const Quiet&) = delete;
+    Quiet& operator=(const Quiet&) = delete;
+
+private:
+    bool before_;
+};
+
 // Runs `body` and turns ITK's exceptions into ours.
 template <class Body>
 auto with_itk(const Body& body)
 {
-    itk::Object::GlobalWarningDisplayOff();
+    const Quiet quiet;
     try {
         return body();
     } catch (const itk::MemoryAllocationError&) {

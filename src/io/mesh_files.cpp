@@ -18,10 +18,12 @@ namespace
 
 cleft_io_format resolve(const std::string& path, cleft_io_format format, int32_t direction)
 {
-    const auto* row = format == CLEFT_FORMAT_BY_NAME ? format_of_path(path, direction) : find_format(format);
-    if (!row)
-        throw Error(CLEFT_ERROR_ARGUMENT, "'" + path + "': its extension is none of " + extensions_with(direction));
-    return row->format;
+    const bool by_name = format == CLEFT_FORMAT_BY_NAME;
+    const auto* row = by_name ? format_of_path(path, direction) : find_format(format);
+    if (row)
+        return row->format;
+    throw Error(CLEFT_ERROR_ARGUMENT, by_name ? "'" + path + "': its extension is none of " + extensions_with(direction)
+                                              : "there is no format " + std::to_string(format) + " of meshes");
 }
 
 bool needs_surface(cleft_io_format format) { return format != CLEFT_FORMAT_VTU && format != CLEFT_FORMAT_VTK; }

@@ -113,14 +113,40 @@ static void test_round_trip_keeps_every_bit(void** state)
     }
 }
 
+/* Many copies of the sample beside each other: arrays of several blocks, which threads share. */
+static cleft_mesh* make_large_mesh(cleft_context* context)
+{
+    enum { COPIES = 200 };
+    sample_mesh sample;
+    cleft_mesh* mesh = NULL;
+    double* points = malloc(COPIES * sizeof sample.points);
+    int32_t* tets = malloc(COPIES * sizeof sample.tets);
+    int32_t* labels = malloc(COPIES * sizeof sample.labels);
+    sample_mesh_fill(&sample);
+    for (int copy = 0; copy < COPIES; ++copy) {
+        for (int i = 0; i < 3 * SAMPLE_POINTS; ++i)
+            points[copy * 3 * SAMPLE_POINTS + i] = sample.points[i] + (i % 3 == 0 ? 10 * copy : 0);
+        for (int i = 0; i < 4 * SAMPLE_TETS; ++i)
+            tets[copy * 4 * SAMPLE_TETS + i] = sample.tets[i] + copy * SAMPLE_POINTS;
+        memcpy(labels + copy * SAMPLE_TETS, sample.labels, sizeof sample.labels);
+    }
+    cleft_mesh_create(context, COPIES * SAMPLE_POINTS, points, COPIES * SAMPLE_TETS, tets, labels, 0, &mesh);
+    free(points);
+    free(tets);
+    free(labels);
+    return mesh;
+}
+
 static void test_same_bytes_for_any_number_of_threads(void** state)
 {
     fixture* f = *state;
+    cleft_mesh* mesh = make_large_mesh(f->context);
+    assert_non_null(mesh);
     size_t sizes[2];
     char* data[2];
     for (int threads = 1; threads <= 2; ++threads) {
         cleft_context_set_threads(f->context, threads);
-        assert_int_equal(cleft_io_write_mesh(f->context, f->mesh, path_of(f, "t.vtu"), CLEFT_FORMAT_VTU), CLEFT_OK);
+        assert_int_equal(cleft_io_write_mesh(f->context, mesh, path_of(f, "t.vtu"), CLEFT_FORMAT_VTU), CLEFT_OK);
         data[threads - 1] = read_file(f->path, &sizes[threads - 1]);
         assert_non_null(data[threads - 1]);
     }
@@ -128,6 +154,13 @@ static void test_same_bytes_for_any_number_of_threads(void** state)
     assert_memory_equal(data[0], data[1], sizes[0]);
     free(data[0]);
     free(data[1]);
+    cleft_mesh* read = NULL;
+    assert_int_equal(cleft_io_read_mesh(f->context, f->path, &read), CLEFT_OK);
+    assert_int_equal(cleft_mesh_tet_count(read), cleft_mesh_tet_count(mesh));
+    assert_memory_equal(cleft_mesh_tets(read), cleft_mesh_tets(mesh),
+                        4 * (size_t)cleft_mesh_tet_count(mesh) * sizeof(int32_t));
+    cleft_mesh_destroy(read);
+    cleft_mesh_destroy(mesh);
 }
 
 static void assert_refused(fixture* f, cleft_status status, cleft_status wanted, const char* words)
