@@ -79,8 +79,12 @@ struct Centres {
     void place_quadruple(QuadrupleTet& q, Samples& scratch) const;
 };
 
-// Samples the volume at the vertices and finds all centres. `neighbours` are of mesh/adjacency.hpp.
-Centres find_centres(const Volume& volume, const TetMesh& background,
-                     const std::vector<std::array<int32_t, 4>>& neighbours, const Run& run);
+using Neighbours = std::vector<std::array<int32_t, 4>>;  // of mesh/adjacency.hpp
+
+// Samples the volume at the vertices and finds all centres.
+Centres find_centres(const Volume& volume, const TetMesh& background, const Neighbours& neighbours, const Run& run);
+
+// The part of it without geometry: fills the tables of edges, faces and tetrahedra from vertices of one material each.
+void list_centres(Centres& c, const Neighbours& neighbours);
 
 }  // namespace cleft

@@ -8,8 +8,6 @@ namespace cleft
 namespace
 {
 
-using Neighbours = std::vector<std::array<int32_t, 4>>;
-
 constexpr int64_t kGrain = 4096;
 
 struct SampledVertices {
@@ -188,6 +186,8 @@ void place_all(const Run& run, std::vector<Item>& items, const Place& place)
 
 }  // namespace
 
+void list_centres(Centres& c, const Neighbours& neighbours) { Tables(c).build(neighbours); }
+
 Centres find_centres(const Volume& volume, const TetMesh& background, const Neighbours& neighbours, const Run& run)
 {
     run.report(0.0, "cleaving: materials of vertices");
@@ -203,7 +203,7 @@ Centres find_centres(const Volume& volume, const TetMesh& background, const Neig
               {},
               {}};
     run.report(0.1, "cleaving: cuts");
-    Tables(c).build(neighbours);
+    list_centres(c, neighbours);
     place_all(run, c.edges, [&](CutEdge& e, Samples& scratch) { c.place_cut(e, scratch); });
     run.report(0.2, "cleaving: triple points");
     place_all(run, c.faces, [&](TripleFace& f, Samples& scratch) { c.place_triple(f, scratch); });

@@ -116,6 +116,7 @@ private:
         shape_before_ = measure_star(c_, star_, std::numeric_limits<double>::infinity());
         best_cost_ = rule_ == Snap::quality ? shape_before_.cost : std::numeric_limits<double>::infinity();
         best_is_stay_ = false;
+        tried_.clear();
         bool found = false;
         if (rule_ == Snap::quality) {
             for (size_t i = 0; i < near_.size(); ++i) {
@@ -149,8 +150,9 @@ private:
             start += cut.x;
             may_stay &= cut.distance <= kStay * (c_.point(cut.other) - before_.x).norm();
         }
-        if (materials.size() > kMostMaterials)
+        if (materials.size() > kMostMaterials || std::find(tried_.begin(), tried_.end(), materials) != tried_.end())
             return false;
+        tried_.push_back(materials);
         start /= static_cast<double>(choice.last - choice.first + 1);
         const unsigned frozen = frozen_[static_cast<size_t>(star_.vertex)];
         const auto x =
@@ -189,6 +191,7 @@ private:
     // Of the vertex being visited.
     Star star_;
     std::vector<NearCut> near_;
+    std::vector<MaterialSet> tried_;
     StarState before_, best_;
     StarShape shape_before_;
     double best_cost_ = 0;
