@@ -35,8 +35,8 @@ struct Numbering {
             triple, c.faces, [&](size_t i) { return c.has_triple(c.faces[i]); },
             [&](size_t i) { return c.triple_point(c.faces[i]); });
         number(
-            quadruple, c.quadruples, [&](size_t i) { return has_quadruple(c, c.quadruples[i]); },
-            [&](size_t i) { return c.quadruple_point(c.quadruples[i]); });
+            quadruple, c.mixed, [&](size_t i) { return c.cuts(c.mixed[i]) == kAllCuts; },
+            [&](size_t i) { return c.quadruple_point(c.mixed[i]); });
     }
 
     // Output points of a mixed tetrahedron; those that are not there are never asked for.
@@ -52,16 +52,11 @@ struct Numbering {
         }
         for (size_t e = 0; e < 6; ++e)
             id[kCutPoint + e] = take(cut, m.edges[e]);
-        id[kQuadruplePoint] = take(quadruple, m.quadruple);
+        id[kQuadruplePoint] = take(quadruple, c.mixed_of[static_cast<size_t>(m.tet)]);
         return id;
     }
 
 private:
-    static bool has_quadruple(const Centres& c, const QuadrupleTet& q)
-    {
-        return c.cuts(c.mixed[static_cast<size_t>(c.mixed_of[static_cast<size_t>(q.tet)])]) == kAllCuts;
-    }
-
     template <class Items, class InUse, class Position>
     void number(std::vector<int32_t>& numbers, const Items& items, const InUse& in_use, const Position& position)
     {

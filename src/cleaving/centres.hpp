@@ -24,15 +24,7 @@ struct CutEdge {
 
 // A face whose three edges were cut at the start. It has a triple point while all three still are.
 struct TripleFace {
-    std::array<int32_t, 3> corners;  // ascending
-    std::array<int32_t, 3> edges;    // corners 01, 02, 12
-    Weights weights;
-};
-
-// A tetrahedron whose six edges were cut at the start.
-struct QuadrupleTet {
-    int32_t tet;
-    Weights weights;
+    std::array<int32_t, 3> edges;
 };
 
 // A tetrahedron with at least one edge that was cut at the start; -1 where there is no entry.
@@ -40,7 +32,6 @@ struct MixedTet {
     int32_t tet;
     std::array<int32_t, 6> edges;  // in CutEdge, order of kEdgeCorners
     std::array<int32_t, 4> faces;  // in TripleFace, opposite corner i
-    int32_t quadruple;
 };
 
 struct Centres {
@@ -52,7 +43,6 @@ struct Centres {
 
     std::vector<CutEdge> edges;
     std::vector<TripleFace> faces;
-    std::vector<QuadrupleTet> quadruples;
     std::vector<MixedTet> mixed;
     std::vector<int32_t> mixed_of;  // by tetrahedron, or -1
 
@@ -66,17 +56,15 @@ struct Centres {
     }
     CutMask cuts(const MixedTet& m) const;
 
-    // Positions. Written as corner + sum of weight * side, so that a coordinate that all corners share comes out
-    // exactly: centres of box faces lie in their face to the last bit.
+    // Triple and quadruple points are the means of the cuts around them: inside whatever the cuts are, and near the
+    // tie where all cuts are. Written as corner + sum of shares of sides, so that a coordinate that all corners share
+    // comes out exactly: centres of box faces lie in their face to the last bit.
     Vec3 cut_point(const CutEdge& e) const { return point(e.lower) + e.t * (point(e.upper) - point(e.lower)); }
     Vec3 triple_point(const TripleFace& f) const;
-    Vec3 quadruple_point(const QuadrupleTet& q) const;
+    Vec3 quadruple_point(const MixedTet& m) const;
 
-    // Finds a centre anew, after an end has moved or changed its materials. Triple points take their first guess from
-    // the cuts, quadruple points from theirs.
+    // Finds a cut anew, after an end has moved or changed its materials.
     void place_cut(CutEdge& e, Samples& scratch) const;
-    void place_triple(TripleFace& f, Samples& scratch) const;
-    void place_quadruple(QuadrupleTet& q, Samples& scratch) const;
 };
 
 using Neighbours = std::vector<std::array<int32_t, 4>>;  // of mesh/adjacency.hpp

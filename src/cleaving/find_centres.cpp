@@ -50,7 +50,6 @@ public:
         list_edges();
         list_mixed();
         list_faces(neighbours);
-        list_quadruples();
     }
 
 private:
@@ -109,7 +108,7 @@ private:
     {
         c_.mixed_of.assign(c_.tets.size(), -1);
         for (size_t t = 0; t < c_.tets.size(); ++t) {
-            MixedTet m{static_cast<int32_t>(t), {-1, -1, -1, -1, -1, -1}, {-1, -1, -1, -1}, -1};
+            MixedTet m{static_cast<int32_t>(t), {-1, -1, -1, -1, -1, -1}, {-1, -1, -1, -1}};
             bool has_cut = false;
             for_each_cut(c_.tets[t], [&](size_t e, int32_t lower, int32_t upper) {
                 m.edges[e] = edge_between(lower, upper);
@@ -148,41 +147,16 @@ private:
         return c_.mixed[static_cast<size_t>(c_.mixed_of[static_cast<size_t>(tet)])].faces[i];
     }
 
-    TripleFace triple_face(const MixedTet& m, size_t opposite) const
+    static TripleFace triple_face(const MixedTet& m, size_t opposite)
     {
-        const Tet& t = c_.corners(m.tet);
-        std::array<int, 3> local = {kFaceCorners[opposite][0], kFaceCorners[opposite][1], kFaceCorners[opposite][2]};
-        std::sort(local.begin(), local.end(),
-                  [&](int a, int b) { return t[static_cast<size_t>(a)] < t[static_cast<size_t>(b)]; });
-        const auto corner = [&](size_t k) { return t[static_cast<size_t>(local[k])]; };
-        const auto edge = [&](size_t k, size_t l) {
-            return m.edges[static_cast<size_t>(kEdgeBetween[local[k]][local[l]])];
-        };
-        return {{corner(0), corner(1), corner(2)}, {edge(0, 1), edge(0, 2), edge(1, 2)}, {}};
-    }
-
-    void list_quadruples()
-    {
-        for (MixedTet& m : c_.mixed)
-            if (c_.cuts(m) == kAllCuts) {
-                m.quadruple = static_cast<int32_t>(c_.quadruples.size());
-                c_.quadruples.push_back({m.tet, {}});
-            }
+        const int* corner = kFaceCorners[opposite];
+        const auto edge = [&](int i, int j) { return m.edges[static_cast<size_t>(kEdgeBetween[i][j])]; };
+        return {{edge(corner[0], corner[1]), edge(corner[1], corner[2]), edge(corner[2], corner[0])}};
     }
 
     Centres& c_;
     std::vector<int32_t> first_edge_;  // of each lower vertex
 };
-
-template <class Item, class Place>
-void place_all(const Run& run, std::vector<Item>& items, const Place& place)
-{
-    parallel_for(run, static_cast<int64_t>(items.size()), kGrain / 8, [&](int64_t begin, int64_t end) {
-        Samples scratch;
-        for (int64_t i = begin; i < end; ++i)
-            place(items[static_cast<size_t>(i)], scratch);
-    });
-}
 
 }  // namespace
 
@@ -200,14 +174,14 @@ Centres find_centres(const Volume& volume, const TetMesh& background, const Neig
               {},
               {},
               {},
-              {},
               {}};
     run.report(0.1, "cleaving: cuts");
     list_centres(c, neighbours);
-    place_all(run, c.edges, [&](CutEdge& e, Samples& scratch) { c.place_cut(e, scratch); });
-    run.report(0.2, "cleaving: triple points");
-    place_all(run, c.faces, [&](TripleFace& f, Samples& scratch) { c.place_triple(f, scratch); });
-    place_all(run, c.quadruples, [&](QuadrupleTet& q, Samples& scratch) { c.place_quadruple(q, scratch); });
+    parallel_for(run, static_cast<int64_t>(c.edges.size()), kGrain / 8, [&](int64_t begin, int64_t end) {
+        Samples scratch;
+        for (int64_t e = begin; e < end; ++e)
+            c.place_cut(c.edges[static_cast<size_t>(e)], scratch);
+    });
     return c;
 }
 

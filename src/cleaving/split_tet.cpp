@@ -56,7 +56,7 @@ SplitTet split_tet(const Centres& c, const MixedTet& mixed)
         if ((split.cuts & kFaceCuts[i]) == kFaceCuts[i])
             split.x[kTriplePoint + i] = c.triple_point(c.faces[static_cast<size_t>(mixed.faces[i])]);
     if (split.cuts == kAllCuts)
-        split.x[kQuadruplePoint] = c.quadruple_point(c.quadruples[static_cast<size_t>(mixed.quadruple)]);
+        split.x[kQuadruplePoint] = c.quadruple_point(mixed);
     split.surface = split_surface(split.cuts, rank_cuts(c, mixed, split.cuts));
     return split;
 }

@@ -45,8 +45,6 @@ void Star::gather(const Centres& c, const VertexTets& tets_of, int32_t v)
     vertex = v;
     tets.assign(tets_of.begin(v), tets_of.end(v));
     edges.clear();
-    faces.clear();
-    quadruples.clear();
     double shortest = std::numeric_limits<double>::infinity();
     for (const int32_t tet : tets) {
         const Tet& corners = c.corners(tet);
@@ -63,11 +61,7 @@ void Star::gather(const Centres& c, const VertexTets& tets_of, int32_t v)
             const int32_t edge = m.edges[static_cast<size_t>(kEdgeBetween[local][i])];
             if (c.is_cut(edge))
                 add_once(edges, edge);
-            if (m.faces[i] >= 0 && c.has_triple(c.faces[static_cast<size_t>(m.faces[i])]))
-                add_once(faces, m.faces[i]);
         }
-        if (m.quadruple >= 0 && c.cuts(m) == kAllCuts)
-            quadruples.push_back(m.quadruple);
     }
     shortest_edge = std::sqrt(shortest);
 }
@@ -78,14 +72,8 @@ void StarState::save(const Centres& c, const Star& star)
     materials = c.materials_of(star.vertex);
     samples = c.samples.of(star.vertex);
     edges.clear();
-    faces.clear();
-    quadruples.clear();
     for (const int32_t e : star.edges)
         edges.push_back(c.edges[static_cast<size_t>(e)]);
-    for (const int32_t f : star.faces)
-        faces.push_back(c.faces[static_cast<size_t>(f)].weights);
-    for (const int32_t q : star.quadruples)
-        quadruples.push_back(c.quadruples[static_cast<size_t>(q)].weights);
 }
 
 void StarState::restore(Centres& c, const Star& star) const
@@ -95,10 +83,6 @@ void StarState::restore(Centres& c, const Star& star) const
     c.samples.set(star.vertex, samples);
     for (size_t i = 0; i < edges.size(); ++i)
         c.edges[static_cast<size_t>(star.edges[i])] = edges[i];
-    for (size_t i = 0; i < faces.size(); ++i)
-        c.faces[static_cast<size_t>(star.faces[i])].weights = faces[i];
-    for (size_t i = 0; i < quadruples.size(); ++i)
-        c.quadruples[static_cast<size_t>(star.quadruples[i])].weights = quadruples[i];
 }
 
 void change_vertex(Centres& c, const Star& star, const Vec3& x, const MaterialSet& materials,
@@ -112,16 +96,6 @@ void change_vertex(Centres& c, const Star& star, const Vec3& x, const MaterialSe
         edge.is_cut = disjoint(c.materials_of(edge.lower), c.materials_of(edge.upper));
         if (edge.is_cut)
             c.place_cut(edge, scratch);
-    }
-    for (const int32_t f : star.faces) {
-        TripleFace& face = c.faces[static_cast<size_t>(f)];
-        if (c.has_triple(face))
-            c.place_triple(face, scratch);
-    }
-    for (const int32_t q : star.quadruples) {
-        QuadrupleTet& tet = c.quadruples[static_cast<size_t>(q)];
-        if (c.cuts(c.mixed[static_cast<size_t>(c.mixed_of[static_cast<size_t>(tet.tet)])]) == kAllCuts)
-            c.place_quadruple(tet, scratch);
     }
 }
 

@@ -23,12 +23,11 @@ private:
     std::vector<int32_t> tets_;
 };
 
-// The tetrahedra around a vertex and the centres whose place depends on it: those of simplices that contain it.
+// The tetrahedra around a vertex and its edges with a cut: all other centres around it follow from these.
 struct Star {
     int32_t vertex = -1;
     std::vector<int32_t> tets;
     std::vector<int32_t> edges;  // still cut
-    std::vector<int32_t> faces, quadruples;
     double shortest_edge = 0;
 
     // Replaces what was gathered before.
@@ -41,13 +40,12 @@ struct StarState {
     MaterialSet materials;
     SampleStore::Span samples{};
     std::vector<CutEdge> edges;
-    std::vector<Weights> faces, quadruples;
 
     void save(const Centres& c, const Star& star);
     void restore(Centres& c, const Star& star) const;
 };
 
-// Gives the vertex a place and materials, and finds the centres around it anew.
+// Gives the vertex a place and materials, and finds the cuts around it anew.
 void change_vertex(Centres& c, const Star& star, const Vec3& x, const MaterialSet& materials,
                    const SampleStore::Span& samples, Samples& scratch);
 

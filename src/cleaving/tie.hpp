@@ -1,22 +1,19 @@
-// Where indicator functions tie: on an edge, in a face, in a tetrahedron, and next to a vertex.
+// Where indicator functions tie: on an edge, and next to a vertex.
 //
-// A vertex of material set S stands for the function max over S of f; centres are the points where the functions of
-// the corners of a simplex are equal.
+// A vertex of material set S stands for the function max over S of f; the cut of an edge is where the functions of its
+// two ends are equal.
 #pragma once
 
 #include "cleaving/material_set.hpp"
 #include "volume/volume.hpp"
 
-#include <array>
 #include <optional>
 
 namespace cleft
 {
 
-// Centres keep away from the ends of their simplices: an edge is cut between these parameters, and the barycentric
-// coordinates of triple and quadruple points are at least kLeastWeight.
+// Cuts keep away from the ends of their edges.
 inline constexpr double kLeastCut = 0.02, kGreatestCut = 1 - kLeastCut;
-inline constexpr double kLeastWeight = 0.05;
 
 // The value of the best material of a set.
 double greatest_value(const Samples& samples, const MaterialSet& set);
@@ -31,19 +28,6 @@ struct EdgeTie {
 // Parameter of the tie between a (0) and b (1): a bracketed root search of few evaluations. An end that is on the
 // wrong side of the tie (voxel-aligned vertices, noise) gives the nearest parameter that is allowed.
 double find_cut(const Volume& volume, const EdgeTie& edge, Samples& scratch);
-
-// Corners and materials of a face (3) or of a tetrahedron (4).
-struct SimplexTie {
-    int corners;
-    std::array<Vec3, 4> x;
-    std::array<const MaterialSet*, 4> materials;
-};
-
-// Weights of the corners after the first.
-using Weights = std::array<double, 3>;
-
-// The tie of all corners, by Newton's method from a first guess inside; held inside by kLeastWeight.
-Weights find_centre(const Volume& volume, const SimplexTie& simplex, const Weights& guess, Samples& scratch);
 
 // The point closest to x at which the materials of the set (2 to 4) tie, by minimum-norm Newton steps from `start`, a
 // point near the tie (far from interfaces label indicators are flat). The frozen axes (bits) keep x's coordinates.

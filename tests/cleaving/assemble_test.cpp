@@ -55,26 +55,15 @@ Centres unsnapped(const Volume& volume, const TetMesh& mesh, const std::vector<M
     for (const Material m : labels)
         materials.emplace_back(m);
     Centres c{volume, mesh.tets, mesh.points, materials, SampleStore({}, std::vector<uint16_t>(labels.size(), 0)),
-              {},     {},        {},          {},        {}};
+              {},     {},        {},          {}};
     list_centres(c, tet_neighbours(mesh.tets, static_cast<int64_t>(mesh.points.size())));
     return c;
 }
 
-void place_centres_at_random(Centres& c, Random& random)
+void place_cuts_at_random(Centres& c, Random& random)
 {
     for (CutEdge& e : c.edges)
         e.t = random.between(kLeastCut, kGreatestCut);
-    const auto weights = [&](size_t corners) {
-        std::array<double, 4> w{};
-        double sum = 0;
-        for (size_t i = 0; i < corners; ++i)
-            sum += w[i] = random.between(0.1, 1);
-        return Weights{w[1] / sum, w[2] / sum, w[3] / sum};
-    };
-    for (TripleFace& f : c.faces)
-        f.weights = weights(3);
-    for (QuadrupleTet& q : c.quadruples)
-        q.weights = weights(4);
 }
 
 // Digit e of `state` in base 3: edge e stays cut, or its lower or its upper end takes over the materials of the other.
@@ -206,7 +195,7 @@ Tally go_through_all(const TetMesh& original, bool all_orders)
             const Centres whole_cuts = unsnapped(volume, mesh, of_vertices);
             for (int64_t state = 0; state < snap_states(whole_cuts); ++state) {
                 Centres c = whole_cuts;
-                place_centres_at_random(c, random);
+                place_cuts_at_random(c, random);
                 snap_by_state(c, state);
                 check(c, whole, area, state > 0, tally);
             }

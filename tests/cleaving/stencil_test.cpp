@@ -117,8 +117,8 @@ void greatest_cut_is_an_apex_without_triple_points(void**)
     int cases = 0;
     for (const CutRanks& ranks : all_ranks())
         for (CutMask cuts = 1; cuts <= kAllCuts; ++cuts) {
-            const bool has_triple = std::any_of(kFaceCuts.begin(), kFaceCuts.end(),
-                                                [&](CutMask face) { return (cuts & face) == face; });
+            const bool has_triple =
+                std::any_of(kFaceCuts.begin(), kFaceCuts.end(), [&](CutMask face) { return (cuts & face) == face; });
             if (has_triple)
                 continue;
             size_t greatest = 6;
@@ -181,8 +181,7 @@ void both_sides_split_a_shared_face_alike(void**)
                         ranks[e] = static_cast<uint8_t>(of_face ? 2 * order[side] : 2 * side + 1);
                         names[kCutPoint + e] = 10 + static_cast<int>(side) + (of_face ? 0 : 10);
                     }
-                    const auto face =
-                        static_cast<size_t>(std::find(name.begin(), name.end(), 3) - name.begin());
+                    const auto face = static_cast<size_t>(std::find(name.begin(), name.end(), 3) - name.begin());
                     for (size_t i = 0; i < 4; ++i)
                         names[i] = name[i];
                     names[kTriplePoint + face] = 30;
