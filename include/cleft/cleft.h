@@ -324,7 +324,7 @@ CLEFT_API cleft_status cleft_mesh_strip(cleft_context* context, const cleft_mesh
                                         cleft_mesh** out) CLEFT_NOEXCEPT;
 /** All of it: sizing (unless given), background (unless given), cleaving, improving, spatial ordering, stripping.
  *  `sizing`, `background` and `options` may be NULL. With TETS, the size is corrected until the number of tetrahedra is
- *  within 10 % (at most four rounds). With STRICT, CLEFT_ERROR_LABEL_LOST if a label of the volume is not in the mesh.
+ *  within 10 % (at most eight rounds). With STRICT, CLEFT_ERROR_LABEL_LOST if a label of the volume is not in the mesh.
  *  The caller owns *out. \since 0.1 */
 CLEFT_API cleft_status cleft_mesh_volume(cleft_context* context, const cleft_volume* volume, const cleft_sizing* sizing,
                                          const cleft_mesh* background, const cleft_options* options,

@@ -11,9 +11,9 @@ namespace
 
 // Mean edge of a body-centred cubic lattice over the side of its cell.
 const double kMeanEdge = (6 + 8 * std::sqrt(0.75)) / 14;
-// A leaf may be this much larger than h: sides fall in (1/2, 1] of the greatest one allowed, and the cube root of two
-// puts the mean density of cells at that of the field.
-constexpr double kSlack = 1.2599;
+// A leaf may be this much larger than the least h in it: sides come in powers of two and the balance splits further;
+// with this factor the mean edge comes near h.
+constexpr double kSlack = 1.75;
 constexpr int32_t kMostLevels = 20;
 
 void split(Octree& tree, int32_t cell)

@@ -5,6 +5,7 @@
 #include "base/run.hpp"
 #include "capi/handles.hpp"
 
+#include <algorithm>
 #include <new>
 #include <string>
 
@@ -133,8 +134,9 @@ cleft_status guarded_run(cleft_context* context, const Body& body) noexcept
         run.cancel = &context->cancel;
         run.metrics = &context->metrics;
         if (context->progress)
-            run.progress = [context](double fraction, const char* stage) {
-                return context->progress(fraction, stage, context->progress_user) != 0;
+            run.progress = [context, furthest = 0.0](double fraction, const char* stage) mutable {
+                furthest = std::clamp(fraction, furthest, 1.0);  // stages that look twice do not go back
+                return context->progress(furthest, stage, context->progress_user) != 0;
             };
         if (context->log)
             run.log = [context](int level, const std::string& sentence) {

@@ -166,7 +166,8 @@ cleft_status cleft_options_set_real(cleft_options* options, cleft_option key, do
 cleft_status cleft_options_set_text(cleft_options* options, const char* name, const char* value) noexcept
 {
     return guarded(message_of(options), [&] {
-        const OptionRow& row = checked_row(option_row(required(name, "name")), name);
+        required(name, "name");
+        const OptionRow& row = checked_row(option_row(name), name);
         assign(checked(options, "options"), row, parsed(row, required(value, "value")));
     });
 }

@@ -4,9 +4,12 @@
 #include "background/octree.hpp"
 #include "background/repair.hpp"
 #include "base/stage_timer.hpp"
+#include "improving/fit_volumes.hpp"
 #include "mesh/finish.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace cleft
@@ -45,33 +48,54 @@ LabelledMesh attempt(const Volume& volume, const SizingField& field, const Pipel
     return cleave_and_improve(volume, background, options, part_of(run, 0.5, 1.0));
 }
 
-// The number of tetrahedra grows between the square (all at interfaces) and the cube of 1 / size. Corrects the size by
-// the secant in logarithms until the number is met within 10 %; a handful of rounds is always enough for a smooth law.
+// Finds the factor on the sizing field that gives the wanted number. The number falls with the factor by a power
+// between two (all tetrahedra at interfaces) and three; where a lattice has to fit the box it also jumps. So the search
+// is that of a bracket, interpolated in logarithms.
+class NumberSearch
+{
+public:
+    explicit NumberSearch(double wanted) : wanted_(std::log(wanted)) {}
+
+    // The next factor, after one has given a number of tetrahedra. Both stay logarithms inside.
+    double next(double factor, double count)
+    {
+        const Try tried{std::log(factor), std::log(count)};
+        (tried.count > wanted_ ? many_ : few_) = tried;
+        if (!many_ || !few_)
+            return std::exp(tried.factor + (tried.count - wanted_) / kExponent);
+        const double share = (many_->count - wanted_) / (many_->count - few_->count);
+        return std::exp(many_->factor + std::clamp(share, 0.1, 0.9) * (few_->factor - many_->factor));
+    }
+
+private:
+    static constexpr double kExponent = 2.6;
+    struct Try {
+        double factor, count;
+    };
+    double wanted_;
+    std::optional<Try> many_, few_;  // the last that gave too many, and too few
+};
+
 LabelledMesh attempt_number(const Volume& volume, SizingField& field, const PipelineOptions& options, const Run& run)
 {
-    constexpr int kRounds = 5;
+    constexpr int kRounds = 8;
     constexpr double kTolerance = 0.08;
     const double wanted = static_cast<double>(options.tets);
-    double exponent = 2.6, factor = 1, last_factor = 0, last_count = 0;
+    NumberSearch search(wanted);
+    double factor = 1;
     LabelledMesh mesh;
     for (int round = 0; round < kRounds; ++round) {
-        mesh = attempt(volume, field, options, part_of(run, round / double(kRounds), (round + 1) / double(kRounds)));
+        mesh = LabelledMesh();
+        // Most searches end in the second or third round: progress goes by halves of what is left.
+        mesh =
+            attempt(volume, field, options, part_of(run, 1 - std::ldexp(1.0, -round), 1 - std::ldexp(1.0, -round - 1)));
         const double count = static_cast<double>(mesh.tets.size());
         run.note("pipeline.rounds", round + 1);
         if (std::abs(count - wanted) <= kTolerance * wanted)
             return mesh;
-        if (last_factor > 0 && factor != last_factor && count != last_count) {
-            const double slope = -std::log(count / last_count) / std::log(factor / last_factor);
-            exponent = std::min(3.5, std::max(1.0, slope));
-        }
-        last_factor = factor;
-        last_count = count;
-        const double step = std::pow(count / wanted, 1 / exponent);
-        factor *= step;
-        if (round + 1 < kRounds) {
-            mesh = LabelledMesh();
-            scale_sizing(field, step);
-        }
+        const double next = search.next(factor, count);
+        scale_sizing(field, next / factor);
+        factor = next;
     }
     if (std::abs(static_cast<double>(mesh.tets.size()) - wanted) > 0.1 * wanted)
         run.say(CLEFT_LOG_WARNING, "the wanted number of tetrahedra, " + std::to_string(options.tets) +
@@ -142,7 +166,8 @@ LabelledMesh cleave_and_improve(const Volume& volume, const TetMesh& background,
     }
     if (options.improve.effort != Effort::off) {
         const StageTimer timer(run, "improving");
-        improve(mesh, volume, options.improve, part_of(run, 0.7, 1.0));
+        improve(mesh, volume, options.improve, part_of(run, 0.7, 0.9));
+        fit_volumes(mesh, volume, options.improve.target_angle, part_of(run, 0.9, 1.0));
     }
     return mesh;
 }

@@ -29,6 +29,13 @@ Grid checked_grid(const int64_t dims[3])
     return grid;
 }
 
+// Exact for a column along an axis, and safe from overflow.
+double length_of(const Vec3& column)
+{
+    const double most = column.cwiseAbs().maxCoeff();
+    return most > 0 ? most * (column / most).norm() : 0;
+}
+
 }  // namespace
 
 Vec3 Frame::to_local(const Vec3& world) const
@@ -63,7 +70,7 @@ Frame make_frame(const int64_t dims[3], const double* affine)
             columns(i / 4, i % 4) = a[i];
     }
     for (int axis = 0; axis < 3; ++axis) {
-        frame.grid.spacing[axis] = columns.col(axis).stableNorm();
+        frame.grid.spacing[axis] = length_of(columns.col(axis));
         if (!(frame.grid.spacing[axis] > 0) || !std::isfinite(frame.grid.spacing[axis]))
             throw Error(CLEFT_ERROR_ARGUMENT, "column " + std::to_string(axis) + " of the affine has no length");
         frame.linear.col(axis) = columns.col(axis) / frame.grid.spacing[axis];

@@ -112,6 +112,7 @@ void octree_angles_and_sizes_follow_the_field(void**)
             middle += mesh.points[static_cast<size_t>(corner)] / 4;
         ratio += edge / field.at(middle) / static_cast<double>(mesh.tets.size());
     }
+    print_message("mean edge over h: %g\n", ratio);
     assert_true(ratio > 0.7 && ratio < 1.3);
 }
 

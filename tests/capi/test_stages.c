@@ -165,6 +165,7 @@ static void a_mirrored_world_still_has_positive_tetrahedra(void** state)
         lo = fmin(lo, cleft_mesh_points(mesh)[3 * i]);
         hi = fmax(hi, cleft_mesh_points(mesh)[3 * i]);
     }
+    print_message("x from %.17g to %.17g\n", lo, hi);
     assert_true(lo == 5 - (N - 0.5) && hi == 5.5); /* the box ends where the voxels end */
     assert_ok(context, cleft_surface_create(context, mesh, &surface));
     double outward = 0;
@@ -229,6 +230,7 @@ static void the_wanted_number_is_met(void** state)
         cleft_mesh* mesh = NULL;
         assert_ok(context, cleft_options_set_integer(options, CLEFT_OPTION_TETS, kWanted[i]));
         assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, options, &mesh));
+        print_message("%lld of %lld\n", (long long)cleft_mesh_tet_count(mesh), (long long)kWanted[i]);
         assert_true(llabs(cleft_mesh_tet_count(mesh) - kWanted[i]) <= kWanted[i] / 10);
         cleft_mesh_destroy(mesh);
     }

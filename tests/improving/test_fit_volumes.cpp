@@ -1,0 +1,98 @@
+// Fitting of volumes: coarse meshes of balls keep their volume, and nothing else is lost for it.
+#include "support/cmocka.hpp"
+
+#include "background/lattice.hpp"
+#include "cleaving/cleave.hpp"
+#include "improving/fit_volumes.hpp"
+#include "mesh/finish.hpp"
+#include "mesh/quality.hpp"
+#include "mesh/validate.hpp"
+
+#include <cmath>
+
+using namespace cleft;
+
+namespace
+{
+
+constexpr int kSide = 32;
+
+// The signed distance of a ball, positive inside. Its centre may lie in a wall of the box.
+Volume ball(const Vec3& centre, double radius)
+{
+    const Grid grid{{kSide, kSide, kSide}, Vec3(1, 1, 1)};
+    std::vector<double> field;
+    for (int32_t k = 0; k < kSide; ++k)
+        for (int32_t j = 0; j < kSide; ++j)
+            for (int32_t i = 0; i < kSide; ++i)
+                field.push_back(radius - (grid.centre(i, j, k) - centre).norm());
+    return Volume::from_indicators(std::vector<const double*>{field.data()}, grid, {}, Run());
+}
+
+struct Loss {
+    double before, after;
+};
+
+// Relative error of the ball's volume before and after fitting; asserts that the mesh stays sound.
+Loss fitted(const Volume& volume, double exact, double size)
+{
+    LabelledMesh mesh = cleave(volume, lattice_background(volume.grid(), size, Run()), CleaveOptions(), Run());
+    const Quality quality_before = measure_quality(mesh.points, mesh.tets, Run());
+    Loss loss{material_volumes(mesh, 2)[1] / exact - 1, 0};
+    fit_volumes(mesh, volume, 20, Run());
+    loss.after = material_volumes(mesh, 2)[1] / exact - 1;
+    const Validation found = validate(mesh, true, Run());
+    assert_string_equal(found.first_fault.c_str(), "");
+    assert_true(std::abs(found.volume - found.box_volume) < 1e-9 * found.box_volume);
+    const Quality quality = measure_quality(mesh.points, mesh.tets, Run());
+    assert_true(quality.min_dihedral > std::min(11.0, quality_before.min_dihedral - 1e-9));
+    return loss;
+}
+
+void a_coarse_ball_keeps_its_volume(void**)
+{
+    const double radius = 11.3, exact = 4 * M_PI / 3 * std::pow(radius, 3);
+    const Volume volume = ball(Vec3(16.2, 15.7, 16.1), radius);
+    for (const double size : {2.0, 4.0, 6.0}) {
+        const Loss loss = fitted(volume, exact, size);
+        assert_true(loss.before < 0);  // chords always lose
+        assert_true(std::abs(loss.after) < 0.3 * std::abs(loss.before));
+    }
+}
+
+void half_a_ball_at_a_wall_keeps_its_volume(void**)
+{
+    const double radius = 12.4, exact = 2 * M_PI / 3 * std::pow(radius, 3);
+    const Volume volume = ball(Vec3(16.2, 0, 16.1), radius);
+    const Loss loss = fitted(volume, exact, 4);
+    assert_true(loss.before < 0);
+    assert_true(std::abs(loss.after) < 0.3 * std::abs(loss.before));
+}
+
+void a_flat_interface_stays_flat(void**)
+{
+    const Grid grid{{16, 16, 16}, Vec3(1, 1, 1)};
+    std::vector<double> field;
+    for (int i = 0; i < 16 * 16 * 16; ++i)
+        field.push_back(grid.centre(i % 16, i / 16 % 16, i / 256).dot(Vec3(0.3, 0.2, 1).normalized()) - 9.1);
+    const Volume volume = Volume::from_indicators(std::vector<const double*>{field.data()}, grid, {}, Run());
+    LabelledMesh mesh = cleave(volume, lattice_background(grid, 2.2, Run()), CleaveOptions(), Run());
+    const std::vector<Vec3> before = mesh.points;
+    fit_volumes(mesh, volume, 20, Run());
+    double furthest = 0;
+    for (size_t i = 0; i < before.size(); ++i)
+        furthest = std::max(furthest, (before[i] - mesh.points[i]).norm());
+    assert_true(furthest < 1e-3);
+}
+
+}  // namespace
+
+int main()
+{
+    const CMUnitTest tests[] = {
+        cmocka_unit_test(a_coarse_ball_keeps_its_volume),
+        cmocka_unit_test(half_a_ball_at_a_wall_keeps_its_volume),
+        cmocka_unit_test(a_flat_interface_stays_flat),
+    };
+    return cmocka_run_group_tests(tests, nullptr, nullptr);
+}
