@@ -66,7 +66,7 @@ Command add_convert_command(CLI::App& app)
     parser.add_option("A", arguments->from, "The mesh to read")->required()->type_name("");
     parser.add_option("B", arguments->to, "The file to write")->required()->type_name("");
     parser.add_option("--msh-version", arguments->msh_version, "Version of Gmsh's format for .msh (default 4.1)")
-        ->check(CLI::IsMember({"4.1", "2.2"}))
+        ->check(CLI::IsMember({"4.1", "2.2"}).description(""))
         ->type_name("4.1|2.2");
     arguments->options.add_label_lists_to(parser);
     arguments->run.add_to(parser);

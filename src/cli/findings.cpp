@@ -65,6 +65,18 @@ std::map<int32_t, LabelTotals> label_totals(const cleft_mesh* mesh)
     return totals;
 }
 
+void note_surface(const Session& session, const cleft_mesh* mesh, MeshFindings& found)
+{
+    cleft_surface* surface = nullptr;
+    const cleft_status status = cleft_surface_create(session.context(), mesh, &surface);
+    const Surface owner(surface);
+    if (status == CLEFT_ERROR_INVALID_MESH)
+        return;
+    session.check(status, EXIT_MESHING_FAILED);
+    found.interface_triangles = cleft_surface_interface_count(surface);
+    found.hull_triangles = cleft_surface_hull_count(surface);
+}
+
 }  // namespace
 
 MeshFindings look_at_mesh(const Session& session, const cleft_mesh* mesh)
@@ -74,10 +86,7 @@ MeshFindings look_at_mesh(const Session& session, const cleft_mesh* mesh)
     found.tets = cleft_mesh_tet_count(mesh);
     note_bounds(cleft_mesh_points(mesh), found.points, found.low, found.high);
     found.labels = label_totals(mesh);
-    const auto surface = session.make<Surface>(
-        EXIT_MESHING_FAILED, [&](cleft_surface** out) { return cleft_surface_create(session.context(), mesh, out); });
-    found.interface_triangles = cleft_surface_interface_count(surface.get());
-    found.hull_triangles = cleft_surface_hull_count(surface.get());
+    note_surface(session, mesh, found);
     found.quality.struct_size = sizeof found.quality;
     session.check(cleft_mesh_quality(session.context(), mesh, &found.quality), EXIT_MESHING_FAILED);
     return found;

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace cleft_cli
@@ -18,8 +19,8 @@ struct LabelTotals {
 struct MeshFindings {
     int64_t points = 0;
     int64_t tets = 0;
-    int64_t interface_triangles = 0;
-    int64_t hull_triangles = 0;
+    std::optional<int64_t> interface_triangles;  // none if the mesh is too broken to have interfaces
+    std::optional<int64_t> hull_triangles;
     std::array<double, 3> low{}, high{};  // bounding box
     std::map<int32_t, LabelTotals> labels;
     cleft_quality quality{};

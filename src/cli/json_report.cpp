@@ -57,8 +57,8 @@ Json mesh_json(const MeshFindings& mesh)
         labels.push_back({{"label", label}, {"tets", totals.tets}, {"volume", totals.volume}});
     return {{"points", mesh.points},
             {"tets", mesh.tets},
-            {"interface_triangles", mesh.interface_triangles},
-            {"hull_triangles", mesh.hull_triangles},
+            {"interface_triangles", mesh.interface_triangles ? Json(*mesh.interface_triangles) : Json()},
+            {"hull_triangles", mesh.hull_triangles ? Json(*mesh.hull_triangles) : Json()},
             {"low", mesh.low},
             {"high", mesh.high},
             {"labels", labels}};

@@ -257,7 +257,7 @@ Command add_mesh_command(CLI::App& app)
         ->allow_extra_args(false)
         ->type_name("OUTPUT");
     parser.add_option("--msh-version", arguments->msh_version, "Version of Gmsh's format for .msh (default 4.1)")
-        ->check(CLI::IsMember({"4.1", "2.2"}))
+        ->check(CLI::IsMember({"4.1", "2.2"}).description(""))
         ->type_name("4.1|2.2");
     parser.add_flag("--check", arguments->check, "Validate the mesh before it is written; exit code 1 if it fails");
     parser.add_flag("--estimate", arguments->estimate,
@@ -271,7 +271,7 @@ Command add_mesh_command(CLI::App& app)
         .add_option("--sizing", arguments->sizing_file,
                     "Your own sizing field: a volume on the same grid, with an edge\n"
                     "length for each voxel (see `cleft sizing`)")
-        ->check(CLI::ExistingFile)
+        ->check(CLI::ExistingFile.description(""))
         ->type_name("FILE")
         ->group(sizes);
     parser

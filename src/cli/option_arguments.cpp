@@ -6,12 +6,16 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace cleft_cli
 {
 namespace
 {
+
+const char* const sizes_group = "Sizes";
+const char* const meshing_group = "Meshing";
 
 const char* group_of(cleft_option key)
 {
@@ -23,9 +27,9 @@ const char* group_of(cleft_option key)
         case CLEFT_OPTION_GRADATION:
         case CLEFT_OPTION_INTERFACE_SIZE:
         case CLEFT_OPTION_TETS:
-            return "Sizes, in units of the world";
+            return sizes_group;
         default:
-            return "Meshing";
+            return meshing_group;
     }
 }
 
@@ -92,23 +96,26 @@ std::string option_help(const cleft_option_description& info)
         help += " (default " + choice_name(info.choices, std::llround(info.value)) + ")";
     else if (info.type != CLEFT_OPTION_TYPE_FLAG)
         help += " (" + range_text(info) + "; default " + significant(info.value) + ")";
+    help.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(help.front())));
     return wrapped(help, 66);
 }
 
 void OptionArguments::add_to(CLI::App& app, const OptionFilter& wanted)
 {
-    for (int32_t index = 0; index < cleft_option_count(); ++index) {
-        cleft_option_description info = {};
-        info.struct_size = sizeof info;
-        if (cleft_option_info(index, &info) != CLEFT_OK || (wanted && !wanted(info.key)))
-            continue;
-        Row& row = rows_.emplace_back(Row{info, nullptr, {}, false});
-        if (info.type == CLEFT_OPTION_TYPE_FLAG)
-            row.option = app.add_flag(flag_name(info), row.flag, option_help(info));
-        else
-            row.option = app.add_option(flag_name(info), row.text, option_help(info))->type_name(value_name(info));
-        row.option->group(group_of(info.key));
-    }
+    for (const char* group : {sizes_group, meshing_group})
+        for (int32_t index = 0; index < cleft_option_count(); ++index) {
+            cleft_option_description info = {};
+            info.struct_size = sizeof info;
+            if (cleft_option_info(index, &info) != CLEFT_OK || group_of(info.key) != group ||
+                (wanted && !wanted(info.key)))
+                continue;
+            Row& row = rows_.emplace_back(Row{info, nullptr, {}, false});
+            if (info.type == CLEFT_OPTION_TYPE_FLAG)
+                row.option = app.add_flag(flag_name(info), row.flag, option_help(info));
+            else
+                row.option = app.add_option(flag_name(info), row.text, option_help(info))->type_name(value_name(info));
+            row.option->group(group);
+        }
 }
 
 void OptionArguments::add_label_sizes_to(CLI::App& app)
@@ -126,21 +133,21 @@ void OptionArguments::add_label_lists_to(CLI::App& app)
     app.add_option("--strip", strip_, "Labels to leave out of the mesh: --strip 0, --strip 0,4 or --strip 0 4")
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->type_name("LABEL...")
+        ->type_name("LABEL")
         ->group(group);
     app.add_option("--only", only_, "Labels to keep; all others are left out")
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->type_name("LABEL...")
+        ->type_name("LABEL")
         ->group(group);
 }
 
 std::string OptionArguments::take_background_file()
 {
     for (Row& row : rows_)
-        if (row.info.key == CLEFT_OPTION_BACKGROUND && !row.text.empty() && !is_choice(row.info.choices, row.text)) {
-            std::string path;
-            std::swap(path, row.text);
+        if (row.info.key == CLEFT_OPTION_BACKGROUND && row.given() && !is_choice(row.info.choices, row.text)) {
+            const std::string path = row.text;
+            row.text = choice_name(row.info.choices, std::llround(row.info.value));
             if (!CLI::ExistingFile(path).empty())
                 throw usage_failure("--background: '" + path + "' is none of " + row.info.choices +
                                     ", and there is no such file");
@@ -156,9 +163,8 @@ Options OptionArguments::make() const
         throw std::bad_alloc();
     Options options(handle);
     for (const Row& row : rows_) {
-        if (row.flag && cleft_options_set_integer(handle, row.info.key, 1) != CLEFT_OK)
-            throw usage_failure(flag_name(row.info) + " is refused by the library");
-        if (!row.text.empty() && cleft_options_set_text(handle, row.info.name, row.text.c_str()) != CLEFT_OK)
+        const std::string value = row.info.type == CLEFT_OPTION_TYPE_FLAG ? "true" : row.text;
+        if (row.given() && cleft_options_set_text(handle, row.info.name, value.c_str()) != CLEFT_OK)
             throw usage_failure(flag_name(row.info) + ": '" + row.text + "' is not " +
                                 (row.info.type == CLEFT_OPTION_TYPE_CHOICE
                                      ? "one of " + std::string(row.info.choices)
@@ -197,11 +203,7 @@ nlohmann::json OptionArguments::as_json(const cleft_options* options) const
     return json;
 }
 
-bool OptionArguments::given(const std::string& name) const
-{
-    return std::any_of(rows_.begin(), rows_.end(),
-                       [&](const Row& row) { return row.info.name == name && row.option->count() > 0; });
-}
+bool OptionArguments::Row::given() const { return option->count() > 0; }
 
 bool OptionArguments::leaves_out(int32_t label) const
 {

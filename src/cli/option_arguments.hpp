@@ -37,7 +37,6 @@ public:
     Options make() const;
     nlohmann::json as_json(const cleft_options* options) const;
 
-    bool given(const std::string& name) const;
     // Do the strip and only lists leave this label out?
     bool leaves_out(int32_t label) const;
 
@@ -47,6 +46,7 @@ private:
         CLI::Option* option;
         std::string text;
         bool flag;
+        bool given() const;
     };
     std::deque<Row> rows_;  // a deque: CLI11 keeps the addresses of the values
     std::vector<std::string> label_sizes_;

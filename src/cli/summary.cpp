@@ -74,9 +74,11 @@ std::string labels_table(const MeshFindings& mesh)
 std::string mesh_lines(const MeshFindings& mesh)
 {
     const cleft_quality& q = mesh.quality;
-    std::string text = line("Mesh", grouped(mesh.tets) + " tetrahedra, " + grouped(mesh.points) + " points, " +
-                                        plural(static_cast<int64_t>(mesh.labels.size()), "label") + ", " +
-                                        grouped(mesh.interface_triangles) + " interface triangles");
+    std::string counts = grouped(mesh.tets) + " tetrahedra, " + grouped(mesh.points) + " points, " +
+                         plural(static_cast<int64_t>(mesh.labels.size()), "label");
+    if (mesh.interface_triangles)
+        counts += ", " + grouped(*mesh.interface_triangles) + " interface triangles";
+    std::string text = line("Mesh", counts);
     if (mesh.tets == 0)
         return text;
     text += line("Box", box_text(mesh.low, mesh.high));

@@ -55,34 +55,34 @@ void VolumeArguments::add_reading_to(CLI::App& app)
     app.add_option("--world", world,
                    "Directions of the coordinates that come out: lps (ITK, DICOM, 3D\n"
                    "Slicer's files) or ras (NIfTI): x and y change their sign (default lps)")
-        ->check(CLI::IsMember({"lps", "ras"}))
+        ->check(CLI::IsMember({"lps", "ras"}).description(""))
         ->type_name("lps|ras")
         ->group(group);
     app.add_option("--as", kind,
                    "What the voxels mean; auto: whole numbers are labels, others\n"
                    "indicator functions, inside where > 0 (default auto)")
-        ->check(CLI::IsMember({"auto", "labels", "indicators"}))
+        ->check(CLI::IsMember({"auto", "labels", "indicators"}).description(""))
         ->type_name("auto|labels|indicators")
         ->group(group);
     app.add_option("--spacing", spacing, "Size of a voxel, instead of the file's")
         ->expected(3)
         ->delimiter(',')
-        ->check(CLI::PositiveNumber)
-        ->type_name("X Y Z")
+        ->check(CLI::PositiveNumber.description(""))
+        ->type_name("H")
         ->group(group);
     app.add_option("--dims", dims, "Read raw voxels without a header: voxels along x (fastest), y, z")
         ->expected(3)
         ->delimiter(',')
-        ->check(CLI::PositiveNumber)
-        ->type_name("NX NY NZ")
+        ->check(CLI::PositiveNumber.description(""))
+        ->type_name("N")
         ->group(group);
     app.add_option("--type", type,
                    "Type of raw voxels: uint8, uint16, int16, uint32, int32, float32,\nfloat64 (default uint8)")
-        ->check(CLI::IsMember(type_names()))
+        ->check(CLI::IsMember(type_names()).description(""))
         ->type_name("TYPE")
         ->group(group);
     app.add_option("--skip", skip, "Bytes before the first raw voxel (default 0)")
-        ->check(CLI::NonNegativeNumber)
+        ->check(CLI::NonNegativeNumber.description(""))
         ->type_name("BYTES")
         ->group(group);
     app.add_flag("--big-endian", big_endian, "Raw voxels have their most significant byte first")->group(group);
