@@ -12,13 +12,12 @@ namespace
 constexpr double stair_length = 4;        // in greatest spacings
 constexpr double least_sheet = 0.8;       // in voxels, each axis by its own spacing
 constexpr double opposite_sides = -0.85;  // cosine of the angle between the normals of two sides of a sheet
-constexpr double opposite_deep = -0.5;    // the same for two points around a deepest voxel
 
 struct Position {
     Vec3 point, normal;
 };
 
-bool is_medial(const Vec3& m, const Position& p, const Position& q, const Vec3& spacing, double opposite)
+bool is_medial(const Vec3& m, const Position& p, const Position& q, const Vec3& spacing)
 {
     const Vec3 to_p = p.point - m;
     const Vec3 to_q = q.point - m;
@@ -29,7 +28,8 @@ bool is_medial(const Vec3& m, const Position& p, const Position& q, const Vec3& 
     const double stair = stair_length * spacing.maxCoeff();
     if (apart.squaredNorm() > stair * stair)
         return true;
-    return p.normal.dot(q.normal) < opposite && apart.cwiseQuotient(spacing).squaredNorm() > least_sheet * least_sheet;
+    return p.normal.dot(q.normal) < opposite_sides &&
+           apart.cwiseQuotient(spacing).squaredNorm() > least_sheet * least_sheet;
 }
 
 // Where the way from x along an axis is as far from p as from q, as a part of its length.
@@ -70,8 +70,8 @@ public:
             if (differ == 0)
                 continue;
             crossing({i, j, k}, site, differ, medial[i]);
-            if (medial[i] == 0 && is_deepest({i, j, k}, site))
-                medial[i] = pack_medial(0, 0);
+            if (medial[i] == 0 && is_deepest(window, {i, j, k}, site))
+                medial[i] = middle_of_deepest({i, j, k}, site);
         }
     }
 
@@ -110,7 +110,7 @@ private:
         const double part = equidistant_part(x, axis, grid_.spacing[axis], p.point, q.point);
         Vec3 m = x;
         m[axis] += part * grid_.spacing[axis];
-        return is_medial(m, p, q, grid_.spacing, opposite_sides) ? part : -1;
+        return is_medial(m, p, q, grid_.spacing) ? part : -1;
     }
 
     // Keeps the crossing whose axis is most nearly that from one interface point to the other: it is the best defined.
@@ -135,9 +135,9 @@ private:
         }
     }
 
-    // Whether an inner voxel is at least as far from the interface as its neighbours, and between opposite points.
-    // Where the axis is a point or a line, as in a ball or a rod, no two neighbours need have such points.
-    bool is_deepest(const std::array<int32_t, 3>& at, const int32_t* site) const
+    // Whether an inner voxel is at least as far from the interface as the neighbours of its material, all 26. Where the
+    // axis is a point or a line, as in a ball or a rod, no two neighbours need have points on opposite sides.
+    bool is_deepest(RowWindow& window, const std::array<int32_t, 3>& at, const int32_t* site) const
     {
         if (points_.contains(site - nearest_.data()))
             return false;
@@ -150,48 +150,48 @@ private:
             if (site[stride_[a]] == site[0] && site[-stride_[a]] == site[0])
                 return false;
         }
-        const Vec3 x = centre(at);
-        const Vec3 inward = x - point(site[0]);
+        const Vec3 inward = centre(at) - point(site[0]);
         const double depth = inward.squaredNorm();
-        Eigen::Index first = 0;  // the likeliest axis to lead deeper
-        inward.cwiseAbs().maxCoeff(&first);
-        std::array<Position, 6> around;
-        for (int n = 0; n < 3; ++n) {
-            const int a = (static_cast<int>(first) + n) % 3;
-            for (int side = 0; side < 2; ++side) {
-                const bool after = (side == 0) == (inward[a] > 0);
-                const int64_t step = grid_.dims[static_cast<size_t>(a)] == 1 ? 0 : (after ? 1 : -1);
-                Vec3 y = x;
-                y[a] += static_cast<double>(step) * grid_.spacing[a];
-                const int32_t other = site[step * stride_[static_cast<size_t>(a)]];
-                if ((point(other) - y).squaredNorm() > depth)
-                    return false;
-                around[static_cast<size_t>(2 * n + side)] = position(other);
+        // The likeliest neighbour first.
+        const Eigen::Vector3i ahead = (1.3 * inward / inward.cwiseAbs().maxCoeff()).array().round().cast<int>();
+        if (is_deeper(window, at, site, ahead.cwiseMax(-1).cwiseMin(1), depth))
+            return false;
+        for (int n = 0; n < 27; ++n)
+            if (is_deeper(window, at, site, {n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1}, depth))
+                return false;
+        return true;
+    }
+
+    // Whether the voxel a step away is of the same material and further from the interface than a squared depth.
+    bool is_deeper(RowWindow& window, const std::array<int32_t, 3>& at, const int32_t* site,
+                   const Eigen::Vector3i& step, double depth) const
+    {
+        std::array<int32_t, 3> to = at;
+        int64_t offset = 0;
+        for (size_t a = 0; a < 3; ++a) {
+            const int32_t along = step[static_cast<int>(a)];
+            if (grid_.dims[a] == 1 && along != 0)
+                return false;
+            to[a] += along;
+            offset += along * stride_[a];
+        }
+        return (point(site[offset]) - centre(to)).squaredNorm() > depth &&
+               window.row(to[1], to[2])[to[0]] == window.row(at[1], at[2])[at[0]];
+    }
+
+    // The middle of a deepest voxel and of those next to it that are as deep.
+    uint8_t middle_of_deepest(const std::array<int32_t, 3>& at, const int32_t* site) const
+    {
+        const double depth = (point(site[0]) - centre(at)).squaredNorm();
+        std::array<int, 3> halves{0, 0, 0};
+        for (size_t a = 0; a < 3; ++a)
+            for (int side = -1; side <= 1 && grid_.dims[a] > 1; side += 2) {
+                std::array<int32_t, 3> to = at;
+                to[a] += side;
+                const double other = (point(site[side * stride_[a]]) - centre(to)).squaredNorm();
+                halves[a] += other > depth * (1 - 1e-6) ? side : 0;
             }
-        }
-        return is_between_opposite(x, around) && !follows_crossing(x, site);
-    }
-
-    // Whether a voxel before x holds the axis between itself and x.
-    bool follows_crossing(const Vec3& x, const int32_t* site) const
-    {
-        for (int a = 0; a < 3; ++a) {
-            const int64_t step = grid_.dims[static_cast<size_t>(a)] == 1 ? 0 : stride_[static_cast<size_t>(a)];
-            Vec3 before = x;
-            before[a] -= grid_.spacing[a];
-            if (site[-step] != site[0] && crossing_part(before, a, position(site[-step]), position(site[0])) >= 0)
-                return true;
-        }
-        return false;
-    }
-
-    bool is_between_opposite(const Vec3& x, const std::array<Position, 6>& around) const
-    {
-        for (size_t p = 0; p < around.size(); ++p)
-            for (size_t q = 0; q < p; ++q)
-                if (is_medial(x, around[p], around[q], grid_.spacing, opposite_deep))
-                    return true;
-        return false;
+        return pack_medial(halves);
     }
 
     const Grid& grid_;

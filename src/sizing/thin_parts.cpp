@@ -20,7 +20,7 @@ public:
     {
         const int64_t voxel = grid_.index(at[0], at[1], at[2]);
         if (is_single(voxel))
-            return singles_prevail(window, at) ? pack_medial(0, 0) : 0;
+            return singles_prevail(window, at) ? pack_medial({0, 0, 0}) : 0;
         int pairs = 0;
         int towards_next = -1;
         for (int a = 0; a < 3; ++a) {

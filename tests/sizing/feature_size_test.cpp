@@ -37,9 +37,9 @@ void of_a_ball_is_its_radius(void**)
             const auto n = static_cast<int32_t>(2 * r + 12);
             const Vec3 middle = Vec3::Constant(0.5 * n) + shift;
             const Labels labels = ball(grid_of(n, n, n), middle, r);
-            assert_true(quantile(labels, 0.01) > (r < 10 ? 0.6 : 0.9) * r);
-            assert_true(quantile(labels, 0.5) > (r < 10 ? 0.75 : 0.93) * r);
-            assert_true(quantile(labels, 0.99) < (r < 10 ? 1.35 : 1.12) * r);
+            assert_true(quantile(labels, 0.01) > (r < 5 ? 0.7 : r < 10 ? 0.8 : 0.9) * r);
+            assert_true(quantile(labels, 0.5) > (r < 10 ? 0.85 : 0.95) * r);
+            assert_true(quantile(labels, 0.99) < (r < 10 ? 1.3 : 1.1) * r);
         }
 }
 
@@ -86,16 +86,16 @@ void of_a_torus_is_the_radius_of_its_tube(void**)
 
 void between_near_balls_is_half_their_distance(void**)
 {
-    const Vec3 a(20, 24, 24), b(63, 24, 24);  // 3 apart
-    const Labels labels = labels_from(grid_of(84, 48, 48), [&](const Vec3& x) {
+    const Vec3 a(24, 24, 24), b(67, 24, 24);  // 3 apart
+    const Labels labels = labels_from(grid_of(91, 48, 48), [&](const Vec3& x) {
         return (x - a).norm() < 20 ? 1 : (x - b).norm() < 20 ? 2 : 0;
     });
     const auto between = [](const Vec3& x) {
-        return std::abs(x[0] - 41.5) < 2.5 && (x - Vec3(x[0], 24, 24)).norm() < 4;
+        return std::abs(x[0] - 45.5) < 2.5 && (x - Vec3(x[0], 24, 24)).norm() < 4;
     };
     assert_true(quantile(labels, 0.05, between) > 1.0);
     assert_true(quantile(labels, 0.95, between) < 2.5);
-    const auto far = [](const Vec3& x) { return x[0] < 20; };
+    const auto far = [](const Vec3& x) { return x[0] < 24; };
     assert_true(quantile(labels, 0.05, far) > 0.85 * 20);
 }
 
@@ -106,7 +106,8 @@ void of_sheets_is_half_their_thickness(void**)
             const Labels labels = labels_from(
                 grid_of(24, 25, 26), [=](const Vec3& x) { return x[axis] > 8 && x[axis] < 8 + thick ? 1 : 0; });
             assert_true(quantile(labels, 0) > 0.49 * thick);
-            assert_true(quantile(labels, 1) < 0.51 * thick);
+            assert_true(quantile(labels, 0.9) < 0.51 * thick);
+            assert_true(quantile(labels, 1) < 0.62 * thick);  // next to the faces of the box
         }
     const Vec3 normal = Vec3(0.1, 0.2, 1).normalized();  // with stairs
     const auto inside = [](const Vec3& x) { return (x - Vec3::Constant(20)).cwiseAbs().maxCoeff() < 14; };
