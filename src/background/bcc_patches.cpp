@@ -118,22 +118,50 @@ void BccPatches::add_particles(ParticleSet& out) const
     for_each_used(centre_used, cells, [&](const Index& i) { out.add(position(*this, i, 0.5), 0); });
 }
 
-BccPatches constant_size_patches(const SizingField& field, const SizeSampler& size, const Run& run)
+namespace
+{
+
+// Cells of the lattice along each axis: of the whole numbers next to length / wanted, those whose product is nearest to
+// the number of cells wanted, so that a lattice fitted to the box does not change the number of particles by more than
+// it must. All zero if some side would have to be stretched by more than a tenth.
+Index cells_between_walls(const Vec3& extent, double wanted)
 {
     constexpr double kStretch = 0.1;
+    const Vec3 exact = extent / wanted;
+    Index best{};
+    double least_misfit = 1e300;
+    for (int choice = 0; choice < 8; ++choice) {
+        Index cells{};
+        double misfit = 0;
+        bool fits = true;
+        for (size_t a = 0; a < 3; ++a) {
+            const double count = std::max(1.0, std::floor(exact[static_cast<int>(a)]) + (choice >> a & 1));
+            const double stretch = exact[static_cast<int>(a)] / count;
+            fits = fits && std::abs(stretch - 1) <= kStretch;
+            misfit += std::log(stretch);
+            cells[a] = static_cast<int32_t>(std::min(count, 1e9));
+        }
+        if (fits && std::abs(misfit) < least_misfit - 1e-12) {
+            least_misfit = std::abs(misfit);
+            best = cells;
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+BccPatches constant_size_patches(const SizingField& field, const SizeSampler& size, const Run& run)
+{
     const double greatest = *std::max_element(field.h.begin(), field.h.end());
     const double wanted = greatest * std::cbrt(2 / kParticleDensity[3]);
     BccPatches lattice;
     lattice.extent = size.extent();
-    Index cells;
-    for (size_t a = 0; a < 3; ++a) {
-        const double length = lattice.extent[static_cast<int>(a)];
-        const double count = std::max(1.0, std::round(length / wanted));
-        lattice.cell[static_cast<int>(a)] = length / count;
-        if (std::abs(length / count / wanted - 1) > kStretch)
-            return {};
-        cells[a] = static_cast<int32_t>(count);
-    }
+    const Index cells = cells_between_walls(lattice.extent, wanted);
+    if (cells[0] == 0)
+        return {};
+    for (size_t a = 0; a < 3; ++a)
+        lattice.cell[static_cast<int>(a)] = lattice.extent[static_cast<int>(a)] / cells[a];
     lattice.cells = cells;
     mark_used(lattice.corner_used, corner_dims(cells), lattice, 0, size, greatest, run);
     mark_used(lattice.centre_used, cells, lattice, 0.5, size, greatest, run);

@@ -73,8 +73,12 @@ void seed_part(const BoxPart<D>& part, const SizeSampler& size, const BccPatches
     });
     for (const auto& points : found) {
         refuse_too_many(static_cast<double>(out.size() + points.size()));
-        for (const Vec3& x : points)
+        for (Vec3 x : points) {
+            for (size_t axis = 0; axis < 3; ++axis)
+                if (held(part.walls, axis))  // a centroid of points in a wall may miss it by a rounding error
+                    x[static_cast<int>(axis)] = part.origin[static_cast<int>(axis)];
             out.add(x, part.walls);
+        }
     }
 }
 

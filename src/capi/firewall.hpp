@@ -128,14 +128,15 @@ cleft_status guarded_run(cleft_context* context, const Body& body) noexcept
         return CLEFT_ERROR_HANDLE;
     context->message[0] = '\0';
     context->cancel = false;
+    double furthest = 0;
     return guarded(&context->message, [&] {
         Run run;
         run.threads = context->threads;
         run.cancel = &context->cancel;
         run.metrics = &context->metrics;
         if (context->progress)
-            run.progress = [context, furthest = 0.0](double fraction, const char* stage) mutable {
-                furthest = std::clamp(fraction, furthest, 1.0);  // stages that look twice do not go back
+            run.progress = [context, &furthest](double fraction, const char* stage) {
+                furthest = std::clamp(fraction, furthest, 1.0);  // a stage that looks twice does not go back
                 return context->progress(furthest, stage, context->progress_user) != 0;
             };
         if (context->log)

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string>
 
 namespace cleft
@@ -60,11 +59,13 @@ public:
     double next(double factor, double count)
     {
         const Try tried{std::log(factor), std::log(count)};
-        (tried.count > wanted_ ? many_ : few_) = tried;
-        if (!many_ || !few_)
+        const bool many = tried.count > wanted_;
+        (many ? many_ : few_) = tried;
+        (many ? has_many_ : has_few_) = true;
+        if (!has_many_ || !has_few_)
             return std::exp(tried.factor + (tried.count - wanted_) / kExponent);
-        const double share = (many_->count - wanted_) / (many_->count - few_->count);
-        return std::exp(many_->factor + std::clamp(share, 0.1, 0.9) * (few_->factor - many_->factor));
+        const double share = (many_.count - wanted_) / (many_.count - few_.count);
+        return std::exp(many_.factor + std::clamp(share, 0.1, 0.9) * (few_.factor - many_.factor));
     }
 
 private:
@@ -73,7 +74,8 @@ private:
         double factor, count;
     };
     double wanted_;
-    std::optional<Try> many_, few_;  // the last that gave too many, and too few
+    bool has_many_ = false, has_few_ = false;
+    Try many_{}, few_{};  // the last that gave too many, and too few
 };
 
 LabelledMesh attempt_number(const Volume& volume, SizingField& field, const PipelineOptions& options, const Run& run)
