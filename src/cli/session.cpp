@@ -134,7 +134,6 @@ void Session::note_stages(const char* name, const StageFigures& before, int64_t 
         return 0.0;
     };
     const std::string end = ".cpu_seconds";
-    const std::size_t count = stages_.size();
     for (std::size_t i = static_cast<std::size_t>(metrics_before); i < all.size(); ++i) {
         const std::string& metric = all[i].first;
         if (!ends_with(metric, end))
@@ -143,8 +142,7 @@ void Session::note_stages(const char* name, const StageFigures& before, int64_t 
         stages_.push_back({stage, value_of(stage + ".seconds"), all[i].second, value_of(stage + ".peak_bytes")});
     }
     const StageFigures now = process_figures();
-    if (stages_.size() == count)
-        stages_.push_back({name, now.seconds - before.seconds, now.cpu_seconds - before.cpu_seconds, now.peak_bytes});
+    stages_.push_back({name, now.seconds - before.seconds, now.cpu_seconds - before.cpu_seconds, now.peak_bytes});
 }
 
 int Session::on_progress(double fraction, const char* stage, void* user)

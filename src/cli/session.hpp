@@ -63,7 +63,7 @@ public:
     }
 
     // Runs body() with `words` on the progress bar and notes its figures: those of the stages that the library
-    // measured in it, else those of the whole under `name`.
+    // measured in it, then those of the whole under `name`.
     template <class Body>
     void timed(const char* name, const char* words, const Body& body)
     {

@@ -39,7 +39,7 @@ class Mesh(CommandTest):
     def test_every_stage_is_measured(self):
         report = self.mesh(self.volume)
         names = [stage["name"] for stage in report["stages"]]
-        for name in ("read", "sizing", "background", "cleaving", "report", "write"):
+        for name in ("read", "sizing", "background", "cleaving", "mesh", "report", "write"):
             self.assertIn(name, names)
         for stage in report["stages"]:
             self.assertGreaterEqual(stage["seconds"], 0)
