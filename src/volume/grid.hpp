@@ -7,7 +7,8 @@
 #include <array>
 #include <cstdint>
 
-namespace cleft {
+namespace cleft
+{
 
 struct Grid {
     std::array<int32_t, 3> dims{0, 0, 0};

@@ -11,7 +11,8 @@
 #include <memory>
 #include <vector>
 
-namespace cleft {
+namespace cleft
+{
 
 // The indicators at one point: one entry for each material that has a say there, ascending by material.
 // A material without an entry has value 0 in a label map (label indicators are shares, never negative); for indicator
@@ -43,7 +44,8 @@ struct Samples {
 
 enum class VoxelType { uint8, uint16, int16, uint32, int32 };
 
-class Volume {
+class Volume
+{
 public:
     // `kernel` is the width in voxels of the Hann kernel that smooths labels, 2 .. 6 (5 by default).
     static Volume from_labels(VoxelType type, const void* voxels, const Grid& grid, int kernel, const Run& run);

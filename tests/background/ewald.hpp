@@ -100,7 +100,8 @@ inline std::vector<double> amplitudes(const Sum& sum, const ParticleSet& particl
         Eigen::MatrixXd plane(fine, fine);
         for (int y = 0; y < fine; ++y)
             for (int x = 0; x < fine; ++x)
-                plane(x, y) = cell * density(sum.size, (Vec3(x, y, z).array() + 0.5).matrix().cwiseProduct(sum.extent) / fine);
+                plane(x, y) =
+                    cell * density(sum.size, (Vec3(x, y, z).array() + 0.5).matrix().cwiseProduct(sum.extent) / fine);
         const Eigen::MatrixXd t = m[0] * plane * m[1].transpose();
         planes.col(z) = Eigen::Map<const Eigen::VectorXd>(t.data(), nx * ny);
     }
