@@ -12,11 +12,20 @@ class Convert(CommandTest):
     def test_around_all_formats_that_can_be_read(self):
         self.mesh(self.volume, output="start.vtu")
         previous = "start.vtu"
-        for name in ("a.mesh", "b.msh", "c.vtk", "d.node", "end.vtu"):
+        for name in ("a.mesh", "c.vtk", "d.node", "end.vtu"):
             self.run_ok("convert", self.path(previous), self.path(name))
             previous = name
         self.assertEqual(self.info("start.vtu"), self.info("end.vtu"))
         self.assertEqual(self.path("start.vtu").read_bytes(), self.path("end.vtu").read_bytes())
+
+    def test_gmsh_groups_elements_by_material_and_keeps_the_rest(self):
+        self.mesh(self.volume, output="start.vtu")
+        self.run_ok("convert", self.path("start.vtu"), self.path("a.msh"))
+        self.run_ok("convert", self.path("a.msh"), self.path("grouped.vtu"))
+        self.assertEqual(self.info("start.vtu"), self.info("grouped.vtu"))
+        self.run_ok("convert", self.path("grouped.vtu"), self.path("b.msh"))
+        self.run_ok("convert", self.path("b.msh"), self.path("again.vtu"))
+        self.assertEqual(self.path("grouped.vtu").read_bytes(), self.path("again.vtu").read_bytes())
 
     def test_surfaces(self):
         self.mesh(self.volume)

@@ -11,9 +11,9 @@ class Sizing(CommandTest):
         return json.loads(done.stdout)["sizing"]
 
     def test_written_field_follows_the_options(self):
-        sizes = self.field(self.volume, "--size-min", 0.7, "--size-max", 2)
+        sizes = self.field(self.volume, "--size-min", 0.7, "--size-max", 8)
         self.assertGreaterEqual(sizes["least"], 0.7 * 0.999)
-        self.assertLessEqual(sizes["greatest"], 2 * 1.001)
+        self.assertLessEqual(sizes["greatest"], 8 * 1.001)
         self.assertLess(sizes["least"], sizes["greatest"])
         self.assertGreater(sizes["expected_tets"], 100)
 
@@ -35,7 +35,7 @@ class Sizing(CommandTest):
         self.assertEqual(mine["options"]["sizing"], str(self.path("mine.nrrd")))
 
     def test_combined_field_is_no_coarser_than_either(self):
-        write_nrrd(self.path("mine.nrrd"), (16, 16, 16), [2.5] * 16 ** 3, "float")
+        write_nrrd(self.path("mine.nrrd"), (16, 16, 16), [4.0] * 16 ** 3, "float")
         alone = self.mesh(self.volume, "--sizing", self.path("mine.nrrd"))["mesh"]["tets"]
         combined = self.mesh(self.volume, "--sizing", self.path("mine.nrrd"), "--combine")["mesh"]["tets"]
         self.assertGreater(combined, alone)
