@@ -3,7 +3,7 @@ import json
 import resource
 import unittest
 
-from support import CANNOT_READ, CANNOT_WRITE, DATA, OUT_OF_MEMORY, CommandTest, cleft, write_nrrd
+from support import CANNOT_READ, CANNOT_WRITE, OUT_OF_MEMORY, CommandTest, cleft, write_nrrd
 
 
 class Failures(CommandTest):
@@ -50,9 +50,11 @@ class Failures(CommandTest):
     def test_out_of_memory(self):
         def little_memory():
             resource.setrlimit(resource.RLIMIT_AS, (600_000_000, 600_000_000))
-        done = cleft("mesh", DATA / "mickey.nrrd", "-o", self.path("out.vtu"), "--tets", 5_000_000, "--threads", 1,
-                     preexec_fn=little_memory)
-        self.assert_fails(OUT_OF_MEMORY, done)
+        with open(self.path("large.raw"), "wb") as file:
+            file.truncate(1000 ** 3)
+        done = cleft("mesh", self.path("large.raw"), "--dims", 1000, 1000, 1000, "-o", self.path("out.vtu"),
+                     "--threads", 1, preexec_fn=little_memory)
+        self.assert_fails(OUT_OF_MEMORY, done, "memory")
         self.assertFalse(self.path("out.vtu").exists())
 
 

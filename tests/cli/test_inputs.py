@@ -29,7 +29,7 @@ class Inputs(CommandTest):
         values = [5.0 - ((x - 7.5) ** 2 + (y - 7.5) ** 2 + (z - 7.5) ** 2) ** 0.5
                   for z in range(n) for y in range(n) for x in range(n)]
         write_nrrd(self.path("ball.nrrd"), (n, n, n), values, "float")
-        report = self.mesh(self.path("ball.nrrd"))
+        report = self.mesh(self.path("ball.nrrd"), "--size", 1)
         inside = [row for row in report["mesh"]["labels"] if row["label"] == 1][0]
         self.assertLess(abs(inside["volume"] / (4 / 3 * 3.14159265 * 125) - 1), 0.03)
 
