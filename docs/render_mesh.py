@@ -25,8 +25,8 @@ def arguments():
     parser.add_argument("--whole", type=int, nargs="*", default=[], help="labels that are not cut")
     parser.add_argument("--view", type=float, nargs=3, default=(-0.5, -1.0, 0.6), help="direction to the eye")
     parser.add_argument("--up", type=float, nargs=3, default=(0.0, 0.0, 1.0))
-    parser.add_argument("--zoom", type=float, default=1.4)
-    parser.add_argument("--pixels", type=int, nargs=2, default=(1000, 800))
+    parser.add_argument("--zoom", type=float, default=1.25)
+    parser.add_argument("--pixels", type=int, nargs=2, default=(800, 640))
     parser.add_argument("--line-width", type=float, default=1.0)
     return parser.parse_args()
 
@@ -64,7 +64,7 @@ def surface_of(grid, keep):
     threshold.SetInputData(grid)
     threshold.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_CELLS, "keep")
     threshold.SetLowerThreshold(0.5)
-    threshold.SetThresholdFunction(vtk.vtkThreshold.THRESHOLD_UPPER)
+    threshold.SetUpperThreshold(1.5)
     surface = vtk.vtkDataSetSurfaceFilter()
     surface.SetInputConnection(threshold.GetOutputPort())
     surface.Update()
@@ -72,7 +72,9 @@ def surface_of(grid, keep):
 
 
 def color(rank):
-    """Colours that differ well for neighbours in rank: hues in golden steps."""
+    """Grey for the first label, most often the outside; then hues in golden steps, which differ well for neighbours."""
+    if rank == 0:
+        return 0.82, 0.84, 0.86
     return colorsys.hsv_to_rgb((0.58 + 0.618034 * rank) % 1.0, 0.45 + 0.2 * (rank % 2), 0.95 - 0.12 * (rank % 3))
 
 
