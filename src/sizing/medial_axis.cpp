@@ -57,16 +57,15 @@ public:
         // The rows that hold the next voxel along each axis.
         const Material* own = window.row(j, k);
         const std::array<const Material*, 3> next{own + 1, window.row(j + 1, k), window.row(j, k + 1)};
-        const int axes = 1 | (j + 1 < grid_.dims[1]) << 1 | (k + 1 < grid_.dims[2]) << 2;
+        const int across = (j + 1 < grid_.dims[1]) << 1 | (k + 1 < grid_.dims[2]) << 2;
         const int64_t start = grid_.index(0, j, k);
         for (int32_t i = 0; i < grid_.dims[0]; ++i) {
             const int32_t* site = nearest_.data() + start + i;
-            int differ = 0;  // the axes along which the next voxel is of the same material and has another site
+            const int axes = across | (i + 1 < grid_.dims[0]);
+            int differ = 0;  // those along which the next voxel is of the same material and has another site
             for (size_t a = 0; a < 3; ++a)
                 if ((axes >> a & 1) && next[a][i] == own[i] && site[0] != site[stride_[a]])
                     differ |= 1 << a;
-            if (i + 1 == grid_.dims[0])
-                differ &= ~1;
             if (differ == 0)
                 continue;
             crossing({i, j, k}, site, differ, medial[i]);
