@@ -2,31 +2,22 @@
 #pragma once
 
 #include "base/vec.hpp"
+#include "support/random.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <vector>
 
-namespace cleft::test
+namespace cleft_test
 {
 
-// splitmix64: small, seeded, the same everywhere.
-class Random
-{
-public:
-    explicit Random(uint64_t seed) : state_(seed) {}
-    double uniform()
-    {
-        uint64_t z = (state_ += 0x9E3779B97F4A7C15u);
-        z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-        z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-        return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-    }
-    Vec3 in_box(const Vec3& extent) { return Vec3(uniform(), uniform(), uniform()).cwiseProduct(extent); }
+using cleft::Vec3;
 
-private:
-    uint64_t state_;
-};
+inline Vec3 random_in_box(Random& random, const Vec3& extent)
+{
+    const double x = random.unit(), y = random.unit(), z = random.unit();
+    return Vec3(x, y, z).cwiseProduct(extent);
+}
 
 // The corners of the box [0, extent], then random points of which one in ten lies on a wall.
 inline std::vector<Vec3> random_points(int count, const Vec3& extent, uint64_t seed)
@@ -36,10 +27,10 @@ inline std::vector<Vec3> random_points(int count, const Vec3& extent, uint64_t s
     for (int c = 0; c < 8; ++c)
         points.push_back(Vec3(c & 1, (c >> 1) & 1, c >> 2).cwiseProduct(extent));
     while (static_cast<int>(points.size()) < count) {
-        Vec3 p = random.in_box(extent);
+        Vec3 p = random_in_box(random, extent);
         const int axis = static_cast<int>(points.size()) % 30;
         if (axis < 3)
-            p[axis] = random.uniform() < 0.5 ? 0.0 : extent[axis];
+            p[axis] = random.unit() < 0.5 ? 0.0 : extent[axis];
         points.push_back(p);
     }
     return points;
@@ -67,7 +58,7 @@ inline std::vector<Vec3> bcc_lattice(int n, double jitter, uint64_t seed)
                 points.emplace_back(i + 0.5, j + 0.5, k + 0.5);
     for (Vec3& p : points)
         for (int a = 0; a < 3; ++a) {
-            const double move = jitter * (2 * random.uniform() - 1);
+            const double move = random.between(-jitter, jitter);
             if (p[a] > 0 && p[a] < n)
                 p[a] += move;
         }
@@ -106,7 +97,7 @@ private:
     void throw_darts(int count, int walls)
     {
         for (int i = 0; i < count; ++i) {
-            Vec3 x = random_.in_box(Vec3(1, 1, 1));
+            Vec3 x = random_in_box(random_, Vec3(1, 1, 1));
             const double margin = 0.5 * wanted(x);
             bool fits = true;
             for (int a = 0; a < 3; ++a)
@@ -155,4 +146,4 @@ private:
     std::vector<std::vector<int>> buckets_;
 };
 
-}  // namespace cleft::test
+}  // namespace cleft_test

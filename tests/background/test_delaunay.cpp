@@ -9,7 +9,7 @@
 #include <thread>
 
 using namespace cleft;
-using namespace cleft::test;
+using namespace cleft_test;
 
 namespace
 {

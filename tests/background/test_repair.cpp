@@ -10,7 +10,7 @@
 #include <cmath>
 
 using namespace cleft;
-using namespace cleft::test;
+using namespace cleft_test;
 
 namespace
 {
