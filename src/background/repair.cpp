@@ -67,17 +67,15 @@ void Repair::improve_bad(double angle, bool with_smoothing, double progress)
     bool changed = true;
     for (int pass = 0; pass < options_.passes && changed; ++pass) {
         changed = false;
-        for (size_t i = 0; i < bad_.order().size(); ++i) {
+        for (size_t i = 0; i < bad_.size(); ++i) {
             if (i % 256 == 0)
                 run_.report(progress, "background repair");
-            const int32_t t = bad_.order()[i];
-            if (!mesh_.alive(t) || mesh_.quality(t) >= target)
-                continue;
-            if (flip(t) || (with_smoothing && smooth_corners(t, target)))
-                changed = true;
-            bad_.add(t);
+            const bool worth = bad_.worth_trying(mesh_, i, target);
+            const bool done = worth && (flip(bad_[i]) || (with_smoothing && smooth_corners(bad_[i], target)));
+            changed = changed || done;
+            bad_.give_back(i, worth && !done);
         }
-        bad_.collect_added(mesh_, target);
+        bad_.collect_next(mesh_, target);
     }
 }
 
@@ -89,7 +87,7 @@ bool Repair::flip(int32_t t)
     for (int corner = 0; corner < 4 && !done; ++corner)
         done = remove_face(mesh_, t, corner, cavity_);
     if (done)
-        bad_.add(cavity_.created);
+        bad_.changed(mesh_, cavity_.created);
     return done;
 }
 
@@ -108,7 +106,7 @@ bool Repair::smooth_corners(int32_t t, double target)
         if (place.x == mesh_.point(v))
             continue;
         mesh_.move(v, place.x);
-        bad_.add(star_.tets());
+        bad_.changed(mesh_, star_.tets());
         moved = true;
     }
     return moved;

@@ -81,16 +81,15 @@ void Improver::work(const Search& search)
     bool changed = true;
     for (int pass = 0; pass < search.passes && changed; ++pass) {
         changed = false;
-        for (size_t i = 0; i < bad_.order().size(); ++i) {
+        for (size_t i = 0; i < bad_.size(); ++i) {
             if (i % 16 == 0)
-                run_.report((pass + double(i) / double(bad_.order().size())) / search.passes, "improving");
-            const int32_t t = bad_.order()[i];
-            if (!mesh_.alive(t) || mesh_.quality(t) >= target_)
-                continue;
-            changed = improve_tet(t) || changed;
-            bad_.add(t);
+                run_.report((pass + double(i) / double(bad_.size())) / search.passes, "improving");
+            const bool worth = bad_.worth_trying(mesh_, i, target_);
+            const bool done = worth && improve_tet(bad_[i]);
+            changed = changed || done;
+            bad_.give_back(i, worth && !done);
         }
-        bad_.collect_added(mesh_, target_);
+        bad_.collect_next(mesh_, target_);
     }
 }
 
@@ -125,7 +124,7 @@ bool Improver::smooth(int32_t v)
     if (place.x == from)
         return false;
     mesh_.move(v, place.x);
-    bad_.add(star_.tets());
+    bad_.changed(mesh_, star_.tets());
     ++counts_.moved;
     return true;
 }
@@ -134,7 +133,7 @@ bool Improver::change_connections(int32_t t)
 {
     const auto done = [&](int64_t& count) {
         ++count;
-        bad_.add(cavity_.created);
+        bad_.changed(mesh_, cavity_.created);
         return true;
     };
     for (const auto& edge : kEdgeCorners) {

@@ -7,40 +7,68 @@ namespace cleft
 
 void WorstFirst::collect_all(const LocalMesh& mesh, double target)
 {
-    added_.clear();
-    bad_.clear();
+    next_.clear();
+    list_.clear();
+    changed_.assign(static_cast<size_t>(mesh.point_count()), now_);
     for (int32_t t = 0; t < mesh.slot_count(); ++t)
         if (mesh.alive(t)) {
-            const double q = mesh.quality(t);
-            if (q < target)
-                bad_.push_back({q, t});
+            const double quality = mesh.quality(t);
+            if (quality < target)
+                list_.push_back({quality, t, 0});
         }
-    sort();
+    sort_list();
 }
 
-void WorstFirst::collect_added(const LocalMesh& mesh, double target)
+void WorstFirst::collect_next(const LocalMesh& mesh, double target)
 {
-    std::sort(added_.begin(), added_.end());
-    added_.erase(std::unique(added_.begin(), added_.end()), added_.end());
-    bad_.clear();
-    for (const int32_t t : added_)
-        if (mesh.alive(t)) {
-            const double q = mesh.quality(t);
-            if (q < target)
-                bad_.push_back({q, t});
+    // One item for each tetrahedron, the one that knows of the last try.
+    std::sort(next_.begin(), next_.end(),
+              [](const Item& a, const Item& b) { return a.tet != b.tet ? a.tet < b.tet : a.tried > b.tried; });
+    next_.erase(std::unique(next_.begin(), next_.end(), [](const Item& a, const Item& b) { return a.tet == b.tet; }),
+                next_.end());
+    list_.clear();
+    for (Item item : next_)
+        if (mesh.alive(item.tet)) {
+            item.quality = mesh.quality(item.tet);
+            if (item.quality < target)
+                list_.push_back(item);
         }
-    added_.clear();
-    sort();
+    next_.clear();
+    sort_list();
 }
 
-void WorstFirst::sort()
+void WorstFirst::sort_list()
 {
-    std::sort(bad_.begin(), bad_.end(), [](const Bad& a, const Bad& b) {
+    std::sort(list_.begin(), list_.end(), [](const Item& a, const Item& b) {
         return a.quality != b.quality ? a.quality < b.quality : a.tet < b.tet;
     });
-    order_.clear();
-    for (const Bad& bad : bad_)
-        order_.push_back(bad.tet);
+}
+
+// What an operation finds at a tetrahedron depends on the stars of its corners alone.
+bool WorstFirst::worth_trying(const LocalMesh& mesh, size_t i, double target) const
+{
+    const Item& item = list_[i];
+    if (!mesh.alive(item.tet) || mesh.quality(item.tet) >= target)
+        return false;
+    const Tet& corners = mesh.tet(item.tet);
+    return std::any_of(corners.begin(), corners.end(),
+                       [&](int32_t v) { return changed_[static_cast<size_t>(v)] > item.tried; });
+}
+
+void WorstFirst::changed(const LocalMesh& mesh, const std::vector<int32_t>& tets)
+{
+    ++now_;
+    changed_.resize(static_cast<size_t>(mesh.point_count()), now_);
+    for (const int32_t t : tets) {
+        for (const int32_t v : mesh.tet(t))
+            changed_[static_cast<size_t>(v)] = now_;
+        next_.push_back({0, t, 0});
+    }
+}
+
+void WorstFirst::give_back(size_t i, bool in_vain)
+{
+    next_.push_back({0, list_[i].tet, in_vain ? now_ : list_[i].tried});
 }
 
 }  // namespace cleft

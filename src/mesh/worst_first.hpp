@@ -1,4 +1,5 @@
-// The order of work of every local search here: bad tetrahedra, the worst first, those that the last pass left or made.
+// The order of work of every local search here: bad tetrahedra, the worst first, in passes. A tetrahedron that could
+// not be made better is not tried again before something at its corners has changed.
 #pragma once
 
 #include "mesh/local_mesh.hpp"
@@ -9,25 +10,33 @@ namespace cleft
 class WorstFirst
 {
 public:
-    // Every tetrahedron of the mesh with a quality below `target`.
+    // Starts a search: every tetrahedron of the mesh with a quality below `target`.
     void collect_all(const LocalMesh& mesh, double target);
-    // The tetrahedra named by add() since the last collection that are alive and below the target, each once.
-    void collect_added(const LocalMesh& mesh, double target);
-    void add(const std::vector<int32_t>& tets) { added_.insert(added_.end(), tets.begin(), tets.end()); }
-    void add(int32_t t) { added_.push_back(t); }
+    // The next pass: those below the target that the last pass changed or gave back.
+    void collect_next(const LocalMesh& mesh, double target);
 
-    const std::vector<int32_t>& order() const { return order_; }
+    size_t size() const { return list_.size(); }
+    int32_t operator[](size_t i) const { return list_[i].tet; }
+    // It is still bad, and something has changed since it was last tried.
+    bool worth_trying(const LocalMesh& mesh, size_t i, double target) const;
+
+    // These are new or have been moved.
+    void changed(const LocalMesh& mesh, const std::vector<int32_t>& tets);
+    // Gives the i-th one back for the next pass. `in_vain`: it was tried and nothing helped.
+    void give_back(size_t i, bool in_vain);
 
 private:
-    struct Bad {
+    struct Item {
         double quality;
         int32_t tet;
+        uint32_t tried;  // when, in vain
     };
 
-    void sort();
+    void sort_list();
 
-    std::vector<Bad> bad_;
-    std::vector<int32_t> order_, added_;
+    std::vector<Item> list_, next_;
+    std::vector<uint32_t> changed_;  // by point: when something in its star changed last
+    uint32_t now_ = 1;
 };
 
 }  // namespace cleft
