@@ -16,3 +16,12 @@ function(cleft_compile_settings target)
         target_link_options(${target} PUBLIC -fsanitize=${CLEFT_SANITIZE})
     endif()
 endfunction()
+
+# What a shared library shows: its SONAME, and the functions of its version script alone. The SONAME changes only when a
+# function is removed or changed, which tests/abi guards against.
+function(cleft_shared_interface target version_script)
+    set_target_properties(${target} PROPERTIES
+        VERSION ${PROJECT_VERSION} SOVERSION 0 LINK_DEPENDS ${version_script})
+    target_link_options(${target} PRIVATE
+        LINKER:--version-script=${version_script} LINKER:--as-needed LINKER:--no-undefined)
+endfunction()

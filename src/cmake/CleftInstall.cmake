@@ -1,0 +1,90 @@
+# The install tree: what goes where, and in which package (component) it is given out:
+#
+#   runtime, development         libcleft;      its header, static library, CMake package and cleft.pc
+#   io, io_development           libcleft_io;   its header, static library and cleft-io.pc
+#   command                      the cleft command, its manual pages and shell completion
+#   fortran                      the Fortran modules
+#
+# Every path is relative to the prefix, and so is what the files say of each other: the tree can be moved.
+include(CMakePackageConfigHelpers)
+include(CleftPkgConfig)
+
+set(CLEFT_INSTALL_CMAKEDIR ${CMAKE_INSTALL_LIBDIR}/cmake/Cleft)
+
+# cleft_install_library(TARGET NAME COMPONENT DEVELOPMENT_COMPONENT): installs a library and Cleft-NAME.cmake, which
+# describes it to CMake.
+function(cleft_install_library target name component development)
+    install(TARGETS ${target} EXPORT Cleft-${name}
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${component} NAMELINK_COMPONENT ${development}
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${development}
+        RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${component})
+    install(EXPORT Cleft-${name} NAMESPACE Cleft:: DESTINATION ${CLEFT_INSTALL_CMAKEDIR} COMPONENT ${development})
+endfunction()
+
+# cleft_install_headers(COMPONENT HEADER...)
+function(cleft_install_headers component)
+    list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/include/cleft/)
+    install(FILES ${ARGN} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cleft COMPONENT ${component})
+endfunction()
+
+# cleft_find_libraries_from(TARGET FOLDER): makes a program or library look for ours relative to where it lies.
+function(cleft_find_libraries_from target folder)
+    if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}" OR IS_ABSOLUTE "${folder}")
+        set(rpath ${CMAKE_INSTALL_FULL_LIBDIR})
+    else()
+        file(RELATIVE_PATH rpath /prefix/${folder} /prefix/${CMAKE_INSTALL_LIBDIR})
+        string(REGEX REPLACE "/$" "" rpath "\$ORIGIN/${rpath}")
+    endif()
+    set_target_properties(${target} PROPERTIES INSTALL_RPATH "${rpath}")
+endfunction()
+
+function(cleft_install_core)
+    cleft_install_library(cleft_shared shared runtime development)
+    cleft_install_library(cleft_static static development development)
+    cleft_install_headers(development cleft.h cleft_status.h)
+    install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+
+    set(tetgen_flags)
+    if(CLEFT_WITH_TETGEN)
+        cleft_link_flags(tetgen_flags ${TETGEN_LIBRARY})
+    endif()
+    cleft_cxx_runtime(runtime_names)
+    list(TRANSFORM runtime_names PREPEND -l OUTPUT_VARIABLE runtime_flags)
+    list(JOIN runtime_flags " " runtime_flags)
+    string(STRIP "${tetgen_flags} ${runtime_flags} ${CMAKE_THREAD_LIBS_INIT}" cleft_private_libs)
+    cleft_install_pkgconfig(cleft development)
+
+    set(made ${PROJECT_BINARY_DIR}/install)
+    configure_package_config_file(${PROJECT_SOURCE_DIR}/src/cmake/CleftConfig.cmake.in ${made}/CleftConfig.cmake
+        INSTALL_DESTINATION ${CLEFT_INSTALL_CMAKEDIR} NO_SET_AND_CHECK_MACRO)
+    write_basic_package_version_file(${made}/CleftConfigVersion.cmake COMPATIBILITY SameMajorVersion)
+    configure_file(${PROJECT_SOURCE_DIR}/src/cmake/CleftStaticDependencies.cmake.in
+        ${made}/Cleft-static-dependencies.cmake @ONLY)
+    install(FILES ${made}/CleftConfig.cmake ${made}/CleftConfigVersion.cmake ${made}/Cleft-static-dependencies.cmake
+        ${PROJECT_SOURCE_DIR}/src/cmake/FindTetGen.cmake
+        DESTINATION ${CLEFT_INSTALL_CMAKEDIR} COMPONENT development)
+endfunction()
+
+# cleft_install_io(LIBRARY...): the file component, built on these libraries.
+function(cleft_install_io)
+    cleft_find_libraries_from(cleft_io_shared ${CMAKE_INSTALL_LIBDIR})
+    cleft_install_library(cleft_io_shared io-shared io io_development)
+    cleft_install_library(cleft_io_static io-static io_development io_development)
+    set_target_properties(cleft_io_shared PROPERTIES EXPORT_NAME io_shared)
+    set_target_properties(cleft_io_static PROPERTIES EXPORT_NAME io_static)
+    cleft_install_headers(io_development cleft_io.h)
+
+    cleft_link_flags(cleft_io_private_libs ${ARGN})
+    cleft_install_pkgconfig(cleft-io io_development)
+
+    string(REPLACE " " ";" io_libraries "${cleft_io_private_libs}")
+    # The flags and not ITK's own CMake package, which refuses projects without C++.
+    set(dependencies ${PROJECT_BINARY_DIR}/install/Cleft-io-static-dependencies.cmake)
+    configure_file(${PROJECT_SOURCE_DIR}/src/cmake/CleftIoStaticDependencies.cmake.in ${dependencies} @ONLY)
+    install(FILES ${dependencies} DESTINATION ${CLEFT_INSTALL_CMAKEDIR} COMPONENT io_development)
+endfunction()
+
+function(cleft_install_command)
+    cleft_find_libraries_from(cleft_cli ${CMAKE_INSTALL_BINDIR})
+    install(TARGETS cleft_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
+endfunction()
