@@ -276,7 +276,7 @@ void correct_row(LabelMap<Label>& map, const ShareWindow<Label>& window, int32_t
 }  // namespace
 
 template <class Label>
-void feed_back_volume(LabelMap<Label>& map, double progress, const Run& run)
+void feed_back_volume(LabelMap<Label>& map, const Progress& progress, const Run& run)
 {
     constexpr int32_t kSlab = 8;
     const auto [nx, ny, nz] = map.grid.dims;
@@ -292,7 +292,7 @@ void feed_back_volume(LabelMap<Label>& map, double progress, const Run& run)
     };
     int32_t filled = 0;
     for (int32_t z0 = 0; z0 < nz; z0 += kSlab) {
-        run.report(progress, "volume");
+        run.report(progress.at(z0, nz), "volume");
         const int32_t z1 = std::min(nz, z0 + kSlab);
         const int32_t fill = std::min(nz, z1 + ahead);
         rows(filled, fill, [&](int32_t y, int32_t z) { fill_row(map, at, y, z, window); });
@@ -301,7 +301,7 @@ void feed_back_volume(LabelMap<Label>& map, double progress, const Run& run)
     }
 }
 
-template void feed_back_volume(LabelMap<uint8_t>&, double, const Run&);
-template void feed_back_volume(LabelMap<uint16_t>&, double, const Run&);
+template void feed_back_volume(LabelMap<uint8_t>&, const Progress&, const Run&);
+template void feed_back_volume(LabelMap<uint16_t>&, const Progress&, const Run&);
 
 }  // namespace cleft

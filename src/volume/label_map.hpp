@@ -21,19 +21,22 @@ namespace cleft
 {
 
 // A(v) and B(v) are stored in steps of 1/64.
-// The greatest A bounds what B can be asked for: at a voxel centre, others have at most A (1 - w(0)^3) < A. So a byte
-// always holds the B that keeps the centre, and leaves codes for the depth of voxels that need no B.
+// The greatest A bounds what B can be asked for: the weights of the kernel add up to one, so at a voxel centre no other
+// material has more than the greatest A. A byte always holds the B that keeps the centre, and leaves codes for the
+// depth of voxels that need none.
 constexpr int kWeightOne = 64;
 constexpr int kWeightLeast = 16;
 constexpr int kWeightGreatest = 184;
 constexpr int kBumpGreatest = 191;
 
-// The codes past kBumpGreatest: B is zero, and all voxels within code - kBumpGreatest - 1 ... of one material.
-// A voxel of the band (one of its 26 neighbours differs) has radius 0 and a code for B.
+static_assert(kBumpGreatest >= kWeightGreatest + 2, "B must be able to keep a voxel centre by its margin");
+
+// A voxel of the band (one of its 26 neighbours differs) has B as its code. All others have their depth, past
+// kBumpGreatest, and need no B.
 constexpr int kDepthGreatest = 255 - kBumpGreatest;
 
 inline bool in_band(uint8_t code) { return code <= kBumpGreatest; }
-// The radius (in the maximum norm, in voxels) within which all voxels are of the same material, as far as it is known.
+// All voxels within this distance, in the maximum norm, are of the same material.
 inline int depth_of(uint8_t code) { return in_band(code) ? 0 : code - kBumpGreatest; }
 inline int bump_of(uint8_t code) { return in_band(code) ? code : 0; }
 
@@ -55,9 +58,9 @@ inline int32_t mirrored(int32_t i, int32_t n)
 {
     if (i >= 0 && i < n)
         return i;
-    const int32_t period = 2 * n;
-    const int32_t m = ((i % period) + period) % period;
-    return m < n ? m : period - 1 - m;
+    const int64_t period = 2 * int64_t{n};
+    const int64_t m = ((i % period) + period) % period;
+    return static_cast<int32_t>(m < n ? m : period - 1 - m);
 }
 
 }  // namespace cleft

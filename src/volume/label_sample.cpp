@@ -108,9 +108,10 @@ void add_bumps(const LabelMap<Label>& map, const std::array<double, 3>& u, Share
     for (int c = 0; c < 8; ++c) {
         const auto v = static_cast<size_t>(corners.voxel[c]);
         const double b = bump_of(map.code[v]) * (1.0 / kWeightOne);
-        if (b == 0)
-            continue;
         const auto k = std::find(out.material, out.material + out.count, Material{map.material[v]}) - out.material;
+        // A corner outside the kernel's block is there by rounding, and its bump is as small.
+        if (b == 0 || k == out.count)
+            continue;
         const int x = c & 1, y = c >> 1 & 1, z = c >> 2;
         out.value[k] += b * w[0][x] * w[1][y] * w[2][z];
         if (WithGradient) {

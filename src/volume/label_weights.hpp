@@ -18,8 +18,17 @@ void find_depths(LabelMap<Label>& map, const Run& run);
 template <class Label>
 void find_weights(LabelMap<Label>& map, const Run& run);
 
+// A part of the progress of the stage.
+struct Progress {
+    double begin, end;
+    double at(int64_t done, int64_t all) const
+    {
+        return begin + (end - begin) * static_cast<double>(done) / static_cast<double>(all);
+    }
+};
+
 // Step 2, one round.
 template <class Label>
-void feed_back_volume(LabelMap<Label>& map, double progress, const Run& run);
+void feed_back_volume(LabelMap<Label>& map, const Progress& progress, const Run& run);
 
 }  // namespace cleft
