@@ -88,15 +88,15 @@ std::vector<CurveCell<D>> curve_tasks(const BoxPart<D>& part, const SizeSampler&
     return tasks;
 }
 
+// The widest cell of charge, in h. It holds a third of a particle, so that the centroid of a unit of charge is taken
+// from a few cells and h changes little in each; smaller cells give no better angles and cost more.
+inline constexpr double kCellSize = 0.6;
+
 // visit(centre, charge, h) along the curve. The charge within `layer` h of the border of the part is left out.
 template <size_t D, class Visit>
 void walk_charge(const BoxPart<D>& part, const SizeSampler& size, const CurveCell<D>& task, double layer,
                  const Visit& visit)
 {
-#ifndef KC
-#define KC 0.6
-#endif
-    constexpr double kCellSize = KC;
     walk_cells(part, size, task, kCellSize, [&](const CurveCell<D>& cell, double h) {
         Vec3 centre = cell.centre();
         const double measure = clip(part, size.extent(), cell.side(), layer * h, centre);

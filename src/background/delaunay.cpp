@@ -106,9 +106,9 @@ std::vector<Tet> run_tetgen_alone(std::vector<Vec3>& scaled, const Run& run)
 
 // Cospherical points in a plane of the hull may be joined by a tetrahedron of no volume that lies in that plane.
 // Without it the hull stays the same set of points.
-void drop_flat_hull_tets(std::vector<Tet>& tets, std::vector<char>& flat, int64_t point_count)
+void drop_flat_hull_tets(std::vector<Tet>& tets, std::vector<char>& flat, int64_t point_count, const Run& run)
 {
-    const auto neighbours = tet_neighbours(tets, point_count);
+    const auto neighbours = tet_neighbours(tets, point_count, run);
     std::vector<size_t> hull;
     std::vector<char> dropped(tets.size(), 0);
     const auto visit = [&](size_t t) {
@@ -137,7 +137,7 @@ void drop_flat_hull_tets(std::vector<Tet>& tets, std::vector<char>& flat, int64_
     flat.resize(kept);
 }
 
-void make_positive(std::vector<Tet>& tets, const std::vector<Vec3>& points)
+void make_positive(std::vector<Tet>& tets, const std::vector<Vec3>& points, const Run& run)
 {
     std::vector<char> flat(tets.size(), 0);
     bool any_flat = false;
@@ -151,7 +151,7 @@ void make_positive(std::vector<Tet>& tets, const std::vector<Vec3>& points)
         any_flat = any_flat || sign == 0;
     }
     if (any_flat)
-        drop_flat_hull_tets(tets, flat, static_cast<int64_t>(points.size()));
+        drop_flat_hull_tets(tets, flat, static_cast<int64_t>(points.size()), run);
     if (std::count(flat.begin(), flat.end(), 1) > 0)
         throw Error(CLEFT_ERROR_INTERNAL, "TetGen returned a flat tetrahedron inside the mesh");
 }
@@ -181,7 +181,7 @@ std::vector<Tet> delaunay(const std::vector<Vec3>& points, const Run& run)
         throw Error(CLEFT_ERROR_ARGUMENT, "the points lie all in one plane");
     std::vector<Tet> tets = run_tetgen_alone(scaled, run);
     run.report(0.9, "Delaunay");
-    make_positive(tets, scaled);
+    make_positive(tets, scaled, run);
     check_all_used(tets, points.size());
     run.report(1.0, "Delaunay");
     return tets;

@@ -236,19 +236,34 @@ double brick_error(const Cells& cells, const std::vector<float>& particles, cons
     return std::sqrt(error / norm);
 }
 
+// A box whose charges do not add up to nothing has a wave of number 0, which no force can level: the surplus would
+// spread evenly over the box and flood or drain the places of large h, which hold few particles. So the background
+// gets the charge of the particles, each place in proportion to what it has.
+void make_neutral(const ParticleSet& particles, std::vector<float>& background)
+{
+    double all = 0, wanted = 0;
+    for (const Walls walls : particles.walls)
+        wanted += share_of_box(walls);
+    for (const float charge : background)
+        all += static_cast<double>(charge);
+    for (float& charge : background)
+        charge = static_cast<float>(static_cast<double>(charge) * (wanted / all));
+}
+
 }  // namespace
 
-LongWaves make_long_waves(const SizeSampler& size, double least_size, double greatest_size, double particles,
-                          const Run& run)
+LongWaves make_long_waves(const SizeSampler& size, double least_size, double greatest_size,
+                          const ParticleSet& particles, const Run& run)
 {
     LongWaves waves;
     waves.extent = size.extent();
-    const double finest = finest_reach(waves.extent, kReach * least_size, particles);
+    const double finest = finest_reach(waves.extent, kReach * least_size, static_cast<double>(particles.size()));
     waves.levels = make_levels(waves.extent, finest, kReach * greatest_size);
     if (waves.levels.empty())
         return waves;
     const Cells& cells = waves.levels[0].cells;
     waves.background = background_charge(size, cells, run);
+    make_neutral(particles, waves.background);
     std::array<Matrix, 3> from_cells;
     for (size_t a = 0; a < 3; ++a) {
         waves.to_waves[a] = cosines(cells[a], cells[a], 3);

@@ -33,8 +33,9 @@ struct LongWaves {
     std::vector<float> background_waves;
 };
 
-LongWaves make_long_waves(const SizeSampler& size, double least_size, double greatest_size, double particles,
-                          const Run& run);
+// `particles`: the ones to come, or others of the same total charge.
+LongWaves make_long_waves(const SizeSampler& size, double least_size, double greatest_size,
+                          const ParticleSet& particles, const Run& run);
 
 // The potentials for the particles. Returns the density error: in bricks of 4 x 4 x 4 cells with n particles and the
 // charge q, the root of sum (n - q)^2 / sum q^2.

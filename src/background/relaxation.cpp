@@ -104,7 +104,7 @@ void relax(ParticleSet& particles, const SizingField& field, const SizeSampler& 
     ParticleTree tree = make_tree(particles.size());
     Motion motion(particles.size());
     const auto [least, greatest] = std::minmax_element(field.h.begin(), field.h.end());
-    LongWaves waves = make_long_waves(size, *least, *greatest, static_cast<double>(particles.size()), run);
+    LongWaves waves = make_long_waves(size, *least, *greatest, particles, run);
     for (int step = 0; step < steps; ++step) {
         run.report(static_cast<double>(step) / steps, "relaxing the particles");
         read_sizes(particles, size, step % kAttractionLasts == 0, motion, run);
