@@ -11,6 +11,15 @@ include(CleftPkgConfig)
 
 set(CLEFT_INSTALL_CMAKEDIR ${CMAKE_INSTALL_LIBDIR}/cmake/Cleft)
 
+# Modules of Fortran can be read by the compiler that wrote them alone, so that their folder is named after it.
+if(CLEFT_BUILD_FORTRAN)
+    string(TOLOWER ${CMAKE_Fortran_COMPILER_ID} compiler)
+    string(REPLACE gnu gfortran compiler ${compiler})
+    string(REGEX REPLACE "\\..*" "" compiler_version ${CMAKE_Fortran_COMPILER_VERSION})
+    set(CLEFT_INSTALL_MODULEDIR ${CMAKE_INSTALL_INCLUDEDIR}/cleft/${compiler}-${compiler_version}
+        CACHE STRING "Where Fortran's modules are installed")
+endif()
+
 # cleft_install_library(TARGET NAME COMPONENT DEVELOPMENT_COMPONENT): installs a library and Cleft-NAME.cmake, which
 # describes it to CMake.
 function(cleft_install_library target name component development)
@@ -87,4 +96,18 @@ endfunction()
 function(cleft_install_command)
     cleft_find_libraries_from(cleft_cli ${CMAKE_INSTALL_BINDIR})
     install(TARGETS cleft_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
+endfunction()
+
+# cleft_install_fortran(MODULE_FOLDER SOURCES IO_SOURCES): the modules as compiled, and their sources for other compilers.
+function(cleft_install_fortran modules sources io_sources)
+    cleft_install_library(cleft_fortran fortran-compiled fortran fortran)
+    install(DIRECTORY ${modules}/ DESTINATION ${CLEFT_INSTALL_MODULEDIR} COMPONENT fortran)
+    install(FILES ${sources} ${io_sources} DESTINATION ${CMAKE_INSTALL_DATADIR}/cleft/fortran COMPONENT fortran)
+    cleft_install_pkgconfig(cleft-fortran fortran)
+
+    set(made ${PROJECT_BINARY_DIR}/install/Cleft-fortran.cmake)
+    configure_package_config_file(${PROJECT_SOURCE_DIR}/src/cmake/CleftFortran.cmake.in ${made}
+        INSTALL_DESTINATION ${CLEFT_INSTALL_CMAKEDIR} PATH_VARS CMAKE_INSTALL_DATADIR CLEFT_INSTALL_MODULEDIR
+        NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+    install(FILES ${made} DESTINATION ${CLEFT_INSTALL_CMAKEDIR} COMPONENT fortran)
 endfunction()

@@ -1,0 +1,150 @@
+! Files: reading volumes, reading and writing meshes. Programs that use this module link libcleft_io, too.
+! include/cleft/cleft_io.h and docs/formats.md tell what each format holds.
+module cleft_io
+  use, intrinsic :: iso_c_binding
+  use cleft_c
+  use cleft_io_c
+  use cleft_support
+  use cleft
+  use cleft_volumes, only: c_options
+  implicit none
+  private
+  public :: cleft_read_volume, cleft_write_mesh, cleft_read_mesh, cleft_write_sizing, cleft_read_sizing
+  public :: CLEFT_FORMAT_BY_NAME, CLEFT_FORMAT_VTU, CLEFT_FORMAT_VTP, CLEFT_FORMAT_VTK, CLEFT_FORMAT_MEDIT, &
+    CLEFT_FORMAT_MSH41, CLEFT_FORMAT_MSH22, CLEFT_FORMAT_ABAQUS, CLEFT_FORMAT_TETGEN, CLEFT_FORMAT_STL, &
+    CLEFT_FORMAT_PLY, CLEFT_IO_WORLD_LPS, CLEFT_IO_WORLD_RAS, CLEFT_IO_KIND_AUTO, CLEFT_IO_KIND_LABELS, &
+    CLEFT_IO_KIND_INDICATORS
+
+  ! One path, or several: one indicator function each, in the order of the materials.
+  interface cleft_read_volume
+    module procedure read_one, read_several
+  end interface
+
+contains
+
+  ! `world`: CLEFT_IO_WORLD_LPS (the default) or _RAS. `kind`: CLEFT_IO_KIND_... `spacing`: instead of the file's.
+  subroutine read_one(context, path, volume, options, world, kind, spacing, stat, errmsg)
+    type(cleft_context), intent(inout) :: context
+    character(len=*), intent(in) :: path
+    type(cleft_volume), intent(inout) :: volume
+    type(cleft_options), intent(inout), optional :: options
+    integer(c_int32_t), intent(in), optional :: world, kind
+    real(c_double), intent(in), optional :: spacing(3)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call read_several(context, [path], volume, options, world, kind, spacing, stat, errmsg)
+  end subroutine
+
+  subroutine read_several(context, paths, volume, options, world, kind, spacing, stat, errmsg)
+    type(cleft_context), intent(inout) :: context
+    character(len=*), intent(in) :: paths(:)
+    type(cleft_volume), intent(inout) :: volume
+    type(cleft_options), intent(inout), optional :: options
+    integer(c_int32_t), intent(in), optional :: world, kind
+    real(c_double), intent(in), optional :: spacing(3)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    character(kind=c_char), target :: chars(len(paths) + 1, size(paths))
+    type(cleft_io_reading), target :: reading
+    type(c_ptr) :: made
+    integer(c_int32_t) :: status
+    integer :: i, j
+
+    do j = 1, size(paths)
+      chars(:, j) = c_null_char
+      do i = 1, len_trim(paths(j))
+        chars(i, j) = paths(j)(i:i)
+      end do
+    end do
+    reading = how_to_read(world, kind, spacing)
+    status = cleft_io_read_volume(context%c_handle(), c_options(options), [(c_loc(chars(1, j)), j=1, size(paths))], &
+      size(paths, kind=c_int64_t), c_loc(reading), made)
+    call volume%adopt(made)
+    call context%conclude(status, stat, errmsg)
+  end subroutine
+
+  ! In the format given (CLEFT_FORMAT_...) or in that of the path's extension.
+  subroutine cleft_write_mesh(context, mesh, path, format, stat, errmsg)
+    type(cleft_context), intent(inout) :: context
+    type(cleft_mesh), intent(in) :: mesh
+    character(len=*), intent(in) :: path
+    integer(c_int32_t), intent(in), optional :: format
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(c_int32_t) :: wanted
+
+    wanted = CLEFT_FORMAT_BY_NAME
+    if (present(format)) wanted = format
+    call context%conclude( &
+      cleft_io_write_mesh(context%c_handle(), mesh%c_handle(), c_text(path), wanted), stat, errmsg)
+  end subroutine
+
+  subroutine cleft_read_mesh(context, path, mesh, stat, errmsg)
+    type(cleft_context), intent(inout) :: context
+    character(len=*), intent(in) :: path
+    type(cleft_mesh), intent(inout) :: mesh
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    type(c_ptr) :: made
+    integer(c_int32_t) :: status
+
+    status = cleft_io_read_mesh(context%c_handle(), c_text(path), made)
+    call mesh%adopt(made)
+    call context%conclude(status, stat, errmsg)
+  end subroutine
+
+  subroutine cleft_write_sizing(context, sizing, path, world, stat, errmsg)
+    type(cleft_context), intent(inout) :: context
+    type(cleft_sizing), intent(in) :: sizing
+    character(len=*), intent(in) :: path
+    integer(c_int32_t), intent(in), optional :: world
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(c_int32_t) :: wanted
+
+    wanted = CLEFT_IO_WORLD_LPS
+    if (present(world)) wanted = world
+    call context%conclude( &
+      cleft_io_write_sizing(context%c_handle(), sizing%c_handle(), c_text(path), wanted), stat, errmsg)
+  end subroutine
+
+  ! The file must lie on the grid of the volume. With `combine`, the smaller of it and the computed field is taken.
+  subroutine cleft_read_sizing(context, volume, path, sizing, combine, options, world, stat, errmsg)
+    type(cleft_context), intent(inout) :: context
+    type(cleft_volume), intent(in) :: volume
+    character(len=*), intent(in) :: path
+    type(cleft_sizing), intent(inout) :: sizing
+    logical, intent(in), optional :: combine
+    type(cleft_options), intent(inout), optional :: options
+    integer(c_int32_t), intent(in), optional :: world
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    type(cleft_io_reading), target :: reading
+    type(c_ptr) :: made
+    integer(c_int32_t) :: status, c_combine
+
+    reading = how_to_read(world)
+    c_combine = 0
+    if (present(combine)) c_combine = merge(1_c_int32_t, 0_c_int32_t, combine)
+    status = cleft_io_read_sizing(context%c_handle(), volume%c_handle(), c_text(path), c_loc(reading), c_combine, &
+      c_options(options), made)
+    call sizing%adopt(made)
+    call context%conclude(status, stat, errmsg)
+  end subroutine
+
+  pure function how_to_read(world, kind, spacing) result(reading)
+    integer(c_int32_t), intent(in), optional :: world, kind
+    real(c_double), intent(in), optional :: spacing(3)
+    type(cleft_io_reading) :: reading
+
+    reading%struct_size = int(c_sizeof(reading), c_int32_t)
+    reading%world = CLEFT_IO_WORLD_LPS
+    reading%kind = CLEFT_IO_KIND_AUTO
+    reading%reserved = 0
+    reading%spacing = 0
+    if (present(world)) reading%world = world
+    if (present(kind)) reading%kind = kind
+    if (present(spacing)) reading%spacing = spacing
+  end function
+
+end module

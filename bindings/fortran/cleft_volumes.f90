@@ -1,0 +1,315 @@
+! Volumes: labelled voxels or indicator functions.
+module cleft_volumes
+  use, intrinsic :: iso_c_binding
+  use cleft_c
+  use cleft_support
+  use cleft_contexts
+  use cleft_option_sets
+  implicit none
+  private
+  public :: cleft_volume, c_options
+
+  ! Immutable once made; given back when it goes out of scope. It cannot be copied.
+  type :: cleft_volume
+    private
+    type(c_ptr) :: handle = c_null_ptr
+  contains
+    ! From labels(nx, ny, nz), or indicators(nx, ny, nz) or (nx, ny, nz, materials).
+    generic :: create => create_labels_8, create_labels_16, create_labels_32, &
+      create_signed_32, create_signed_64, create_indicators_32, create_indicators_64
+    procedure :: dims
+    procedure :: affine
+    procedure :: labels
+    procedure :: voxel_counts
+    procedure :: sample
+    procedure :: destroy
+    procedure :: c_handle
+    procedure :: adopt
+    procedure, private :: create_labels_8, create_labels_16, create_labels_32
+    procedure, private :: create_signed_32, create_signed_64, create_indicators_32, create_indicators_64
+    procedure, private :: refuse_copy
+    generic :: assignment(=) => refuse_copy
+    final :: finalize
+  end type
+
+  character(len=*), parameter :: closed = 'the volume is not there: destroyed, or never made'
+
+contains
+
+  ! The voxels' places in the world are told by the lengths of a voxel and the centre of the first one, or by `affine`:
+  ! world = matmul(affine(:, 1:3), index) + affine(:, 4), the index counted from 0. Without them, voxels are unit cubes
+  ! and the corner of the box is at the origin. Voxels of 8 bits are unsigned: 0 to 255.
+  subroutine create_labels_8(self, context, voxels, spacing, origin, affine, options, stat, errmsg)
+    class(cleft_volume), intent(inout) :: self
+    type(cleft_context), intent(inout) :: context
+    integer(c_int8_t), intent(in), contiguous, target :: voxels(:, :, :)
+    real(c_double), intent(in), optional :: spacing(3), origin(3), affine(3, 4)
+    type(cleft_options), intent(inout), optional :: options
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call create_labels(self, context, CLEFT_TYPE_UINT8, c_loc(voxels), shape(voxels, c_int64_t), &
+      spacing, origin, affine, options, stat, errmsg)
+  end subroutine
+
+  subroutine create_labels_16(self, context, voxels, spacing, origin, affine, options, stat, errmsg)
+    class(cleft_volume), intent(inout) :: self
+    type(cleft_context), intent(inout) :: context
+    integer(c_int16_t), intent(in), contiguous, target :: voxels(:, :, :)
+    real(c_double), intent(in), optional :: spacing(3), origin(3), affine(3, 4)
+    type(cleft_options), intent(inout), optional :: options
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call create_labels(self, context, CLEFT_TYPE_INT16, c_loc(voxels), shape(voxels, c_int64_t), &
+      spacing, origin, affine, options, stat, errmsg)
+  end subroutine
+
+  subroutine create_labels_32(self, context, voxels, spacing, origin, affine, options, stat, errmsg)
+    class(cleft_volume), intent(inout) :: self
+    type(cleft_context), intent(inout) :: context
+    integer(c_int32_t), intent(in), contiguous, target :: voxels(:, :, :)
+    real(c_double), intent(in), optional :: spacing(3), origin(3), affine(3, 4)
+    type(cleft_options), intent(inout), optional :: options
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call create_labels(self, context, CLEFT_TYPE_INT32, c_loc(voxels), shape(voxels, c_int64_t), &
+      spacing, origin, affine, options, stat, errmsg)
+  end subroutine
+
+  subroutine create_labels(self, context, type, voxels, dims, spacing, origin, affine, options, stat, errmsg)
+    class(cleft_volume), intent(inout) :: self
+    type(cleft_context), intent(inout) :: context
+    integer(c_int32_t), intent(in) :: type
+    type(c_ptr), intent(in) :: voxels
+    integer(c_int64_t), intent(in) :: dims(3)
+    real(c_double), intent(in), optional :: spacing(3), origin(3), affine(3, 4)
+    type(cleft_options), intent(inout), optional :: options
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    real(c_double), target :: rows(12)
+
+    call self%destroy()
+    rows = c_affine(spacing, origin, affine)
+    call context%conclude(cleft_volume_create_labels(context%c_handle(), type, voxels, dims, c_loc(rows), &
+      c_options(options), self%handle), stat, errmsg)
+  end subroutine
+
+  ! A signed function: inside, labels(2), where it is > 0; outside, labels(1). Without `labels`: 1 and 0.
+  subroutine create_signed_32(self, context, field, spacing, origin, affine, labels, stat, errmsg)
+    class(cleft_volume), intent(inout) :: self
+    type(cleft_context), intent(inout) :: context
+    real(c_float), intent(in), contiguous, target :: field(:, :, :)
+    real(c_double), intent(in), optional :: spacing(3), origin(3), affine(3, 4)
+    integer(c_int32_t), intent(in), optional :: labels(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call create_indicators(self, context, CLEFT_TYPE_FLOAT32, [c_loc(field)], shape(field, c_int64_t), &
+      spacing, origin, affine, labels, stat, errmsg)
+  end subroutine
+
+  subroutine create_signed_64(self, context, field, spacing, origin, affine, labels, stat, errmsg)
+    class(cleft_volume), intent(inout) :: self
+    type(cleft_context), intent(inout) :: context
+    real(c_double), intent(in), contiguous, target :: field(:, :, :)
+    real(c_double), intent(in), optional :: spacing(3), origin(3), affine(3, 4)
+    integer(c_int32_t), intent(in), optional :: labels(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call create_indicators(self, context, CLEFT_TYPE_FLOAT64, [c_loc(field)], shape(field, c_int64_t), &
+      spacing, origin, affine, labels, stat, errmsg)
+  end subroutine
+
+  ! One function for each material: fields(:, :, :, m); the largest wins. Materials are called labels(m), or 0, 1, ...
+  subroutine create_indicators_32(self, context, fields, spacing, origin, affine, labels, stat, errmsg)
+    class(cleft_volume), intent(inout) :: self
+    type(cleft_context), intent(inout) :: context
+    real(c_float), intent(in), contiguous, target :: fields(:, :, :, :)
+    real(c_double), intent(in), optional :: spacing(3), origin(3), affine(3, 4)
+    integer(c_int32_t), intent(in), optional :: labels(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    type(c_ptr) :: each(size(fields, 4))
+    integer :: m
+
+    do m = 1, size(fields, 4)
+      each(m) = c_loc(fields(:, :, :, m))
+    end do
+    call create_indicators(self, context, CLEFT_TYPE_FLOAT32, each, shape(fields(:, :, :, 1), c_int64_t), &
+      spacing, origin, affine, labels, stat, errmsg)
+  end subroutine
+
+  subroutine create_indicators_64(self, context, fields, spacing, origin, affine, labels, stat, errmsg)
+    class(cleft_volume), intent(inout) :: self
+    type(cleft_context), intent(inout) :: context
+    real(c_double), intent(in), contiguous, target :: fields(:, :, :, :)
+    real(c_double), intent(in), optional :: spacing(3), origin(3), affine(3, 4)
+    integer(c_int32_t), intent(in), optional :: labels(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    type(c_ptr) :: each(size(fields, 4))
+    integer :: m
+
+    do m = 1, size(fields, 4)
+      each(m) = c_loc(fields(:, :, :, m))
+    end do
+    call create_indicators(self, context, CLEFT_TYPE_FLOAT64, each, shape(fields(:, :, :, 1), c_int64_t), &
+      spacing, origin, affine, labels, stat, errmsg)
+  end subroutine
+
+  subroutine create_indicators(self, context, type, fields, dims, spacing, origin, affine, labels, stat, errmsg)
+    class(cleft_volume), intent(inout) :: self
+    type(cleft_context), intent(inout) :: context
+    integer(c_int32_t), intent(in) :: type
+    type(c_ptr), intent(in) :: fields(:)
+    integer(c_int64_t), intent(in) :: dims(3)
+    real(c_double), intent(in), optional :: spacing(3), origin(3), affine(3, 4)
+    integer(c_int32_t), intent(in), optional :: labels(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    real(c_double), target :: rows(12)
+    integer(c_int32_t), allocatable, target :: names(:)
+    type(c_ptr) :: names_at
+    integer :: names_wanted
+
+    call self%destroy()
+    names_wanted = max(2, size(fields))
+    names_at = c_null_ptr
+    if (present(labels)) then
+      if (size(labels) /= names_wanted) then
+        call conclude(CLEFT_ERROR_ARGUMENT, 'labels must have one value for each material', stat, errmsg)
+        return
+      end if
+      names = labels
+      names_at = c_loc(names)
+    end if
+    rows = c_affine(spacing, origin, affine)
+    call context%conclude(cleft_volume_create_indicators(context%c_handle(), type, fields, &
+      size(fields, kind=c_int64_t), dims, c_loc(rows), names_at, self%handle), stat, errmsg)
+  end subroutine
+
+  ! The rows of the affine map as C has them.
+  pure function c_affine(spacing, origin, affine) result(rows)
+    real(c_double), intent(in), optional :: spacing(3), origin(3), affine(3, 4)
+    real(c_double) :: rows(12), map(3, 4)
+    integer :: axis
+
+    if (present(affine)) then
+      map = affine
+    else
+      map = 0
+      do axis = 1, 3
+        map(axis, axis) = 1
+        if (present(spacing)) map(axis, axis) = spacing(axis)
+        map(axis, 4) = map(axis, axis) / 2
+        if (present(origin)) map(axis, 4) = origin(axis)
+      end do
+    end if
+    rows = reshape(transpose(map), [12])
+  end function
+
+  ! The handle of options that may be absent.
+  function c_options(options) result(handle)
+    type(cleft_options), intent(inout), optional :: options
+    type(c_ptr) :: handle
+    handle = c_null_ptr
+    if (present(options)) handle = options%c_handle()
+  end function
+
+  ! Voxels along x, y, z.
+  function dims(self, stat, errmsg) result(counts)
+    class(cleft_volume), intent(in) :: self
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer :: counts(3)
+    integer(c_int64_t) :: c_dims(3)
+    c_dims = 0
+    call conclude(cleft_volume_dims(self%handle, c_dims), closed, stat, errmsg)
+    counts = int(c_dims)
+  end function
+
+  ! From voxel indices, counted from 0, to the world.
+  function affine(self, stat, errmsg) result(map)
+    class(cleft_volume), intent(in) :: self
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    real(c_double) :: map(3, 4), rows(12)
+    rows = 0
+    call conclude(cleft_volume_affine(self%handle, rows), closed, stat, errmsg)
+    map = transpose(reshape(rows, [4, 3]))
+  end function
+
+  ! The label of each material, ascending for a label map; none for a volume that is not there.
+  function labels(self)
+    class(cleft_volume), intent(in) :: self
+    integer(c_int32_t), allocatable :: labels(:)
+    integer(c_int32_t), pointer :: borrowed(:)
+    integer(c_int64_t) :: count
+
+    count = cleft_volume_label_count(self%handle)
+    allocate (labels(count))
+    if (count == 0) return
+    call c_f_pointer(cleft_volume_labels(self%handle), borrowed, [count])
+    labels = borrowed
+  end function
+
+  ! Voxels of each material.
+  function voxel_counts(self, stat, errmsg) result(counts)
+    class(cleft_volume), intent(in) :: self
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(c_int64_t), allocatable :: counts(:)
+    allocate (counts(cleft_volume_label_count(self%handle)))
+    call conclude(cleft_volume_copy_voxel_counts(self%handle, counts, size(counts, kind=c_int64_t)), &
+      closed, stat, errmsg)
+  end function
+
+  ! The labels at world points(3, n).
+  function sample(self, points, stat, errmsg) result(found)
+    class(cleft_volume), intent(in) :: self
+    real(c_double), intent(in) :: points(:, :)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(c_int32_t), allocatable :: found(:)
+
+    allocate (found(size(points, 2)), source=0_c_int32_t)
+    if (size(points, 1) /= 3) then
+      call conclude(CLEFT_ERROR_ARGUMENT, 'points must be shaped (3, n)', stat, errmsg)
+      return
+    end if
+    call conclude(cleft_volume_sample(self%handle, points, size(found, kind=c_int64_t), found), &
+      'the volume is not there, or a point is not finite', stat, errmsg)
+  end function
+
+  subroutine destroy(self)
+    class(cleft_volume), intent(inout) :: self
+    call cleft_volume_destroy(self%handle)
+    self%handle = c_null_ptr
+  end subroutine
+
+  ! The handle for calls of cleft_c: NULL if there is no volume.
+  function c_handle(self) result(handle)
+    class(cleft_volume), intent(in) :: self
+    type(c_ptr) :: handle
+    handle = self%handle
+  end function
+
+  ! Takes over a handle that cleft_c gave.
+  subroutine adopt(self, handle)
+    class(cleft_volume), intent(inout) :: self
+    type(c_ptr), intent(in) :: handle
+    call self%destroy()
+    self%handle = handle
+  end subroutine
+
+  subroutine refuse_copy(self, other)
+    class(cleft_volume), intent(inout) :: self
+    type(cleft_volume), intent(in) :: other
+    if (c_associated(self%handle, other%handle)) return
+    error stop 'cleft: a cleft_volume cannot be copied'
+  end subroutine
+
+  impure elemental subroutine finalize(self)
+    type(cleft_volume), intent(inout) :: self
+    call self%destroy()
+  end subroutine
+
+end module
