@@ -9,7 +9,7 @@ build_packages="
 test_packages="
     clang-format libcmocka-dev python3
     gmsh calculix-ccx
-    gfortran
+    gfortran abigail-tools
     python3-numpy python3-meshio python3-vtk9 python3-nibabel"
 
 say() { printf '\n== %s\n' "$*"; }

@@ -92,7 +92,7 @@ CLEFT_API cleft_status cleft_context_set_error(cleft_context* context, cleft_sta
 
 /** Threads to use, 1 .. 1024; 0 means as many as the machine has. The result does not depend on it. \since 0.1 */
 CLEFT_API cleft_status cleft_context_set_threads(cleft_context* context, int32_t threads) CLEFT_NOEXCEPT;
-/** \since 0.1 */
+/** The number of threads in use; 0 for NULL. \since 0.1 */
 CLEFT_API int32_t cleft_context_threads(const cleft_context* context) CLEFT_NOEXCEPT;
 
 /** fraction in [0, 1] of the running call, `stage` in words (borrowed for the call); a nonzero answer cancels. Always
@@ -178,7 +178,7 @@ CLEFT_API cleft_status cleft_option_info(int32_t index, cleft_option_description
 /** Options with their defaults. The caller owns *out. A cleft_options may be changed at any time by one thread; calls
  *  read it only while they run. \since 0.1 */
 CLEFT_API cleft_status cleft_options_create(cleft_options** out) CLEFT_NOEXCEPT;
-/** \since 0.1 */
+/** Destroys options; NULL is allowed. \since 0.1 */
 CLEFT_API void cleft_options_destroy(cleft_options* options) CLEFT_NOEXCEPT;
 /** The sentence of the last value that these options refused, "" if none was; borrowed until the next call on them.
  *  \since 0.1 */
@@ -194,10 +194,10 @@ CLEFT_API cleft_status cleft_options_set_real(cleft_options* options, cleft_opti
  *  name, flags as "true", "false", "1", "0". \since 0.1 */
 CLEFT_API cleft_status cleft_options_set_text(cleft_options* options, const char* name,
                                               const char* value) CLEFT_NOEXCEPT;
-/** \since 0.1 */
+/** The value of an integer, choice or flag. \since 0.1 */
 CLEFT_API cleft_status cleft_options_get_integer(const cleft_options* options, cleft_option key,
                                                  int64_t* value) CLEFT_NOEXCEPT;
-/** \since 0.1 */
+/** The value of a real option. \since 0.1 */
 CLEFT_API cleft_status cleft_options_get_real(const cleft_options* options, cleft_option key,
                                               double* value) CLEFT_NOEXCEPT;
 
@@ -243,12 +243,12 @@ CLEFT_API cleft_status cleft_volume_create_indicators(cleft_context* context, cl
                                                       const void* const* fields, int64_t count, const int64_t dims[3],
                                                       const double affine[12], const int32_t* labels,
                                                       cleft_volume** out) CLEFT_NOEXCEPT;
-/** \since 0.1 */
+/** Destroys a volume, and the arrays borrowed from it; NULL is allowed. \since 0.1 */
 CLEFT_API void cleft_volume_destroy(cleft_volume* volume) CLEFT_NOEXCEPT;
 
-/** \since 0.1 */
+/** Copies the number of voxels along each axis. \since 0.1 */
 CLEFT_API cleft_status cleft_volume_dims(const cleft_volume* volume, int64_t dims[3]) CLEFT_NOEXCEPT;
-/** \since 0.1 */
+/** Copies the map from voxel indices to the world, 3 rows of 4. \since 0.1 */
 CLEFT_API cleft_status cleft_volume_affine(const cleft_volume* volume, double affine[12]) CLEFT_NOEXCEPT;
 /** Number of materials; 0 for NULL. \since 0.1 */
 CLEFT_API int64_t cleft_volume_label_count(const cleft_volume* volume) CLEFT_NOEXCEPT;
@@ -269,20 +269,20 @@ CLEFT_API cleft_status cleft_volume_sample(const cleft_volume* volume, const dou
  *  the number of tetrahedra expected. `options` may be NULL. The caller owns *out. \since 0.1 */
 CLEFT_API cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* volume,
                                            const cleft_options* options, cleft_sizing** out) CLEFT_NOEXCEPT;
-/** One size everywhere. \since 0.1 */
+/** One size everywhere. The caller owns *out. \since 0.1 */
 CLEFT_API cleft_status cleft_sizing_create_constant(cleft_context* context, const cleft_volume* volume, double size,
                                                     cleft_sizing** out) CLEFT_NOEXCEPT;
 /** The user's own field: one positive finite value a voxel of the volume, x fastest, FLOAT32 or FLOAT64; taken as it
  *  is, and combined by minimum with the computed one if `combine` is nonzero (options as in cleft_sizing_create()).
- *  \since 0.1 */
+ *  The caller owns *out. \since 0.1 */
 CLEFT_API cleft_status cleft_sizing_create_values(cleft_context* context, const cleft_volume* volume, cleft_type type,
                                                   const void* values, int32_t combine, const cleft_options* options,
                                                   cleft_sizing** out) CLEFT_NOEXCEPT;
-/** \since 0.1 */
+/** Destroys a sizing field, and the array borrowed from it; NULL is allowed. \since 0.1 */
 CLEFT_API void cleft_sizing_destroy(cleft_sizing* sizing) CLEFT_NOEXCEPT;
-/** \since 0.1 */
+/** Copies the number of values along each axis. \since 0.1 */
 CLEFT_API cleft_status cleft_sizing_dims(const cleft_sizing* sizing, int64_t dims[3]) CLEFT_NOEXCEPT;
-/** \since 0.1 */
+/** Copies the map from the indices of values to the world, 3 rows of 4. \since 0.1 */
 CLEFT_API cleft_status cleft_sizing_affine(const cleft_sizing* sizing, double affine[12]) CLEFT_NOEXCEPT;
 /** One value a voxel, x fastest; borrowed. \since 0.1 */
 CLEFT_API const float* cleft_sizing_values(const cleft_sizing* sizing) CLEFT_NOEXCEPT;
@@ -307,7 +307,7 @@ CLEFT_API cleft_status cleft_background_create(cleft_context* context, const cle
 CLEFT_API cleft_status cleft_mesh_create(cleft_context* context, int64_t point_count, const double* points,
                                          int64_t tet_count, const int32_t* tets, const int32_t* labels,
                                          int32_t index_base, cleft_mesh** out) CLEFT_NOEXCEPT;
-/** \since 0.1 */
+/** Destroys a mesh, and the arrays borrowed from it; NULL is allowed. \since 0.1 */
 CLEFT_API void cleft_mesh_destroy(cleft_mesh* mesh) CLEFT_NOEXCEPT;
 
 /** Cleaves a background along the interfaces of a volume (option SNAP; with REPAIR above 0, poor tetrahedra of the
@@ -316,10 +316,12 @@ CLEFT_API void cleft_mesh_destroy(cleft_mesh* mesh) CLEFT_NOEXCEPT;
 CLEFT_API cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volume,
                                          const cleft_mesh* background, const cleft_options* options,
                                          cleft_mesh** out) CLEFT_NOEXCEPT;
-/** Raises the worst dihedral angles of a cleaved mesh of this volume (option IMPROVE). \since 0.1 */
+/** Raises the worst dihedral angles of a cleaved mesh of this volume (option IMPROVE). The caller owns *out.
+ *  \since 0.1 */
 CLEFT_API cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volume, const cleft_mesh* mesh,
                                           const cleft_options* options, cleft_mesh** out) CLEFT_NOEXCEPT;
-/** The mesh without the labels that the strip and only lists of the options leave out. \since 0.1 */
+/** The mesh without the labels that the strip and only lists of the options leave out. The caller owns *out.
+ *  \since 0.1 */
 CLEFT_API cleft_status cleft_mesh_strip(cleft_context* context, const cleft_mesh* mesh, const cleft_options* options,
                                         cleft_mesh** out) CLEFT_NOEXCEPT;
 /** All of it: sizing (unless given), background (unless given), cleaving, improving, spatial ordering, stripping.
@@ -385,7 +387,7 @@ typedef struct cleft_quality {
     int64_t dihedral_histogram[36]; /**< all angles, in bins of 5 degrees */
 } cleft_quality;
 
-/** \since 0.1 */
+/** Measures a mesh. \since 0.1 */
 CLEFT_API cleft_status cleft_mesh_quality(cleft_context* context, const cleft_mesh* mesh,
                                           cleft_quality* out) CLEFT_NOEXCEPT;
 
@@ -430,7 +432,7 @@ enum {
  *  *out, which does not need the mesh afterwards. \since 0.1 */
 CLEFT_API cleft_status cleft_surface_create(cleft_context* context, const cleft_mesh* mesh,
                                             cleft_surface** out) CLEFT_NOEXCEPT;
-/** \since 0.1 */
+/** Destroys a surface, and the arrays borrowed from it; NULL is allowed. \since 0.1 */
 CLEFT_API void cleft_surface_destroy(cleft_surface* surface) CLEFT_NOEXCEPT;
 /** Number of triangles between different labels; 0 for NULL. \since 0.1 */
 CLEFT_API int64_t cleft_surface_interface_count(const cleft_surface* surface) CLEFT_NOEXCEPT;
@@ -470,7 +472,7 @@ typedef struct cleft_label_report {
 /** Compares a finished (not stripped) mesh with its volume, label by label. The caller owns *out. \since 0.1 */
 CLEFT_API cleft_status cleft_report_create(cleft_context* context, const cleft_volume* volume, const cleft_mesh* mesh,
                                            cleft_report** out) CLEFT_NOEXCEPT;
-/** \since 0.1 */
+/** Destroys a report; NULL is allowed. \since 0.1 */
 CLEFT_API void cleft_report_destroy(cleft_report* report) CLEFT_NOEXCEPT;
 /** Number of labels of the volume; 0 for NULL. \since 0.1 */
 CLEFT_API int64_t cleft_report_count(const cleft_report* report) CLEFT_NOEXCEPT;
