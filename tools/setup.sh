@@ -6,6 +6,10 @@ build_packages="
     libinsighttoolkit5-dev zlib1g-dev
     libcli11-dev nlohmann-json3-dev"
 
+binding_packages="
+    swig
+    python3-dev python3-numpy python3-matplotlib"
+
 test_packages="
     clang-format libcmocka-dev python3
     gmsh calculix-ccx

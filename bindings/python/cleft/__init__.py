@@ -1,0 +1,36 @@
+"""Conforming multi-material tetrahedral meshes from labelled volumes, by mesh cleaving.
+
+    import cleft, numpy as np
+    labels = np.zeros((32, 32, 32), np.uint8)           # labels[i, j, k], i along x
+    labels[8:24, 8:24, 8:24] = 1
+    mesh = cleft.mesh(cleft.Volume(labels, spacing=(1, 1, 2)), size_max=4.0)
+    mesh.points, mesh.tets, mesh.labels                 # numpy arrays that look into the mesh
+    mesh.write("cube.vtu")
+"""
+from __future__ import annotations
+
+from . import native as _native
+from .errors import (Cancelled, CleftError, Closed, FileError, FormatError, InternalError, InvalidArgument, InvalidMesh,
+                     LabelLost, NotFinite, OptionError, OutOfMemory, TooLarge, Unsupported)
+from .files import (Format, formats, guess, read_field, read_mesh, read_raw, read_sizing, read_volume, write_mesh,
+                    write_sizing)
+from .meshes import Mesh, cleave, improve, make_background, mesh, strip_labels
+from .mesher import Mesher
+from .options import OptionDescription, OptionKeywords, Options, option_table
+from .results import LabelReport, Quality, Validation
+from .sizing import Sizing
+from .surface import SIDES, Surface
+from .volume import Volume
+
+__version__: str = _native.cleft_version(None, None, None)
+#: Can this build make the background "particles" (is TetGen in it)?
+has_tetgen: bool = bool(_native.cleft_has_tetgen())
+
+__all__ = [
+    "SIDES", "Cancelled", "CleftError", "Closed", "FileError", "Format", "FormatError", "InternalError",
+    "InvalidArgument", "InvalidMesh", "LabelLost", "LabelReport", "Mesh", "Mesher", "NotFinite", "OptionDescription",
+    "OptionError", "OptionKeywords", "Options", "OutOfMemory", "Quality", "Sizing", "Surface", "TooLarge",
+    "Unsupported", "Validation", "Volume", "cleave", "formats", "guess", "has_tetgen", "improve", "make_background",
+    "mesh", "option_table", "read_field", "read_mesh", "read_raw", "read_sizing", "read_volume", "strip_labels",
+    "write_mesh", "write_sizing",
+]

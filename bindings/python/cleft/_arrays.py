@@ -1,0 +1,158 @@
+"""What comes in: arrays of any order and type, turned into those that the library reads."""
+from __future__ import annotations
+
+import os
+from typing import Any, Sequence
+
+import numpy as np
+
+from . import native
+from .errors import InvalidArgument, NotFinite
+
+_TYPES = {
+    np.dtype(np.uint8): native.CLEFT_TYPE_UINT8,
+    np.dtype(np.uint16): native.CLEFT_TYPE_UINT16,
+    np.dtype(np.int16): native.CLEFT_TYPE_INT16,
+    np.dtype(np.uint32): native.CLEFT_TYPE_UINT32,
+    np.dtype(np.int32): native.CLEFT_TYPE_INT32,
+    np.dtype(np.float32): native.CLEFT_TYPE_FLOAT32,
+    np.dtype(np.float64): native.CLEFT_TYPE_FLOAT64,
+}
+_BY_NAME = {"uint8": np.uint8, "uint16": np.uint16, "int16": np.int16, "uint32": np.uint32, "int32": np.int32,
+            "float32": np.float32, "float64": np.float64}
+
+
+def type_of(array: np.ndarray[Any, Any]) -> int:
+    """The library's number for the type of an array."""
+    return _TYPES[array.dtype]
+
+
+def type_named(name: str) -> int:
+    """The library's number for "uint8", "float32" ..."""
+    if name not in _BY_NAME:
+        raise InvalidArgument(f"type is {name!r}; it must be one of {', '.join(_BY_NAME)}")
+    return _TYPES[np.dtype(_BY_NAME[name])]
+
+
+def int32_array(values: Any, name: str) -> np.ndarray[Any, Any]:
+    """Whole numbers as contiguous int32; OverflowError for those that do not fit."""
+    array = np.asarray(values)
+    if array.size == 0:
+        return np.zeros(array.shape, np.int32)
+    if array.dtype == bool or not np.issubdtype(array.dtype, np.integer):
+        raise TypeError(f"{name} must be whole numbers, not {array.dtype}")
+    limits = np.iinfo(np.int32)
+    if array.dtype.itemsize >= 4 and (array.min() < limits.min or array.max() > limits.max):
+        raise OverflowError(f"{name} must fit into 32 bits")
+    return np.ascontiguousarray(array, np.int32)
+
+
+def float_array(values: Any, name: str) -> np.ndarray[Any, Any]:
+    """Numbers as contiguous double."""
+    array = np.asarray(values)
+    if array.dtype == object or not (np.issubdtype(array.dtype, np.number) or array.size == 0):
+        raise TypeError(f"{name} must be numbers, not {array.dtype}")
+    if np.issubdtype(array.dtype, np.complexfloating):
+        raise TypeError(f"{name} must be real numbers")
+    return np.ascontiguousarray(array, np.float64)
+
+
+def rows(array: np.ndarray[Any, Any], width: int, name: str) -> np.ndarray[Any, Any]:
+    """The array, if it is shaped (n, width)."""
+    if array.ndim != 2 or array.shape[1] != width:
+        raise InvalidArgument(f"{name} has the shape {array.shape}; it must be (n, {width})")
+    return array
+
+
+def _volume_shaped(values: Any, name: str) -> np.ndarray[Any, Any]:
+    array = np.asarray(values)
+    if array.dtype == object:
+        raise TypeError(f"{name} must be an array of numbers, not of {type(values).__name__}")
+    if array.ndim != 3:
+        raise InvalidArgument(f"{name} has {array.ndim} dimensions; it must have three: [i, j, k]")
+    if 0 in array.shape:
+        raise InvalidArgument(f"{name} has the shape {array.shape}: there are no voxels")
+    return array
+
+
+def label_voxels(values: Any) -> np.ndarray[Any, Any]:
+    """A label map as the library reads it: one of its whole-number types, native byte order, x fastest in memory."""
+    array = _volume_shaped(values, "labels")
+    if array.dtype == bool:
+        array = array.astype(np.uint8)
+    if not np.issubdtype(array.dtype, np.integer):
+        raise TypeError(f"labels must be of a whole-number type, not {array.dtype}; see Volume.from_indicators()")
+    kind = array.dtype.newbyteorder("=")
+    if kind == np.int8:
+        kind = np.dtype(np.int16)
+    elif kind not in _TYPES:
+        limits = np.iinfo(np.int32)
+        if array.min() < limits.min or array.max() > limits.max:
+            raise OverflowError("labels must fit into 32 bits")
+        kind = np.dtype(np.int32)
+    return np.asfortranarray(array, kind)
+
+
+def real_voxels(values: Any, name: str) -> np.ndarray[Any, Any]:
+    """A field of real numbers as the library reads it: float or double, x fastest in memory."""
+    array = _volume_shaped(values, name)
+    if not (np.issubdtype(array.dtype, np.number) or array.dtype == bool) or np.iscomplexobj(array):
+        raise TypeError(f"{name} must be real numbers, not {array.dtype}")
+    return np.asfortranarray(array, np.float32 if array.dtype.itemsize <= 2 or array.dtype == np.float32 else np.float64)
+
+
+def dims_of(array: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+    """The numbers of voxels, for the library."""
+    return np.array(array.shape, np.int64)
+
+
+def buffer_of(array: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+    """The same memory, seen in C order, as a buffer must be."""
+    return array.T
+
+
+def world_matrix(spacing: Sequence[float] | None, origin: Sequence[float] | None, affine: Any) -> Any:
+    """The 3 x 4 matrix from voxel indices to the world, or None for the library's default."""
+    if affine is not None:
+        if spacing is not None or origin is not None:
+            raise TypeError("give either affine, or spacing and origin")
+        matrix = float_array(affine, "affine")
+        if matrix.shape not in ((3, 4), (4, 4)):
+            raise InvalidArgument(f"affine has the shape {matrix.shape}; it must be (3, 4) or (4, 4)")
+        if matrix.shape == (4, 4) and not np.array_equal(matrix[3], (0, 0, 0, 1)):
+            raise InvalidArgument("the last row of affine must be 0 0 0 1")
+        return np.ascontiguousarray(matrix[:3])
+    if spacing is None and origin is None:
+        return None
+    lengths = triple((1, 1, 1) if spacing is None else spacing, "spacing")
+    if not (lengths > 0).all():
+        raise InvalidArgument("spacing must be above 0 along each axis")
+    first = lengths / 2 if origin is None else triple(origin, "origin")
+    return np.column_stack((np.diag(lengths), first))
+
+
+def triple(values: Any, name: str) -> np.ndarray[Any, Any]:
+    """Three finite numbers."""
+    array = float_array(values, name)
+    if array.shape != (3,):
+        raise InvalidArgument(f"{name} must be three numbers")
+    if not np.isfinite(array).all():
+        raise NotFinite(f"{name} must be finite")
+    return array
+
+
+def affine_from(read: Any) -> np.ndarray[Any, Any]:
+    """The 4 x 4 matrix of an object of the library, read by `read(buffer)`."""
+    matrix = np.eye(4)
+    upper = np.zeros((3, 4))
+    read(upper)
+    matrix[:3] = upper
+    return matrix
+
+
+def path_bytes(path: Any) -> bytes:
+    """A path as the library reads it; ValueError if it has a zero in it."""
+    text = os.fsencode(path)
+    if b"\0" in text:
+        raise ValueError("embedded null byte in a path")
+    return text + b"\0"

@@ -1,0 +1,101 @@
+"""Exceptions: one class a status of the library, each also one of Python's own kinds where there is a natural one."""
+from __future__ import annotations
+
+
+class CleftError(Exception):
+    """What every failure of the library is raised as. `status` is the library's number for its kind."""
+
+    status = -1
+
+
+class InternalError(CleftError):
+    """A defect of the library."""
+
+
+class OutOfMemory(CleftError, MemoryError):
+    """There is not enough memory."""
+
+    status = -2
+
+
+class Cancelled(CleftError):
+    """The progress function answered False, or Mesher.cancel() was called."""
+
+    status = -3
+
+
+class InvalidArgument(CleftError, ValueError):
+    """An argument is out of its range, or missing."""
+
+    status = -5
+
+
+class NotFinite(InvalidArgument):
+    """A number is NaN or infinite."""
+
+    status = -6
+
+
+class TooLarge(CleftError, OverflowError):
+    """Too large for 32-bit numbering."""
+
+    status = -7
+
+
+class OptionError(InvalidArgument):
+    """The value of an option is out of its range."""
+
+    status = -9
+
+
+class Unsupported(CleftError, NotImplementedError):
+    """Not supported by this build or format."""
+
+    status = -10
+
+
+class InvalidMesh(CleftError, ValueError):
+    """A mesh is not valid."""
+
+    status = -11
+
+
+class LabelLost(CleftError):
+    """A label of the volume is not in the mesh, and the option `strict` is on."""
+
+    status = -12
+
+
+class FileError(CleftError, OSError):
+    """A file cannot be read or written."""
+
+    status = -13
+
+
+class FormatError(CleftError, ValueError):
+    """The contents of a file break the rules of its format."""
+
+    status = -14
+
+
+class Closed(CleftError, ValueError):
+    """The object was closed before."""
+
+    status = -15
+
+
+_CLASSES = {kind.status: kind for kind in (
+    InternalError, OutOfMemory, Cancelled, InvalidArgument, NotFinite, TooLarge, OptionError, Unsupported, InvalidMesh,
+    LabelLost, FileError, FormatError, Closed)}
+_CLASSES[-4] = InvalidArgument  # a missing pointer
+_CLASSES[-8] = InvalidArgument  # a buffer that is too small
+
+
+def raise_for(status: int, sentence: str) -> None:
+    """Raises the exception of a status, unless the status is success."""
+    if status == 0:
+        return
+    kind = _CLASSES.get(status, InternalError)
+    error = kind(sentence)
+    error.status = status
+    raise error

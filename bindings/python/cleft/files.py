@@ -1,0 +1,179 @@
+"""Reading and writing files. The file component is loaded when the first of these functions is called."""
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Sequence, Union, Unpack
+
+import numpy as np
+import numpy.typing as npt
+
+from . import native
+from ._arrays import affine_from, path_bytes, triple, type_named
+from ._handle import Handle, required, view
+from .errors import InvalidArgument, Unsupported, raise_for
+from .mesher import Mesher, mesher_or_plain
+from .options import OptionKeywords, Options, options_of
+from .sizing import Sizing
+from .volume import Volume
+
+if TYPE_CHECKING:
+    from .meshes import Mesh
+
+Path = Union[str, "os.PathLike[str]"]
+
+
+@dataclass(frozen=True)
+class Format:
+    """One row of the table of file formats."""
+
+    name: str
+    extensions: tuple[str, ...]
+    text: str
+    number: int
+    reads_mesh: bool
+    writes_mesh: bool
+    reads_volume: bool
+    writes_sizing: bool
+
+
+def _io() -> Any:
+    try:
+        from . import native_io
+    except ImportError as error:
+        raise Unsupported(f"the file component cannot be loaded: {error}") from error
+    return native_io
+
+
+def formats() -> list[Format]:
+    """The file formats that are read and written."""
+    io = _io()
+    table = []
+    for index in range(io.cleft_io_format_count()):
+        row = io.NativeFormatDescription()
+        raise_for(io.cleft_io_format_info(index, row), "no such format")
+        table.append(Format(row.name, tuple(row.extensions.split()), row.text, row.format, *(
+            bool(row.directions & bit) for bit in (io.CLEFT_IO_READS_MESH, io.CLEFT_IO_WRITES_MESH,
+                                                   io.CLEFT_IO_READS_VOLUME, io.CLEFT_IO_WRITES_SIZING))))
+    return table
+
+
+def guess(path: Path) -> str:
+    """What a file most likely holds: "volume", "mesh" or "unknown"."""
+    io = _io()
+    kinds = {io.CLEFT_IO_VOLUME: "volume", io.CLEFT_IO_MESH: "mesh"}
+    return kinds.get(io.cleft_io_guess(path_bytes(path)), "unknown")
+
+
+def read_volume(path: Path | Sequence[Path], *, world: str = "LPS", kind: str = "auto",
+                spacing: Sequence[float] | None = None, mesher: Mesher | None = None, options: Options | None = None,
+                **keywords: Unpack[OptionKeywords]) -> Volume:
+    """Reads a volume: NIfTI, NRRD, MetaImage, TIFF, a folder with a DICOM series ...; several paths: indicators.
+
+    `world`: coordinates come out as "LPS" (ITK, DICOM, 3D Slicer's files) or "RAS" (NIfTI, nibabel). `kind`: "labels",
+    "indicators" or "auto". `spacing`: lengths taken instead of the file's, 0 for the file's.
+    """
+    io = _io()
+    chosen = options_of(options, keywords)
+    return Volume._adopt(mesher_or_plain(mesher)._call(
+        io.cleft_io_read_volume, chosen._native if chosen else None, _path_list(path), _reading(world, kind, spacing)))
+
+
+def read_raw(path: Path | Sequence[Path], shape: Sequence[int], type: str, *, big_endian: bool = False, skip: int = 0,
+             spacing: Sequence[float] | None = None, mesher: Mesher | None = None, options: Options | None = None,
+             **keywords: Unpack[OptionKeywords]) -> Volume:
+    """Reads voxels without a header, x fastest; `type` is "uint8", "int16", "float32" ..., `skip` counts bytes."""
+    io = _io()
+    raw = io.NativeRaw()
+    raw.type = type_named(type)
+    raw.big_endian = int(big_endian)
+    raw.skip = skip
+    lengths = np.zeros(3) if spacing is None else triple(spacing, "spacing")
+    if len(shape) != 3:
+        raise InvalidArgument("shape must be three numbers of voxels")
+    for axis in range(3):
+        raw.set_axis(axis, int(shape[axis]), float(lengths[axis]))
+    chosen = options_of(options, keywords)
+    return Volume._adopt(mesher_or_plain(mesher)._call(
+        io.cleft_io_read_raw, chosen._native if chosen else None, _path_list(path), raw))
+
+
+def read_field(path: Path, *, world: str = "LPS", spacing: Sequence[float] | None = None,
+               mesher: Mesher | None = None) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
+    """Reads one number a voxel: values[i, j, k], and the 4 x 4 matrix from indices to the world."""
+    io = _io()
+    dims = np.zeros(3, np.int64)
+    address: list[int] = []
+
+    def read(matrix: Any) -> None:
+        address.append(mesher_or_plain(mesher)._call(
+            io.cleft_io_read_field, path_bytes(path), _reading(world, "auto", spacing), dims, matrix))
+
+    affine = affine_from(read)
+    handle = Handle(address[0], io.cleft_io_free)
+    return view(handle, address[0], tuple(dims.tolist()[::-1]), np.float64).T, affine
+
+
+def read_sizing(path: Path, volume: Volume, *, combine: bool = False, world: str = "LPS",
+                spacing: Sequence[float] | None = None, mesher: Mesher | None = None, options: Options | None = None,
+                **keywords: Unpack[OptionKeywords]) -> Sizing:
+    """Reads a sizing field of your own from a file with the same voxels as the volume; see Sizing.from_values()."""
+    io = _io()
+    chosen = options_of(options, keywords)
+    return Sizing._adopt(mesher_or_plain(mesher)._call(
+        io.cleft_io_read_sizing, required(volume, Volume, "volume"), path_bytes(path),
+        _reading(world, "auto", spacing), int(combine), chosen._native if chosen else None))
+
+
+def write_sizing(sizing: Sizing, path: Path, *, world: str = "LPS", mesher: Mesher | None = None) -> None:
+    """Writes a sizing field as a volume of numbers, to look at; `world` is the one in which the volume was read."""
+    io = _io()
+    mesher_or_plain(mesher)._call(
+        io.cleft_io_write_sizing, required(sizing, Sizing, "sizing"), path_bytes(path), _world(world))
+
+
+def read_mesh(path: Path, *, mesher: Mesher | None = None) -> Mesh:
+    """Reads a mesh of tetrahedra: .vtu, .vtk, .mesh, .msh, .node with .ele."""
+    from .meshes import Mesh
+    return Mesh._adopt(mesher_or_plain(mesher)._call(_io().cleft_io_read_mesh, path_bytes(path)))
+
+
+def write_mesh(mesh: Mesh, path: Path, format: str | None = None, *, mesher: Mesher | None = None) -> None:
+    """Writes a mesh; `format` is a name of `cleft.formats()`, or None for that of the extension."""
+    from .meshes import Mesh
+    io = _io()
+    number = io.CLEFT_FORMAT_BY_NAME
+    if format is not None:
+        numbers = {row.name: row.number for row in formats() if row.writes_mesh}
+        if format not in numbers:
+            raise InvalidArgument(f"format is {format!r}; it must be one of {', '.join(numbers)}")
+        number = numbers[format]
+    mesher_or_plain(mesher)._call(
+        io.cleft_io_write_mesh, required(mesh, Mesh, "mesh"), path_bytes(path), number)
+
+
+def _path_list(path: Path | Sequence[Path]) -> bytes:
+    paths = [path] if isinstance(path, (str, bytes, os.PathLike)) else list(path)
+    return b"".join(map(path_bytes, paths))
+
+
+def _world(name: str) -> int:
+    return _choice(name, "world", {"LPS": _io().CLEFT_IO_WORLD_LPS, "RAS": _io().CLEFT_IO_WORLD_RAS})
+
+
+def _reading(world: str, kind: str, spacing: Sequence[float] | None) -> Any:
+    io = _io()
+    reading = io.NativeReading()
+    reading.world = _world(world)
+    reading.kind = _choice(kind, "kind", {"auto": io.CLEFT_IO_KIND_AUTO, "labels": io.CLEFT_IO_KIND_LABELS,
+                                          "indicators": io.CLEFT_IO_KIND_INDICATORS})
+    if spacing is not None:
+        for axis, length in enumerate(triple(spacing, "spacing")):
+            reading.set_spacing(axis, float(length))
+    return reading
+
+
+def _choice(name: str, argument: str, numbers: dict[str, int]) -> int:
+    if name not in numbers:
+        raise InvalidArgument(f"{argument} is {name!r}; it must be one of {', '.join(numbers)}")
+    return numbers[name]

@@ -1,0 +1,176 @@
+"""The options of meshing, by name."""
+from __future__ import annotations
+
+import operator
+from dataclasses import dataclass
+from typing import Any, Iterable, Mapping, TypedDict
+
+import numpy as np
+
+from . import native
+from ._arrays import int32_array
+from ._handle import Handle, Owner
+from .errors import raise_for
+
+
+class OptionKeywords(TypedDict, total=False):
+    """The keyword arguments that Options and the functions of the stages take; `cleft.option_table()` describes them."""
+
+    background: str
+    size: float
+    size_min: float
+    size_max: float
+    feature_scale: float
+    gradation: float
+    interface_size: float
+    tets: int
+    smooth: int
+    snap: str
+    improve: str
+    steps: int
+    seed: int
+    strict: bool
+    repair: float
+    label_sizes: Mapping[int, float]
+    strip: Iterable[int]
+    only: Iterable[int]
+
+
+@dataclass(frozen=True)
+class OptionDescription:
+    """One row of the table of options."""
+
+    name: str
+    type: str  #: "integer", "real", "choice" or "flag"
+    default: int | float | str | bool
+    least: float
+    greatest: float
+    choices: tuple[str, ...]
+    text: str
+    key: int
+
+
+_TYPES = {native.CLEFT_OPTION_TYPE_INTEGER: "integer", native.CLEFT_OPTION_TYPE_REAL: "real",
+          native.CLEFT_OPTION_TYPE_CHOICE: "choice", native.CLEFT_OPTION_TYPE_FLAG: "flag"}
+
+
+def _described(index: int) -> OptionDescription:
+    row = native.NativeOptionDescription()
+    raise_for(native.cleft_option_info(index, row), "no such option")
+    kind = _TYPES[row.type]
+    choices = tuple(row.choices.split("|")) if row.choices else ()
+    default: Any = row.value
+    if kind == "choice":
+        default = choices[int(row.value)]
+    elif kind != "real":
+        default = bool(row.value) if kind == "flag" else int(row.value)
+    return OptionDescription(row.name, kind, default, row.least, row.greatest, choices, row.text, row.key)
+
+
+_TABLE = {row.name: row for row in map(_described, range(native.cleft_option_count()))}
+_LISTS = ("label_sizes", "strip", "only")
+
+
+def option_table() -> list[OptionDescription]:
+    """All options that have one value, with their defaults and ranges, as the library describes them."""
+    return list(_TABLE.values())
+
+
+class Options(Owner):
+    """How to mesh: Options(size=2.0, background="octree", strip=[0]). Values can be read and set as attributes.
+
+    `label_sizes` maps labels to the greatest edge length inside them; `strip` lists labels that are left out of the
+    finished mesh, `only` those that alone are kept. The others are in `cleft.option_table()`. A value out of its range
+    raises OptionError, which is a ValueError; a name that is no option raises TypeError.
+    """
+
+    def __init__(self, **values: Any) -> None:
+        object.__setattr__(self, "_lists", {"label_sizes": {}, "strip": (), "only": ()})
+        status, address = native.cleft_options_create()
+        raise_for(status, "options could not be made")
+        self._handle = Handle(address, native.cleft_options_destroy)
+        for name, value in values.items():
+            if name not in _TABLE and name not in _LISTS:
+                raise TypeError(f"{name!r} is not an option; the options are {', '.join((*_TABLE, *_LISTS))}")
+            setattr(self, name, value)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if name in _TABLE:
+            self._set(_TABLE[name], value)
+        elif name == "label_sizes":
+            self._set_label_sizes(value)
+        elif name in _LISTS:
+            self._set_list(name, value)
+        else:
+            super().__setattr__(name, value)
+
+    def __getattr__(self, name: str) -> Any:
+        if name in _LISTS:
+            return self._lists[name]
+        if name not in _TABLE:
+            raise AttributeError(f"{name!r} is not an option")
+        row = _TABLE[name]
+        value = np.zeros(1, float if row.type == "real" else np.int64)
+        get = native.cleft_options_get_real if row.type == "real" else native.cleft_options_get_integer
+        self._check(get(self._native, row.key, value))
+        if row.type == "choice":
+            return row.choices[int(value[0])]
+        return bool(value[0]) if row.type == "flag" else value[0].item()
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *_TABLE, *_LISTS]
+
+    def __repr__(self) -> str:
+        if self.closed:
+            return "Options(closed)"
+        changed = {row.name: getattr(self, row.name) for row in _TABLE.values()
+                   if getattr(self, row.name) != row.default}
+        changed.update({name: value for name, value in self._lists.items() if value})
+        return "Options(" + ", ".join(f"{name}={value!r}" for name, value in changed.items()) + ")"
+
+    def set_text(self, name: str, value: str) -> None:
+        """Sets an option from text, as the command line does: options.set_text("size", "2.5")."""
+        self._check(native.cleft_options_set_text(self._native, _text(name), _text(value)))
+
+    def _check(self, status: int) -> None:
+        if status:
+            raise_for(status, native.cleft_options_last_error(self._native))
+
+    def _set(self, row: OptionDescription, value: Any) -> None:
+        if row.type == "real":
+            self._check(native.cleft_options_set_real(self._native, row.key, float(value)))
+        elif row.type == "choice":
+            self.set_text(row.name, value)
+        else:
+            number = int(value) if isinstance(value, float) and value.is_integer() else operator.index(value)
+            self._check(native.cleft_options_set_integer(self._native, row.key, number))
+
+    def _set_label_sizes(self, sizes: Mapping[int, float]) -> None:
+        for label in self._lists["label_sizes"]:
+            self._check(native.cleft_options_set_label_size(self._native, label, 0.0))
+        self._lists["label_sizes"] = {}
+        for label, size in dict(sizes).items():
+            self._check(native.cleft_options_set_label_size(self._native, operator.index(label), float(size)))
+            self._lists["label_sizes"][operator.index(label)] = float(size)
+
+    def _set_list(self, name: str, labels: Iterable[int]) -> None:
+        values = tuple(operator.index(label) for label in labels)
+        array = int32_array(values, name)
+        set_list = native.cleft_options_set_strip if name == "strip" else native.cleft_options_set_only
+        self._check(set_list(self._native, array, len(array)))
+        self._lists[name] = values
+
+
+def _text(value: str) -> str:
+    if not isinstance(value, str):
+        raise TypeError(f"expected a text, not {type(value).__name__}")
+    return value
+
+
+def options_of(options: Options | None, keywords: Mapping[str, Any]) -> Options | None:
+    """The options of a call: either an Options object, or keywords, or none."""
+    if options is not None and keywords:
+        raise TypeError("give either options or keywords for them, not both")
+    if options is not None and not isinstance(options, Options):
+        raise TypeError(f"options must be an Options, not {type(options).__name__}")
+    return Options(**keywords) if keywords else options

@@ -1,0 +1,42 @@
+// The low level of the Java, C# and Python bindings: cleft_io.h. A module of its own, loaded when a file is first read
+// or written, since it brings ITK with it.
+#if defined(SWIGPYTHON)
+%module(package="cleft") native_io
+#else
+%module CleftIoNative
+#endif
+
+%{
+#include "cleft/cleft_io.h"
+
+#include <stdlib.h>
+#include <string.h>
+%}
+
+#define CLEFT_IO_MODULE
+%include "kinds.i"
+
+CLEFT_STRUCT(cleft_io_format_description, NativeFormatDescription)
+%immutable cleft_io_format_description::name;
+%immutable cleft_io_format_description::extensions;
+%immutable cleft_io_format_description::text;
+CLEFT_STRUCT(cleft_io_reading, NativeReading)
+CLEFT_STRUCT(cleft_io_raw, NativeRaw)
+%ignore cleft_io_reading::spacing;
+%extend cleft_io_reading {
+    void set_spacing(int32_t axis, double length) { $self->spacing[axis] = length; }
+}
+%ignore cleft_io_raw::dims;
+%ignore cleft_io_raw::spacing;
+%extend cleft_io_raw {
+    void set_axis(int32_t axis, int64_t voxels, double length)
+    {
+        $self->dims[axis] = voxels;
+        $self->spacing[axis] = length;
+    }
+}
+
+#define CLEFT_NOEXCEPT
+typedef int32_t cleft_status;
+typedef int32_t cleft_type;
+%include "cleft/cleft_io.h"

@@ -1,0 +1,158 @@
+"""The stages and what can be asked of their results."""
+import threading
+import unittest
+
+import numpy as np
+
+import cleft
+from support import QUICK, ball_labels, ball_mesh, ball_volume, same_mesh
+
+
+class Meshes(unittest.TestCase):
+    def test_mesh_is_sound(self):
+        mesh = ball_mesh()
+        self.assertTrue(mesh.validate(fills_box=True))
+        self.assertEqual(mesh.validate().first_fault, "")
+        self.assertEqual(mesh.different_labels.tolist(), [0, 1, 7])
+        self.assertEqual((mesh.points.dtype, mesh.tets.dtype, mesh.labels.dtype), (np.float64, np.int32, np.int32))
+        a, b, c, d = (mesh.points[mesh.tets[:, n]] for n in range(4))
+        volumes = np.einsum("ij,ij->i", np.cross(b - a, c - a), d - a) / 6
+        self.assertTrue((volumes > 0).all())
+        self.assertAlmostEqual(volumes.sum(), 12 * 13 * 14)
+
+    def test_stages_by_hand_are_the_whole(self):
+        volume, options = ball_volume(), cleft.Options(**QUICK)
+        sizing = cleft.Sizing(volume, options=options)
+        background = cleft.make_background(sizing, options=options)
+        self.assertEqual(background.different_labels.tolist(), [0])
+        cleaved = cleft.cleave(volume, background, options=options)
+        improved = cleft.improve(volume, cleaved, options=options)
+        self.assertTrue(improved.validate(fills_box=True))
+        whole = cleft.mesh(volume, background_mesh=background, options=options)
+        self.assertEqual(len(whole.tets), len(improved.tets))
+        stripped = cleft.strip_labels(improved, strip=[0])
+        self.assertEqual(stripped.different_labels.tolist(), [1, 7])
+        self.assertEqual(cleft.strip_labels(improved, only=[1]).different_labels.tolist(), [1])
+
+    def test_sizing(self):
+        volume = ball_volume()
+        self.assertAlmostEqual(cleft.Sizing.constant(volume, 2.5).at((6, 6, 6)), 2.5)
+        wanted = np.full(volume.shape, 3.0)
+        wanted[:6] = 1.5
+        sizing = cleft.Sizing.from_values(volume, wanted)
+        self.assertEqual(sizing.values.shape, volume.shape)
+        self.assertTrue(np.array_equal(sizing.values, wanted.astype(np.float32)))
+        self.assertTrue(np.array_equal(sizing.affine, volume.affine))
+        self.assertGreater(sizing.expected_tets, 100)
+        both = cleft.Sizing.from_values(volume, wanted, combine=True, size=2.0)
+        self.assertLessEqual(both.values.max(), 2.0)
+        self.assertGreater(len(cleft.mesh(volume, sizing=sizing, **QUICK).tets), 100)
+        for wrong in (wanted[1:], wanted * np.nan, -wanted):
+            with self.assertRaises(ValueError):
+                cleft.Sizing.from_values(volume, wrong)
+        with self.assertRaises(ValueError):
+            sizing.at((np.nan, 0, 0))
+
+    def test_report(self):
+        volume = ball_volume()
+        rows = cleft.mesh(volume, **QUICK).report(volume)
+        self.assertEqual([row.label for row in rows], [0, 1, 7])
+        self.assertEqual({row.label: row.voxels for row in rows}, volume.voxel_counts)
+        self.assertAlmostEqual(sum(row.mesh_volume for row in rows), 12 * 13 * 14)
+        self.assertFalse(any(row.lost for row in rows))
+
+    def test_quality(self):
+        mesh = ball_mesh()
+        quality = mesh.quality()
+        self.assertEqual(quality.tet_count, len(mesh.tets))
+        self.assertEqual(sum(quality.dihedral_histogram), 6 * len(mesh.tets))
+        self.assertTrue(0 < quality.min_dihedral < 60 < quality.max_dihedral < 180)
+
+    def test_surface(self):
+        mesh = ball_mesh()
+        with mesh.surface() as surface:
+            pairs = np.unique(surface.interface_labels, axis=0).tolist()
+            self.assertEqual(len(surface.interface_triangles), len(surface.interface_labels))
+            self.assertIn([0, 1], pairs)
+            self.assertEqual(len(surface.hull_triangles), len(surface.hull_labels))
+            self.assertEqual(set(surface.hull_sides.tolist()), set(range(6)))
+            at_x_min = surface.hull_triangles[surface.hull_sides == cleft.SIDES.index("x_min")]
+            self.assertTrue(np.allclose(mesh.points[at_x_min, 0], mesh.points[:, 0].min()))
+
+    def test_arrays_there_and_back(self):
+        mesh = ball_mesh()
+        again = cleft.Mesh(mesh.points, mesh.copy_tets(index_base=1), mesh.labels, index_base=1)
+        self.assertTrue(same_mesh(mesh, again))
+        self.assertTrue(np.array_equal(mesh.copy_tets(), mesh.tets))
+        bare = cleft.Mesh(mesh.points.astype(np.float32).tolist(), mesh.tets.astype(np.int64))
+        self.assertEqual(bare.different_labels.tolist(), [0])
+
+    def test_faults_are_found(self):
+        points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]])
+        self.assertTrue(cleft.Mesh(points, [[0, 1, 2, 3]]).validate())
+        found = cleft.Mesh(points, [[1, 0, 2, 3]]).validate()
+        self.assertFalse(found)
+        self.assertEqual(found.negative_tets, 1)
+        self.assertNotEqual(found.first_fault, "")
+
+    def test_quadratic(self):
+        mesh = ball_mesh()
+        points, tets = mesh.quadratic()
+        self.assertEqual(tets.shape, (len(mesh.tets), 10))
+        self.assertTrue(np.array_equal(tets[:, :4], mesh.tets))
+        self.assertTrue(np.allclose(points[tets[:, 4]], (points[tets[:, 0]] + points[tets[:, 1]]) / 2))
+        self.assertEqual(mesh.quadratic(1)[1].min(), 1)
+
+    def test_threads_give_the_same_mesh(self):
+        volume = ball_volume()
+        one, two = (cleft.mesh(volume, mesher=cleft.Mesher(threads=n), **QUICK) for n in (1, 2))
+        self.assertTrue(same_mesh(one, two))
+
+    def test_one_volume_in_many_threads(self):
+        volume, meshes = ball_volume(), []
+        threads = [threading.Thread(target=lambda: meshes.append(cleft.mesh(volume, **QUICK))) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(len(meshes), 4)
+        self.assertTrue(all(same_mesh(mesh, meshes[0]) for mesh in meshes))
+
+    def test_metrics(self):
+        mesher = cleft.Mesher()
+        cleft.mesh(ball_volume(), mesher=mesher, **QUICK)
+        self.assertTrue(mesher.metrics())
+        self.assertTrue(all(isinstance(value, float) for value in mesher.metrics().values()))
+        mesher.clear_metrics()
+        self.assertEqual(mesher.metrics(), {})
+
+    def test_to_meshio(self):
+        try:
+            import meshio  # noqa: F401
+        except ImportError:
+            self.skipTest("meshio is not installed")
+        mesh = ball_mesh()
+        there = mesh.to_meshio()
+        self.assertTrue(np.array_equal(there.points, mesh.points))
+        self.assertTrue(np.array_equal(there.cells_dict["tetra"], mesh.tets))
+        self.assertTrue(np.array_equal(there.cell_data_dict["material"]["tetra"], mesh.labels))
+
+    def test_plot(self):
+        try:
+            import matplotlib.pyplot as pyplot
+        except ImportError:
+            self.skipTest("matplotlib is not installed")
+        axes = ball_mesh().plot([1, 7], backend="matplotlib")
+        self.assertEqual(len(axes.collections), 1)
+        pyplot.close("all")
+        with self.assertRaises(ValueError):
+            ball_mesh().plot(backend="crayons")
+
+    def test_repr(self):
+        self.assertIn("3 labels", repr(ball_mesh()))
+        self.assertIn("12 x 13 x 14", repr(ball_volume()))
+        self.assertEqual(ball_labels().shape, (12, 13, 14))
+
+
+if __name__ == "__main__":
+    unittest.main()
