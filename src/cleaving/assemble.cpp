@@ -72,10 +72,9 @@ private:
     }
 };
 
-// What each mixed tetrahedron becomes: chosen once, so that the output can be written in place.
+// Where the output tetrahedra of each chunk of background tetrahedra go.
 struct Plan {
-    std::vector<uint8_t> apex;   // by mixed tetrahedron
-    std::vector<int64_t> begin;  // first output tetrahedron of each chunk of background tetrahedra
+    std::vector<int64_t> begin;
     int64_t tets = 0;
 };
 
@@ -85,11 +84,10 @@ int tets_of(const SplitTet& split, int apex)
     return fan(split.surface, apex, tets);
 }
 
-Plan plan_fans(const Centres& c, const Run& run)
+Plan plan_output(const Centres& c, const Run& run)
 {
     const auto n = static_cast<int64_t>(c.tets.size());
     Plan plan;
-    plan.apex.resize(c.mixed.size());
     plan.begin.resize(static_cast<size_t>(chunk_count(n, kGrain)));
     parallel_chunks(run, n, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
         int64_t count = 0;
@@ -99,10 +97,7 @@ Plan plan_fans(const Centres& c, const Run& run)
                 continue;
             }
             const auto m = static_cast<size_t>(c.mixed_of[t]);
-            const SplitTet split = split_tet(c, c.mixed[m]);
-            const int apex = best_fan(split).apex;
-            plan.apex[m] = static_cast<uint8_t>(apex);
-            count += tets_of(split, apex);
+            count += tets_of(split_tet(c, c.mixed[m]), c.fans[m].apex);
         }
         plan.begin[static_cast<size_t>(chunk)] = count;
     });
@@ -165,7 +160,7 @@ private:
 
 LabelledMesh assemble(const Centres& c, const Run& run)
 {
-    const Plan plan = plan_fans(c, run);
+    const Plan plan = plan_output(c, run);
     run.report(0.9, "cleaving: tetrahedra");
     Numbering numbering(c);
     LabelledMesh mesh;
@@ -178,7 +173,7 @@ LabelledMesh assemble(const Centres& c, const Run& run)
         for (auto t = static_cast<size_t>(begin); t < static_cast<size_t>(end); ++t) {
             const int32_t m = c.mixed_of[t];
             out += m < 0 ? writer.write_whole(t, out)
-                         : writer.write_fan(c.mixed[static_cast<size_t>(m)], plan.apex[static_cast<size_t>(m)], out);
+                         : writer.write_fan(c.mixed[static_cast<size_t>(m)], c.fans[static_cast<size_t>(m)].apex, out);
         }
     });
     return mesh;

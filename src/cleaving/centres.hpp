@@ -34,6 +34,12 @@ struct MixedTet {
     std::array<int32_t, 4> faces;  // in TripleFace, opposite corner i
 };
 
+// How a mixed tetrahedron splits: the fan whose worst tetrahedron is best.
+struct Fan {
+    double cost = 0;  // of its tetrahedra, see shape_cost
+    uint8_t apex = 0;
+};
+
 struct Centres {
     const Volume& volume;
     const std::vector<Tet>& tets;
@@ -45,6 +51,7 @@ struct Centres {
     std::vector<TripleFace> faces;
     std::vector<MixedTet> mixed;
     std::vector<int32_t> mixed_of;  // by tetrahedron, or -1
+    std::vector<Fan> fans;          // of the mixed tetrahedra, where all centres are as they were when it was chosen
 
     const Vec3& point(int32_t v) const { return points[static_cast<size_t>(v)]; }
     const MaterialSet& materials_of(int32_t v) const { return materials[static_cast<size_t>(v)]; }
@@ -67,12 +74,10 @@ struct Centres {
     void place_cut(CutEdge& e, Samples& scratch) const;
 };
 
-using Neighbours = std::vector<std::array<int32_t, 4>>;  // of mesh/adjacency.hpp
-
-// Samples the volume at the vertices and finds all centres.
-Centres find_centres(const Volume& volume, const TetMesh& background, const Neighbours& neighbours, const Run& run);
+// Samples the volume at the vertices and finds all centres and fans.
+Centres find_centres(const Volume& volume, const TetMesh& background, const Run& run);
 
 // The part of it without geometry: fills the tables of edges, faces and tetrahedra from vertices of one material each.
-void list_centres(Centres& c, const Neighbours& neighbours);
+void list_centres(Centres& c, const Run& run);
 
 }  // namespace cleft

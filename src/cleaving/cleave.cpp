@@ -11,10 +11,8 @@ namespace cleft
 LabelledMesh cleave(const Volume& volume, const TetMesh& background, const CleaveOptions& options, const Run& run)
 {
     const StageTimer timer(run, "cleaving");
-    const auto neighbours = tet_neighbours(background.tets, static_cast<int64_t>(background.points.size()));
-    Centres centres = find_centres(volume, background, neighbours, run);
-    const SnapCounts snapped =
-        snap_vertices(centres, frozen_axes(background.points, background.tets, neighbours), options.snap, run);
+    Centres centres = find_centres(volume, background, run);
+    const SnapCounts snapped = snap_vertices(centres, options.snap, run);
     run.note("cleaving.snapped", static_cast<double>(snapped.moved));
     run.note("cleaving.stayed", static_cast<double>(snapped.stayed));
     run.note("cleaving.given_up", static_cast<double>(give_up_flat_cuts(centres, run)));

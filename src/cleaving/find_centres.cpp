@@ -1,6 +1,7 @@
 // Making the tables of centres: sample the vertices, list the cut edges, then the simplices above them.
 #include "base/parallel.hpp"
 #include "cleaving/centres.hpp"
+#include "cleaving/split_tet.hpp"
 
 namespace cleft
 {
@@ -43,13 +44,14 @@ SampledVertices sample_vertices(const Volume& volume, const std::vector<Vec3>& p
 class Tables
 {
 public:
-    explicit Tables(Centres& centres) : c_(centres) {}
+    Tables(Centres& centres, const Run& run) : c_(centres), run_(run) {}
 
-    void build(const Neighbours& neighbours)
+    void build()
     {
         list_edges();
         list_mixed();
-        list_faces(neighbours);
+        list_faces();
+        c_.fans.resize(c_.mixed.size());
     }
 
 private:
@@ -73,15 +75,19 @@ private:
     {
         const size_t n = c_.points.size();
         std::vector<int64_t> slot(n + 1, 0);
-        for (const Tet& t : c_.tets)
-            for_each_cut(t, [&](size_t, int32_t lower, int32_t) { ++slot[static_cast<size_t>(lower) + 1]; });
+        for (size_t t = 0; t < c_.tets.size(); ++t) {
+            check_now_and_then(t);
+            for_each_cut(c_.tets[t], [&](size_t, int32_t lower, int32_t) { ++slot[static_cast<size_t>(lower) + 1]; });
+        }
         for (size_t v = 0; v < n; ++v)
             slot[v + 1] += slot[v];
         std::vector<int32_t> upper(static_cast<size_t>(slot[n]));
-        for (const Tet& t : c_.tets)
-            for_each_cut(t, [&](size_t, int32_t lower, int32_t high) {
+        for (size_t t = 0; t < c_.tets.size(); ++t) {
+            check_now_and_then(t);
+            for_each_cut(c_.tets[t], [&](size_t, int32_t lower, int32_t high) {
                 upper[static_cast<size_t>(slot[static_cast<size_t>(lower)]++)] = high;
             });
+        }
         // Each slot is now where the next one began.
         first_edge_.resize(n + 1, 0);
         int64_t begin = 0;
@@ -108,6 +114,7 @@ private:
     {
         c_.mixed_of.assign(c_.tets.size(), -1);
         for (size_t t = 0; t < c_.tets.size(); ++t) {
+            check_now_and_then(t);
             MixedTet m{static_cast<int32_t>(t), {-1, -1, -1, -1, -1, -1}, {-1, -1, -1, -1}};
             bool has_cut = false;
             for_each_cut(c_.tets[t], [&](size_t e, int32_t lower, int32_t upper) {
@@ -121,48 +128,59 @@ private:
         }
     }
 
-    // A face is listed by the first of its two tetrahedra; the second one finds it there.
-    void list_faces(const Neighbours& neighbours)
+    // A face is listed by the first of its two tetrahedra. The second one finds it in the chain of the faces that have
+    // the same lowest edge; two edges tell a face.
+    void list_faces()
     {
-        for (MixedTet& m : c_.mixed) {
+        std::vector<int32_t> newest(c_.edges.size(), -1), older;
+        for (size_t k = 0; k < c_.mixed.size(); ++k) {
+            check_now_and_then(k);
+            MixedTet& m = c_.mixed[k];
             const CutMask cuts = c_.cuts(m);
             for (size_t i = 0; i < 4; ++i) {
                 if ((cuts & kFaceCuts[i]) != kFaceCuts[i])
                     continue;
-                const int32_t behind = neighbours[static_cast<size_t>(m.tet)][i];
-                if (behind >= 0 && behind < m.tet) {
-                    m.faces[i] = face_towards(neighbours, behind, m.tet);
-                } else {
-                    m.faces[i] = static_cast<int32_t>(c_.faces.size());
-                    c_.faces.push_back(triple_face(m, i));
+                const TripleFace face = triple_face(m, i);
+                int32_t& chain = newest[static_cast<size_t>(face.edges[0])];
+                int32_t f = chain;
+                while (f >= 0 && c_.faces[static_cast<size_t>(f)].edges != face.edges)
+                    f = older[static_cast<size_t>(f)];
+                if (f < 0) {
+                    f = static_cast<int32_t>(c_.faces.size());
+                    c_.faces.push_back(face);
+                    older.push_back(chain);
+                    chain = f;
                 }
+                m.faces[i] = f;
             }
         }
-    }
-
-    int32_t face_towards(const Neighbours& neighbours, int32_t tet, int32_t other) const
-    {
-        const auto& n = neighbours[static_cast<size_t>(tet)];
-        const auto i = static_cast<size_t>(std::find(n.begin(), n.end(), other) - n.begin());
-        return c_.mixed[static_cast<size_t>(c_.mixed_of[static_cast<size_t>(tet)])].faces[i];
     }
 
     static TripleFace triple_face(const MixedTet& m, size_t opposite)
     {
         const int* corner = kFaceCorners[opposite];
         const auto edge = [&](int i, int j) { return m.edges[static_cast<size_t>(kEdgeBetween[i][j])]; };
-        return {{edge(corner[0], corner[1]), edge(corner[1], corner[2]), edge(corner[2], corner[0])}};
+        TripleFace face{{edge(corner[0], corner[1]), edge(corner[1], corner[2]), edge(corner[2], corner[0])}};
+        std::sort(face.edges.begin(), face.edges.end());
+        return face;
+    }
+
+    void check_now_and_then(size_t i) const
+    {
+        if (i % (size_t{1} << 16) == 0)
+            run_.check();
     }
 
     Centres& c_;
+    const Run& run_;
     std::vector<int32_t> first_edge_;  // of each lower vertex
 };
 
 }  // namespace
 
-void list_centres(Centres& c, const Neighbours& neighbours) { Tables(c).build(neighbours); }
+void list_centres(Centres& c, const Run& run) { Tables(c, run).build(); }
 
-Centres find_centres(const Volume& volume, const TetMesh& background, const Neighbours& neighbours, const Run& run)
+Centres find_centres(const Volume& volume, const TetMesh& background, const Run& run)
 {
     run.report(0.0, "cleaving: materials of vertices");
     SampledVertices sampled = sample_vertices(volume, background.points, run);
@@ -174,14 +192,18 @@ Centres find_centres(const Volume& volume, const TetMesh& background, const Neig
               {},
               {},
               {},
+              {},
               {}};
     run.report(0.1, "cleaving: cuts");
-    list_centres(c, neighbours);
+    list_centres(c, run);
+    run.report(0.15, "cleaving: cuts");
     parallel_for(run, static_cast<int64_t>(c.edges.size()), kGrain / 8, [&](int64_t begin, int64_t end) {
         Samples scratch;
         for (int64_t e = begin; e < end; ++e)
             c.place_cut(c.edges[static_cast<size_t>(e)], scratch);
     });
+    run.report(0.25, "cleaving: fans");
+    choose_fans(c, run);
     return c;
 }
 

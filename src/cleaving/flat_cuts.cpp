@@ -2,6 +2,7 @@
 #include "base/parallel.hpp"
 #include "cleaving/assemble.hpp"
 #include "cleaving/split_tet.hpp"
+#include "mesh/quality.hpp"
 
 namespace cleft
 {
@@ -31,12 +32,18 @@ double mean_edge(const Centres& c, const Run& run)
 // Mixed tetrahedra with a piece whose sixfold volume is not above the threshold.
 std::vector<int32_t> find_flat(const Centres& c, double threshold, const Run& run)
 {
+    // A piece is a product of few shares of edges, and cuts keep away from the ends of their edges: the least is a
+    // corner of a triple point seen from a quadruple point, 0.02 * 0.04 / 3 * 0.06 / 6.
+    constexpr double kLeastShare = 1e-6;
     const auto n = static_cast<int64_t>(c.mixed.size());
     std::vector<std::vector<int32_t>> found(static_cast<size_t>(chunk_count(n, kGrain)));
     parallel_chunks(run, n, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
-        for (int64_t m = begin; m < end; ++m) {
-            const SplitTet split = split_tet(c, c.mixed[static_cast<size_t>(m)]);
-            if (split.cuts && !(least_volume(split, best_fan(split).apex) > threshold))
+        for (auto m = static_cast<size_t>(begin); m < static_cast<size_t>(end); ++m) {
+            const Tet& t = c.corners(c.mixed[m].tet);
+            if (orient(c.point(t[0]), c.point(t[1]), c.point(t[2]), c.point(t[3])) * kLeastShare > threshold)
+                continue;
+            const SplitTet split = split_tet(c, c.mixed[m]);
+            if (split.cuts && !(least_volume(split, c.fans[m].apex) > threshold))
                 found[static_cast<size_t>(chunk)].push_back(static_cast<int32_t>(m));
         }
     });
@@ -69,9 +76,11 @@ int64_t give_up_flat_cuts(Centres& c, const Run& run)
     const double edge = mean_edge(c, run);
     const double threshold = 2 * 6e-12 * edge * edge * edge;
     int64_t dropped = 0;
-    for (std::vector<int32_t> flat; !(flat = find_flat(c, threshold, run)).empty();)
+    for (std::vector<int32_t> flat; !(flat = find_flat(c, threshold, run)).empty();) {
         for (const int32_t m : flat)
             dropped += drop_least_central_cut(c, c.mixed[static_cast<size_t>(m)]);
+        choose_fans(c, run);  // an edge has many tetrahedra; slivers are few
+    }
     return dropped;
 }
 

@@ -1,7 +1,7 @@
 #include "cleaving/snap.hpp"
 
+#include "cleaving/snap_order.hpp"
 #include "cleaving/star.hpp"
-#include "mesh/quality.hpp"
 
 #include <limits>
 
@@ -32,8 +32,8 @@ struct Choice {
 class Snapper
 {
 public:
-    Snapper(Centres& c, const std::vector<uint8_t>& frozen, Snap rule, const Run& run)
-        : c_(c), frozen_(frozen), rule_(rule), run_(run), tets_of_(c), touched_(c.points.size(), 1)
+    Snapper(Centres& c, Snap rule, const Run& run)
+        : c_(c), rule_(rule), run_(run), star_(c, run), touched_(c.points.size(), 1)
     {
     }
 
@@ -41,7 +41,7 @@ public:
     {
         const int passes = rule_ == Snap::quality ? kPasses : 1;
         for (int pass = 0; pass < passes; ++pass) {
-            const std::vector<int32_t> order = vertices_in_order();
+            const std::vector<int32_t> order = vertices_to_visit(c_, kReach, touched_, run_);
             for (size_t i = 0; i < order.size(); ++i) {
                 if (i % 128 == 0)
                     run_.report(0.3 + 0.5 * (pass + double(i) / double(order.size())) / passes, "cleaving: snapping");
@@ -52,34 +52,17 @@ public:
     }
 
 private:
-    // Vertices whose star changed since the last visit, by the distance of the nearest cut in shortest edges.
-    std::vector<int32_t> vertices_in_order()
-    {
-        std::vector<std::pair<float, int32_t>> keyed;
-        for (const int32_t v : tets_of_.vertices()) {
-            if (!touched_[static_cast<size_t>(v)])
-                continue;
-            gather(v);
-            if (!near_.empty())
-                keyed.emplace_back(static_cast<float>(near_[0].distance / star_.shortest_edge), v);
-        }
-        std::sort(keyed.begin(), keyed.end());
-        std::vector<int32_t> order;
-        for (const auto& k : keyed)
-            order.push_back(k.second);
-        return order;
-    }
-
     void gather(int32_t v)
     {
-        star_.gather(c_, tets_of_, v);
-        const double reach = reach_of();
+        star_.gather(v);
+        const double length =
+            rule_ == Snap::safe ? std::min(star_.shortest_edge(), star_.least_altitude()) : star_.shortest_edge();
         near_.clear();
-        for (const int32_t e : star_.edges) {
+        for (const int32_t e : star_.edges()) {
             const CutEdge& edge = c_.edges[static_cast<size_t>(e)];
             const Vec3 x = c_.cut_point(edge);
             const double distance = (x - c_.point(v)).norm();
-            if (distance <= reach)
+            if (distance <= kReach * length)
                 near_.push_back({distance, x, e, edge.lower == v ? edge.upper : edge.lower});
         }
         std::sort(near_.begin(), near_.end(), [](const NearCut& a, const NearCut& b) {
@@ -89,33 +72,16 @@ private:
             near_.resize(kMostCuts);
     }
 
-    // Half of the shortest edge; the safe rule of the paper: or of the shortest altitude.
-    double reach_of() const
-    {
-        double length = star_.shortest_edge;
-        if (rule_ == Snap::safe)
-            for (const int32_t tet : star_.tets) {
-                const Tet& t = c_.corners(tet);
-                const auto i = static_cast<size_t>(std::find(t.begin(), t.end(), star_.vertex) - t.begin());
-                const Vec3& a = c_.point(t[static_cast<size_t>(kFaceCorners[i][0])]);
-                const Vec3 normal = (c_.point(t[static_cast<size_t>(kFaceCorners[i][1])]) - a)
-                                        .cross(c_.point(t[static_cast<size_t>(kFaceCorners[i][2])]) - a)
-                                        .normalized();
-                length = std::min(length, std::abs(normal.dot(c_.point(star_.vertex) - a)));
-            }
-        return kReach * length;
-    }
-
     void visit(int32_t v)
     {
         touched_[static_cast<size_t>(v)] = 0;
         gather(v);
         if (near_.empty())
             return;
+        frozen_ = star_.frozen_axes();
         before_.save(c_, star_);
-        shape_before_ = measure_star(c_, star_, std::numeric_limits<double>::infinity());
-        best_cost_ = rule_ == Snap::quality ? shape_before_.cost : std::numeric_limits<double>::infinity();
-        best_is_stay_ = false;
+        measure_star(c_, star_, shape_before_);
+        best_shape_.cost = rule_ == Snap::quality ? shape_before_.cost : std::numeric_limits<double>::infinity();
         tried_.clear();
         bool found = false;
         if (rule_ == Snap::quality) {
@@ -127,14 +93,20 @@ private:
         } else {
             found = attempt({0, near_.size() - 1}) || attempt({0, 0});
         }
-        if (!found)
-            return;
+        if (found)
+            take_best();
+    }
+
+    void take_best()
+    {
         best_.restore(c_, star_);
-        ++(best_is_stay_ ? counts_.stayed : counts_.moved);
-        for (const int32_t tet : star_.tets)
-            for (const int32_t corner : c_.corners(tet))
-                touched_[static_cast<size_t>(corner)] = 1;
-        touched_[static_cast<size_t>(v)] = 1;
+        ++(best_.x == before_.x ? counts_.stayed : counts_.moved);
+        for (size_t i = 0; i < star_.parts().size(); ++i)
+            if (star_.parts()[i].mixed >= 0)
+                c_.fans[static_cast<size_t>(star_.parts()[i].mixed)] = best_shape_.fans[i];
+        for (const int32_t w : star_.link())
+            touched_[static_cast<size_t>(w)] = 1;
+        touched_[static_cast<size_t>(star_.vertex())] = 1;
     }
 
     // Keeps the state in best_ if it is the best so far.
@@ -154,58 +126,64 @@ private:
             return false;
         tried_.push_back(materials);
         start /= static_cast<double>(choice.last - choice.first + 1);
-        const unsigned frozen = frozen_[static_cast<size_t>(star_.vertex)];
         const auto x =
-            project_to_tie(c_.volume, before_.x, start, materials, frozen, kReach * star_.shortest_edge, scratch_);
+            project_to_tie(c_.volume, before_.x, start, materials, frozen_, kReach * star_.shortest_edge(), scratch_);
         if (!x && !may_stay)
             return false;
-        SampleStore::Span samples = before_.samples;
-        if (x) {
-            c_.volume.sample(*x, scratch_);
-            samples = c_.samples.add(scratch_);
-        }
-        change_vertex(c_, star_, x ? *x : before_.x, materials, samples, scratch_);
-        const StarShape shape = measure_star(c_, star_, best_cost_);
-        const bool warped =
-            shape.least_background < kLeastSine && shape.least_background < shape_before_.least_background;
-        const bool better = shape.cost < best_cost_ && !warped;
-        if (better) {
-            best_cost_ = shape.cost;
-            best_is_stay_ = !x;
-            best_.save(c_, star_);
-        } else if (x) {
-            c_.samples.drop(samples);
-        }
+        const bool better = improves(x ? *x : before_.x, materials);
         before_.restore(c_, star_);
         return better;
     }
 
+    // Changes the vertex. If the star is the best so far, the state is kept in best_.
+    bool improves(const Vec3& x, const MaterialSet& materials)
+    {
+        change_vertex(c_, star_, x, materials);
+        measure_background(c_, star_, shape_);
+        const bool warped =
+            shape_.least_background < kLeastSine && shape_.least_background < shape_before_.least_background;
+        if (warped || !(shape_.cost < best_shape_.cost))
+            return false;
+        const bool moved = x != before_.x;
+        if (moved) {
+            c_.volume.sample(x, scratch_);
+            c_.samples.set(star_.vertex(), c_.samples.add(scratch_));
+        }
+        place_cuts(c_, star_, scratch_);
+        measure_fans(c_, star_, best_shape_.cost, shape_);
+        const bool better = shape_.cost < best_shape_.cost;
+        if (better) {
+            best_.save(c_, star_);
+            std::swap(best_shape_, shape_);
+        } else if (moved) {
+            c_.samples.drop(c_.samples.of(star_.vertex()));
+        }
+        return better;
+    }
+
     Centres& c_;
-    const std::vector<uint8_t>& frozen_;
     const Snap rule_;
     const Run& run_;
-    const VertexTets tets_of_;
+    Star star_;
     std::vector<uint8_t> touched_;  // by vertex: something in its star changed since its last visit
     SnapCounts counts_;
 
     // Of the vertex being visited.
-    Star star_;
+    unsigned frozen_ = 0;
     std::vector<NearCut> near_;
     std::vector<MaterialSet> tried_;
     StarState before_, best_;
-    StarShape shape_before_;
-    double best_cost_ = 0;
-    bool best_is_stay_ = false;
+    StarShape shape_before_, best_shape_, shape_;
     Samples scratch_;
 };
 
 }  // namespace
 
-SnapCounts snap_vertices(Centres& c, const std::vector<uint8_t>& frozen, Snap rule, const Run& run)
+SnapCounts snap_vertices(Centres& c, Snap rule, const Run& run)
 {
     if (rule == Snap::none)
         return {};
-    return Snapper(c, frozen, rule, run).run();
+    return Snapper(c, rule, run).run();
 }
 
 }  // namespace cleft

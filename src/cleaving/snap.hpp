@@ -13,7 +13,7 @@ struct SnapCounts {
     int64_t stayed = 0;  // vertices that took materials over where they are
 };
 
-// `frozen`: axes along which a vertex must not move (mesh/adjacency.hpp).
-SnapCounts snap_vertices(Centres& c, const std::vector<uint8_t>& frozen, Snap rule, const Run& run);
+// Vertices of the hull stay in their box face; those of a hull face across no axis stay where they are.
+SnapCounts snap_vertices(Centres& c, Snap rule, const Run& run);
 
 }  // namespace cleft

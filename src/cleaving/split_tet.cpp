@@ -1,5 +1,6 @@
 #include "cleaving/split_tet.hpp"
 
+#include "base/parallel.hpp"
 #include "mesh/quality.hpp"
 
 #include <limits>
@@ -69,21 +70,36 @@ double shape_cost(double least_sine)
     return 1 / ((least_sine + kSoftening) * (least_sine + kSoftening));
 }
 
-BestFan best_fan(const SplitTet& split)
+Fan best_fan(const SplitTet& split)
 {
     const Apexes candidates = apexes(split.cuts, split.surface);
-    BestFan best;
+    Fan best;
+    double best_sine = -std::numeric_limits<double>::infinity();
     for (size_t i = 0; i < static_cast<size_t>(candidates.count); ++i) {
-        BestFan fan{candidates.point[i], 1, 0};
-        for_each_tet(split, fan.apex, [&](const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-            const double sine = least_sine(a, b, c, d);
-            fan.least_sine = std::min(fan.least_sine, sine);
-            fan.cost += shape_cost(sine);
-        });
-        if (i == 0 || fan.least_sine > best.least_sine)
-            best = fan;
+        Fan candidate{0, candidates.point[i]};
+        std::array<StencilTet, 24> tets;
+        const int count = fan(split.surface, candidate.apex, tets);
+        double worst = 1;
+        for (int k = 0; k < count && worst > best_sine; ++k) {
+            const StencilTet& t = tets[static_cast<size_t>(k)];
+            const double sine = least_sine(split.x[t[0]], split.x[t[1]], split.x[t[2]], split.x[t[3]]);
+            worst = std::min(worst, sine);
+            candidate.cost += shape_cost(sine);
+        }
+        if (worst > best_sine) {
+            best_sine = worst;
+            best = candidate;
+        }
     }
     return best;
+}
+
+void choose_fans(Centres& c, const Run& run)
+{
+    parallel_for(run, static_cast<int64_t>(c.mixed.size()), 512, [&](int64_t begin, int64_t end) {
+        for (auto m = static_cast<size_t>(begin); m < static_cast<size_t>(end); ++m)
+            c.fans[m] = best_fan(split_tet(c, c.mixed[m]));
+    });
 }
 
 double least_volume(const SplitTet& split, int apex)

@@ -15,20 +15,16 @@ struct SplitTet {
 // `mixed` is the tetrahedron's entry in Centres::mixed.
 SplitTet split_tet(const Centres& c, const MixedTet& mixed);
 
-// The fan whose worst tetrahedron is best.
-struct BestFan {
-    int apex = 0;
-    double least_sine = -1;
-    // Sum over its tetrahedra of 1 / (sine + 0.02)^2, infinite if one is not positive: falls when bad ones get better.
-    double cost = 0;
-};
+// Chosen anew; its cost is infinite if one of its tetrahedra is not positive.
+Fan best_fan(const SplitTet& split);
 
-BestFan best_fan(const SplitTet& split);
+// For all mixed tetrahedra.
+void choose_fans(Centres& c, const Run& run);
 
 // Least of six times the volumes of a fan.
 double least_volume(const SplitTet& split, int apex);
 
-// Of a tetrahedron that does not split.
+// What a tetrahedron adds to the cost of those around it, 1 / (sine + 0.02)^2: falls when bad ones get better.
 double shape_cost(double least_sine);
 
 }  // namespace cleft

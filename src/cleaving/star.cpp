@@ -11,87 +11,146 @@ namespace cleft
 namespace
 {
 
-void add_once(std::vector<int32_t>& list, int32_t item)
+constexpr size_t kTetsACheck = size_t{1} << 16;  // between two looks for a cancel
+
+size_t place_in(const Tet& corners, int32_t v)
 {
-    if (std::find(list.begin(), list.end(), item) == list.end())
-        list.push_back(item);
+    return static_cast<size_t>(std::find(corners.begin(), corners.end(), v) - corners.begin());
 }
 
 }  // namespace
 
-VertexTets::VertexTets(const Centres& c) : first_(c.points.size() + 1, 0)
+VertexTets::VertexTets(const Centres& c, const Run& run) : first_(c.points.size() + 1, 0)
 {
     std::vector<uint8_t> is_at_cut(c.points.size(), 0);
     for (const CutEdge& e : c.edges)
         is_at_cut[static_cast<size_t>(e.lower)] = is_at_cut[static_cast<size_t>(e.upper)] = 1;
-    for (size_t v = 0; v < is_at_cut.size(); ++v)
-        if (is_at_cut[v])
-            vertices_.push_back(static_cast<int32_t>(v));
-    for (const Tet& t : c.tets)
-        for (const int32_t v : t)
+    for (size_t t = 0; t < c.tets.size(); ++t) {
+        if (t % kTetsACheck == 0)
+            run.check();
+        for (const int32_t v : c.tets[t])
             first_[static_cast<size_t>(v) + 1] += is_at_cut[static_cast<size_t>(v)];
+    }
     for (size_t v = 0; v + 1 < first_.size(); ++v)
         first_[v + 1] += first_[v];
     tets_.resize(static_cast<size_t>(first_.back()));
     std::vector<int64_t> next(first_.begin(), first_.end() - 1);
-    for (size_t t = 0; t < c.tets.size(); ++t)
+    for (size_t t = 0; t < c.tets.size(); ++t) {
+        if (t % kTetsACheck == 0)
+            run.check();
         for (const int32_t v : c.tets[t])
             if (is_at_cut[static_cast<size_t>(v)])
                 tets_[static_cast<size_t>(next[static_cast<size_t>(v)]++)] = static_cast<int32_t>(t);
+    }
 }
 
-void Star::gather(const Centres& c, const VertexTets& tets_of, int32_t v)
+void Star::gather(int32_t v)
 {
-    vertex = v;
-    tets.assign(tets_of.begin(v), tets_of.end(v));
-    edges.clear();
+    vertex_ = v;
+    parts_.clear();
+    link_.clear();
+    edges_.clear();
+    const Vec3& x = c_.point(v);
     double shortest = std::numeric_limits<double>::infinity();
-    for (const int32_t tet : tets) {
-        const Tet& corners = c.corners(tet);
-        const auto local = static_cast<size_t>(std::find(corners.begin(), corners.end(), v) - corners.begin());
-        for (size_t i = 0; i < 4; ++i)
-            if (i != local)
-                shortest = std::min(shortest, (c.point(corners[i]) - c.point(v)).squaredNorm());
-        if (c.mixed_of[static_cast<size_t>(tet)] < 0)
-            continue;
-        const MixedTet& m = c.mixed[static_cast<size_t>(c.mixed_of[static_cast<size_t>(tet)])];
+    for (const int32_t* tet = tets_of_.begin(v); tet != tets_of_.end(v); ++tet) {
+        const Tet& corners = c_.corners(*tet);
+        const int32_t mixed = c_.mixed_of[static_cast<size_t>(*tet)];
+        parts_.push_back({*tet, mixed});
         for (size_t i = 0; i < 4; ++i) {
-            if (i == local)
+            const int32_t w = corners[i];
+            if (w == v || seen_[static_cast<size_t>(w)] == v)
                 continue;
-            const int32_t edge = m.edges[static_cast<size_t>(kEdgeBetween[local][i])];
-            if (c.is_cut(edge))
-                add_once(edges, edge);
+            seen_[static_cast<size_t>(w)] = v;
+            link_.push_back(w);
+            shortest = std::min(shortest, (c_.point(w) - x).squaredNorm());
+            // All tetrahedra around an edge that was ever cut are mixed, so the first one tells.
+            if (mixed < 0)
+                continue;
+            const size_t local = place_in(corners, v);
+            const int32_t edge =
+                c_.mixed[static_cast<size_t>(mixed)].edges[static_cast<size_t>(kEdgeBetween[local][i])];
+            if (c_.is_cut(edge))
+                edges_.push_back(edge);
         }
     }
-    shortest_edge = std::sqrt(shortest);
+    // Another visit of the same vertex must find its link anew.
+    for (const int32_t w : link_)
+        seen_[static_cast<size_t>(w)] = -1;
+    shortest_edge_ = std::sqrt(shortest);
+}
+
+double Star::least_altitude() const
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (const Part& part : parts_) {
+        const Tet& t = c_.corners(part.tet);
+        const int* face = kFaceCorners[place_in(t, vertex_)];
+        const Vec3& a = c_.point(t[static_cast<size_t>(face[0])]);
+        const Vec3 normal = (c_.point(t[static_cast<size_t>(face[1])]) - a)
+                                .cross(c_.point(t[static_cast<size_t>(face[2])]) - a)
+                                .normalized();
+        least = std::min(least, std::abs(normal.dot(c_.point(vertex_) - a)));
+    }
+    return least;
+}
+
+// The faces of the star opposite the vertex make a surface of T triangles, E edges and V vertices. Inside the mesh it
+// is a sphere: 2 E = 3 T and V - E + T = 2, so V = T / 2 + 2. On the hull it has h > 0 holes in some pieces, each piece
+// a sphere with holes, and at each hole at least three edges of one triangle only: V is greater.
+bool Star::is_inside() const { return 2 * link_.size() == parts_.size() + 4; }
+
+unsigned Star::frozen_axes() const
+{
+    if (is_inside())
+        return 0;
+    // The faces at the vertex, by their two other points; those of one tetrahedron are on the hull.
+    std::vector<std::array<int32_t, 2>> faces;
+    for (const Part& part : parts_) {
+        const Tet& t = c_.corners(part.tet);
+        const int* others = kFaceCorners[place_in(t, vertex_)];
+        for (int i = 0; i < 3; ++i) {
+            const int32_t a = t[static_cast<size_t>(others[i])], b = t[static_cast<size_t>(others[(i + 1) % 3])];
+            faces.push_back({std::min(a, b), std::max(a, b)});
+        }
+    }
+    std::sort(faces.begin(), faces.end());
+    unsigned frozen = 0;
+    for (auto f = faces.begin(); f != faces.end();) {
+        const auto end = std::upper_bound(f, faces.end(), *f);
+        if (end - f == 1)
+            frozen |= hull_axes(c_.point(vertex_), c_.point((*f)[0]), c_.point((*f)[1]));
+        f = end;
+    }
+    return frozen;
 }
 
 void StarState::save(const Centres& c, const Star& star)
 {
-    x = c.point(star.vertex);
-    materials = c.materials_of(star.vertex);
-    samples = c.samples.of(star.vertex);
+    x = c.point(star.vertex());
+    materials = c.materials_of(star.vertex());
+    samples = c.samples.of(star.vertex());
     edges.clear();
-    for (const int32_t e : star.edges)
+    for (const int32_t e : star.edges())
         edges.push_back(c.edges[static_cast<size_t>(e)]);
 }
 
 void StarState::restore(Centres& c, const Star& star) const
 {
-    c.points[static_cast<size_t>(star.vertex)] = x;
-    c.materials[static_cast<size_t>(star.vertex)] = materials;
-    c.samples.set(star.vertex, samples);
+    change_vertex(c, star, x, materials);
+    c.samples.set(star.vertex(), samples);
     for (size_t i = 0; i < edges.size(); ++i)
-        c.edges[static_cast<size_t>(star.edges[i])] = edges[i];
+        c.edges[static_cast<size_t>(star.edges()[i])] = edges[i];
 }
 
-void change_vertex(Centres& c, const Star& star, const Vec3& x, const MaterialSet& materials,
-                   const SampleStore::Span& samples, Samples& scratch)
+void change_vertex(Centres& c, const Star& star, const Vec3& x, const MaterialSet& materials)
 {
-    c.points[static_cast<size_t>(star.vertex)] = x;
-    c.materials[static_cast<size_t>(star.vertex)] = materials;
-    c.samples.set(star.vertex, samples);
-    for (const int32_t e : star.edges) {
+    c.points[static_cast<size_t>(star.vertex())] = x;
+    c.materials[static_cast<size_t>(star.vertex())] = materials;
+}
+
+void place_cuts(Centres& c, const Star& star, Samples& scratch)
+{
+    for (const int32_t e : star.edges()) {
         CutEdge& edge = c.edges[static_cast<size_t>(e)];
         edge.is_cut = disjoint(c.materials_of(edge.lower), c.materials_of(edge.upper));
         if (edge.is_cut)
@@ -99,22 +158,39 @@ void change_vertex(Centres& c, const Star& star, const Vec3& x, const MaterialSe
     }
 }
 
-StarShape measure_star(const Centres& c, const Star& star, double limit)
+void measure_star(const Centres& c, const Star& star, StarShape& shape)
 {
-    StarShape shape;
-    for (const int32_t tet : star.tets) {
-        const Tet& t = c.corners(tet);
+    measure_background(c, star, shape);
+    for (size_t i = 0; i < star.parts().size(); ++i)
+        if (star.parts()[i].mixed >= 0) {
+            shape.fans[i] = c.fans[static_cast<size_t>(star.parts()[i].mixed)];
+            shape.cost += shape.fans[i].cost;
+        }
+}
+
+void measure_background(const Centres& c, const Star& star, StarShape& shape)
+{
+    shape.cost = 0;
+    shape.least_background = 1;
+    shape.fans.resize(star.parts().size());
+    for (const Star::Part& part : star.parts()) {
+        const Tet& t = c.corners(part.tet);
         const double sine = least_sine(c.point(t[0]), c.point(t[1]), c.point(t[2]), c.point(t[3]));
         shape.least_background = std::min(shape.least_background, sine);
-        const int32_t m = c.mixed_of[static_cast<size_t>(tet)];
-        if (!(sine > 0) || m < 0 || !c.cuts(c.mixed[static_cast<size_t>(m)]))
+        if (!(sine > 0) || part.mixed < 0)
             shape.cost += shape_cost(sine);
-        else
-            shape.cost += best_fan(split_tet(c, c.mixed[static_cast<size_t>(m)])).cost;
-        if (shape.cost > limit)
-            break;
     }
-    return shape;
+}
+
+void measure_fans(const Centres& c, const Star& star, double limit, StarShape& shape)
+{
+    for (size_t i = 0; i < star.parts().size() && shape.cost <= limit; ++i) {
+        const int32_t mixed = star.parts()[i].mixed;
+        if (mixed < 0)
+            continue;
+        shape.fans[i] = best_fan(split_tet(c, c.mixed[static_cast<size_t>(mixed)]));
+        shape.cost += shape.fans[i].cost;
+    }
 }
 
 }  // namespace cleft

@@ -10,28 +10,59 @@ namespace cleft
 class VertexTets
 {
 public:
-    explicit VertexTets(const Centres& c);
+    VertexTets(const Centres& c, const Run& run);
 
     const int32_t* begin(int32_t v) const { return tets_.data() + first_[static_cast<size_t>(v)]; }
     const int32_t* end(int32_t v) const { return tets_.data() + first_[static_cast<size_t>(v) + 1]; }
-    // Ascending.
-    const std::vector<int32_t>& vertices() const { return vertices_; }
 
 private:
-    std::vector<int32_t> vertices_;
     std::vector<int64_t> first_;
     std::vector<int32_t> tets_;
 };
 
 // The tetrahedra around a vertex and its edges with a cut: all other centres around it follow from these.
-struct Star {
-    int32_t vertex = -1;
-    std::vector<int32_t> tets;
-    std::vector<int32_t> edges;  // still cut
-    double shortest_edge = 0;
+class Star
+{
+public:
+    Star(const Centres& c, const Run& run) : c_(c), tets_of_(c, run), seen_(c.points.size(), -1) {}
 
     // Replaces what was gathered before.
-    void gather(const Centres& c, const VertexTets& tets_of, int32_t v);
+    void gather(int32_t v);
+
+    struct Part {
+        int32_t tet;
+        int32_t mixed;  // in Centres::mixed, or -1
+    };
+
+    int32_t vertex() const { return vertex_; }
+    const std::vector<Part>& parts() const { return parts_; }
+    const std::vector<int32_t>& link() const { return link_; }    // the other vertices
+    const std::vector<int32_t>& edges() const { return edges_; }  // still cut
+    double shortest_edge() const { return shortest_edge_; }
+
+    // The altitude of the vertex in one of its tetrahedra that is least.
+    double least_altitude() const;
+
+    // Axes along which the vertex must not move, as frozen_axes of mesh/adjacency.hpp has them, from the star alone.
+    unsigned frozen_axes() const;
+
+private:
+    bool is_inside() const;
+
+    const Centres& c_;
+    const VertexTets tets_of_;
+    int32_t vertex_ = -1;
+    std::vector<Part> parts_;
+    std::vector<int32_t> link_, edges_;
+    double shortest_edge_ = 0;
+    std::vector<int32_t> seen_;  // by vertex: the last one whose link it was found in
+};
+
+// How well shaped the star is, and how its mixed tetrahedra split.
+struct StarShape {
+    double cost = 0;              // of the tetrahedra that it splits into, see shape_cost
+    double least_background = 1;  // least sine of the background tetrahedra themselves
+    std::vector<Fan> fans;        // by part; of mixed ones only
 };
 
 // The part of the state that a change of the vertex touches, to go back to.
@@ -45,17 +76,18 @@ struct StarState {
     void restore(Centres& c, const Star& star) const;
 };
 
-// Gives the vertex a place and materials, and finds the cuts around it anew.
-void change_vertex(Centres& c, const Star& star, const Vec3& x, const MaterialSet& materials,
-                   const SampleStore::Span& samples, Samples& scratch);
+// Gives the vertex a place and materials; its cuts are still those of before.
+void change_vertex(Centres& c, const Star& star, const Vec3& x, const MaterialSet& materials);
 
-// How well shaped the star is.
-struct StarShape {
-    double cost = 0;              // of the tetrahedra that it splits into, see BestFan::cost
-    double least_background = 1;  // least sine of the background tetrahedra themselves
-};
+// Finds the cuts around the vertex anew.
+void place_cuts(Centres& c, const Star& star, Samples& scratch);
 
-// Stops early, with the cost so far, once that is above `limit`.
-StarShape measure_star(const Centres& c, const Star& star, double limit);
+// The shape of the star with the fans as they are listed: of a star that has not changed.
+void measure_star(const Centres& c, const Star& star, StarShape& shape);
+
+// After a change of the vertex, first its tetrahedra that have no cuts and those of the background, then the others.
+// The second stops early, with the cost so far, once that is above `limit`.
+void measure_background(const Centres& c, const Star& star, StarShape& shape);
+void measure_fans(const Centres& c, const Star& star, double limit, StarShape& shape);
 
 }  // namespace cleft

@@ -56,14 +56,20 @@ std::vector<uint8_t> frozen_axes(const std::vector<Vec3>& points, const std::vec
             std::array<size_t, 3> face{};
             for (size_t k = 0; k < 3; ++k)
                 face[k] = static_cast<size_t>(tets[t][static_cast<size_t>(kFaceCorners[i][k])]);
-            unsigned axes = 0;
-            for (int axis = 0; axis < 3; ++axis)
-                if (points[face[0]][axis] == points[face[1]][axis] && points[face[0]][axis] == points[face[2]][axis])
-                    axes |= 1u << axis;
+            const unsigned axes = hull_axes(points[face[0]], points[face[1]], points[face[2]]);
             for (const size_t p : face)
-                frozen[p] = static_cast<uint8_t>(frozen[p] | (axes ? axes : 7u));
+                frozen[p] = static_cast<uint8_t>(frozen[p] | axes);
         }
     return frozen;
+}
+
+unsigned hull_axes(const Vec3& a, const Vec3& b, const Vec3& c)
+{
+    unsigned axes = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        if (a[axis] == b[axis] && a[axis] == c[axis])
+            axes |= 1u << axis;
+    return axes ? axes : 7u;
 }
 
 }  // namespace cleft

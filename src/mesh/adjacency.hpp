@@ -23,4 +23,7 @@ std::vector<std::array<int32_t, 4>> tet_neighbours(const std::vector<Tet>& tets,
 std::vector<uint8_t> frozen_axes(const std::vector<Vec3>& points, const std::vector<Tet>& tets,
                                  const std::vector<std::array<int32_t, 4>>& neighbours);
 
+// The axes that one hull face freezes.
+unsigned hull_axes(const Vec3& a, const Vec3& b, const Vec3& c);
+
 }  // namespace cleft

@@ -2,6 +2,7 @@
 // that makes the output: volumes add up, every piece is positive, the hull is that of the background, the pieces fit.
 #include "cleaving/assemble.hpp"
 
+#include "cleaving/split_tet.hpp"
 #include "mesh/quality.hpp"
 #include "support/cmocka.hpp"
 #include "support/random.hpp"
@@ -55,8 +56,9 @@ Centres unsnapped(const Volume& volume, const TetMesh& mesh, const std::vector<M
     for (const Material m : labels)
         materials.emplace_back(m);
     Centres c{volume, mesh.tets, mesh.points, materials, SampleStore({}, std::vector<uint16_t>(labels.size(), 0)),
-              {},     {},        {},          {}};
-    list_centres(c, tet_neighbours(mesh.tets, static_cast<int64_t>(mesh.points.size())));
+              {},     {},        {},          {},        {}};
+    list_centres(c, kRun);
+    choose_fans(c, kRun);
     return c;
 }
 
@@ -80,6 +82,7 @@ void snap_by_state(Centres& c, int64_t state)
     }
     for (CutEdge& e : c.edges)
         e.is_cut = disjoint(c.materials_of(e.lower), c.materials_of(e.upper));
+    choose_fans(c, kRun);
 }
 
 int64_t snap_states(const Centres& c)
