@@ -27,20 +27,28 @@ constexpr double border_layer(size_t dimension)
 class SizeSampler
 {
 public:
+    struct Table {
+        const float* h;
+        std::array<float, 3> walls{};     // the far ones, in voxels
+        std::array<int32_t, 3> last{};    // the greatest lower corner
+        std::array<int32_t, 3> stride{};  // 0 where there is one voxel only
+    };
+
     explicit SizeSampler(const SizingField& field)
-        : extent_(field.grid.extent()), inverse_spacing_(field.grid.spacing.cwiseInverse()), h_(field.h.data())
+        : extent_(field.grid.extent()), inverse_spacing_(field.grid.spacing.cwiseInverse()), table_{field.h.data()}
     {
-        int64_t stride = 1;
+        int32_t stride = 1;  // a sizing field has less than 2^31 voxels
         for (size_t a = 0; a < 3; ++a) {
             const int32_t cells = field.grid.dims[a];
-            walls_[a] = static_cast<float>(cells) - 0.5F;
-            last_[a] = std::max(0, cells - 2);
-            stride_[a] = cells > 1 ? stride : 0;
+            table_.walls[a] = static_cast<float>(cells) - 0.5F;
+            table_.last[a] = std::max(0, cells - 2);
+            table_.stride[a] = cells > 1 ? stride : 0;
             stride *= cells;
         }
     }
 
     const Vec3& extent() const { return extent_; }
+    const Table& table() const { return table_; }
 
     // h at x; a point outside the box is read at the nearest voxel centre.
     float operator()(const Vec3& x) const { return at_voxel(to_voxels(x)); }
@@ -54,34 +62,25 @@ public:
     {
         return (static_cast<double>(length) * inverse_spacing_).cast<float>();
     }
-    // A point behind a wall goes to its mirror image.
-    Eigen::Array3f mirrored(const Eigen::Array3f& u) const
-    {
-        const Eigen::Array3f walls(walls_[0], walls_[1], walls_[2]), inside = (u + 0.5F).abs() - 0.5F;
-        return walls - (walls - inside).abs();
-    }
     float at_voxel(const Eigen::Array3f& u) const
     {
         std::array<float, 3> t;
-        const float* corner = h_;
+        const float* corner = table_.h;
         for (size_t a = 0; a < 3; ++a) {
-            const float v = std::max(0.0F, std::min(u[static_cast<int>(a)], walls_[a]));
-            const int32_t voxel = std::min(static_cast<int32_t>(v), last_[a]);
+            const float v = std::max(0.0F, std::min(u[static_cast<int>(a)], table_.walls[a]));
+            const int32_t voxel = std::min(static_cast<int32_t>(v), table_.last[a]);
             t[a] = std::min(v - static_cast<float>(voxel), 1.0F);
-            corner += voxel * stride_[a];
+            corner += voxel * table_.stride[a];
         }
         const auto mix = [](float low, float high, float share) { return low + share * (high - low); };
-        const auto row = [&](const float* p) { return mix(p[0], p[stride_[0]], t[0]); };
-        const auto plane = [&](const float* p) { return mix(row(p), row(p + stride_[1]), t[1]); };
-        return mix(plane(corner), plane(corner + stride_[2]), t[2]);
+        const auto row = [&](const float* p) { return mix(p[0], p[table_.stride[0]], t[0]); };
+        const auto plane = [&](const float* p) { return mix(row(p), row(p + table_.stride[1]), t[1]); };
+        return mix(plane(corner), plane(corner + table_.stride[2]), t[2]);
     }
 
 private:
     Vec3 extent_, inverse_spacing_;
-    const float* h_;
-    std::array<float, 3> walls_{};  // the far ones, in voxels
-    std::array<int32_t, 3> last_{};
-    std::array<int64_t, 3> stride_{};
+    Table table_;
 };
 
 }  // namespace cleft

@@ -8,8 +8,8 @@
 #pragma once
 
 #include "background/charge.hpp"
+#include "background/near_lists.hpp"
 #include "background/particle_set.hpp"
-#include "background/particle_tree.hpp"
 
 namespace cleft
 {
@@ -19,7 +19,7 @@ constexpr float kReach = 1.9F;
 
 // The repulsion of every particle by all near ones and by near images. All arrays in tree order; `reach` is kReach
 // times h.
-void near_repulsion(const ParticleTree& tree, const ParticleSet& particles, const std::vector<float>& reach,
+void near_repulsion(const std::vector<NearGroup>& groups, const ParticleSet& particles, const std::vector<float>& reach,
                     const Vec3& extent, std::vector<Eigen::Vector3f>& force, const Run& run);
 
 // The attraction by the near background charge, at a point where the size is h.

@@ -1,4 +1,5 @@
 #include "background/forces.hpp"
+#include "background/wide_vectors.hpp"
 
 namespace cleft
 {
@@ -6,23 +7,17 @@ namespace cleft
 namespace
 {
 
-// A quadrature of the sphere that is exact to degree 5: the axes and the diagonals of a cube.
-constexpr size_t kDirections = 14, kAxes = 6;
+// A quadrature of the sphere that is exact to degree 5, the axes and the diagonals of a cube; one of each pair of
+// opposite directions.
+constexpr size_t kDirections = 7, kAxes = 3;
 constexpr float kDiagonal = 0.577350269F;
 constexpr float kDirection[kDirections][3] = {{1, 0, 0},
-                                              {-1, 0, 0},
                                               {0, 1, 0},
-                                              {0, -1, 0},
                                               {0, 0, 1},
-                                              {0, 0, -1},
                                               {kDiagonal, kDiagonal, kDiagonal},
                                               {-kDiagonal, kDiagonal, kDiagonal},
                                               {kDiagonal, -kDiagonal, kDiagonal},
-                                              {-kDiagonal, -kDiagonal, kDiagonal},
-                                              {kDiagonal, kDiagonal, -kDiagonal},
-                                              {-kDiagonal, kDiagonal, -kDiagonal},
-                                              {kDiagonal, -kDiagonal, -kDiagonal},
-                                              {-kDiagonal, -kDiagonal, -kDiagonal}};
+                                              {kDiagonal, kDiagonal, -kDiagonal}};
 constexpr float kAxisWeight = 1.0F / 15, kDiagonalWeight = 3.0F / 40;
 
 // Gauss's rule for an integrand t (1 - t^2) g(t^2) on [0, 1], as the weights of f = t g: what remains of opposite
@@ -31,25 +26,76 @@ constexpr size_t kRadii = 2;
 constexpr float kRadius[kRadii] = {0.393765191F, 0.803087152F};
 constexpr float kRadiusWeight[kRadii] = {0.403846491F, 0.113286969F};
 
+// One half of the sample points, side by side: sample n and its opposite, n + kHalf, differ in sign.
+constexpr size_t kHalf = kDirections * kRadii, kSamples = 2 * kHalf;
+
+struct Rule {
+    std::array<std::array<float, kSamples>, 3> offset{};  // in units of the reach
+    std::array<std::array<float, kHalf>, 3> weight{};     // by component of the force
+};
+
+constexpr Rule make_rule()
+{
+    Rule rule;
+    for (size_t n = 0; n < kHalf; ++n) {
+        const size_t d = n / kRadii, k = n % kRadii;
+        for (size_t a = 0; a < 3; ++a) {
+            rule.offset[a][n] = kRadius[k] * kDirection[d][a];
+            rule.offset[a][n + kHalf] = -rule.offset[a][n];
+            rule.weight[a][n] = kRadiusWeight[k] * (d < kAxes ? kAxisWeight : kDiagonalWeight) * kDirection[d][a];
+        }
+    }
+    return rule;
+}
+
+constexpr Rule kRule = make_rule();
+
+using Values = std::array<float, kSamples>;
+
+// The charge of the background at the sample points around a particle where the size is h, in units of that at the
+// particle. SizeSampler::at_voxel of mirrored places, all samples side by side.
+CLEFT_WIDE_VECTORS void read_charges(const SizeSampler::Table& table, const std::array<float, 3>& centre,
+                                     const std::array<float, 3>& reach, float h, Values& charge)
+{
+    std::array<Values, 3> share;
+    std::array<int32_t, kSamples> corner{};
+    for (size_t a = 0; a < 3; ++a) {
+        const float wall = table.walls[a];
+        const int32_t last = table.last[a], stride = table.stride[a];
+        for (size_t n = 0; n < kSamples; ++n) {
+            const float u = centre[a] + kRule.offset[a][n] * reach[a];
+            const float inside = std::abs(u + 0.5F) - 0.5F;
+            const float v = std::max(0.0F, wall - std::abs(wall - inside));
+            const int32_t voxel = std::min(static_cast<int32_t>(v), last);
+            share[a][n] = std::min(v - static_cast<float>(voxel), 1.0F);
+            corner[n] += voxel * stride;
+        }
+    }
+    const auto mix = [](float low, float high, float part) { return low + part * (high - low); };
+    for (size_t n = 0; n < kSamples; ++n) {
+        const auto row = [&](const float* p) { return mix(p[0], p[table.stride[0]], share[0][n]); };
+        const auto plane = [&](const float* p) { return mix(row(p), row(p + table.stride[1]), share[1][n]); };
+        const float* p = table.h + corner[n];
+        const float ratio = h / mix(plane(p), plane(p + table.stride[2]), share[2][n]);
+        charge[n] = ratio * ratio * ratio;
+    }
+}
+
 }  // namespace
 
 Eigen::Vector3f near_attraction(const SizeSampler& size, const Vec3& x, float h)
 {
-    const float reach = kReach * h;
-    const Eigen::Array3f centre = size.to_voxels(x), scale = size.length_to_voxels(reach);
-    Eigen::Vector3f force = Eigen::Vector3f::Zero();
-    for (size_t d = 0; d < kDirections; ++d) {
-        const Eigen::Map<const Eigen::Array3f> direction(kDirection[d]);
-        const Eigen::Array3f step = direction * scale;
-        float sum = 0;
-        for (size_t k = 0; k < kRadii; ++k) {
-            const float ratio = h / size.at_voxel(size.mirrored(centre + kRadius[k] * step));
-            sum += kRadiusWeight[k] * ratio * ratio * ratio;
-        }
-        force += (d < kAxes ? kAxisWeight : kDiagonalWeight) * sum * direction.matrix();
+    const Eigen::Array3f centre = size.to_voxels(x), reach = size.length_to_voxels(kReach * h);
+    Values charge;
+    read_charges(size.table(), {centre[0], centre[1], centre[2]}, {reach[0], reach[1], reach[2]}, h, charge);
+    std::array<float, 3> force{};
+    for (size_t n = 0; n < kHalf; ++n) {
+        const float more = charge[n] - charge[n + kHalf];
+        for (size_t a = 0; a < 3; ++a)
+            force[a] += more * kRule.weight[a][n];
     }
     constexpr auto kCharge = static_cast<float>(4 * 3.14159265358979323846 * kParticleDensity[3]);
-    return kCharge * kReach * force;
+    return kCharge * kReach * Eigen::Vector3f(force[0], force[1], force[2]);
 }
 
 }  // namespace cleft

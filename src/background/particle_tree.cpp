@@ -11,11 +11,13 @@ namespace cleft
 namespace
 {
 
-// Where a run of particles is cut in two: a whole number of leaves on the left.
+// Where a run of particles is cut in two: a whole number of groups on the left, or of leaves inside a group.
 int64_t left_part(int64_t count)
 {
-    const int64_t leaves = (count + kLeafSize - 1) / kLeafSize;
-    return (leaves + 1) / 2 * kLeafSize;
+    constexpr int64_t kGroupSize = kLeafSize * kLeavesInGroup;
+    const int64_t unit = count > kGroupSize ? kGroupSize : kLeafSize;
+    const int64_t units = (count + unit - 1) / unit;
+    return (units + 1) / 2 * unit;
 }
 
 struct Range {

@@ -13,6 +13,8 @@ namespace cleft
 {
 
 constexpr int64_t kLeafSize = 8;
+// Every so many leaves, counted from the first, fill a box of their own: a group.
+constexpr int64_t kLeavesInGroup = 8;
 
 // The order in which each run of eight points is a leaf: halves along the longest side, again and again.
 std::vector<int32_t> tree_order(const std::vector<Vec3>& points, const Run& run);

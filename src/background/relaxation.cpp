@@ -22,6 +22,8 @@ constexpr float kMomentum = 0.5F;
 constexpr float kLongestMove = 0.15F;  // in h
 // The attraction by the background changes little from step to step.
 constexpr int kAttractionLasts = 3;
+// So do the lists of who is near.
+constexpr int kListsLast = 3;
 // A particle does not come nearer to a wall than this many h, nor does one on a wall to an edge.
 constexpr double kClearance = 0.1;
 
@@ -105,11 +107,15 @@ void relax(ParticleSet& particles, const SizingField& field, const SizeSampler& 
     Motion motion(particles.size());
     const auto [least, greatest] = std::minmax_element(field.h.begin(), field.h.end());
     LongWaves waves = make_long_waves(size, *least, *greatest, particles, run);
+    std::vector<NearGroup> near;
     for (int step = 0; step < steps; ++step) {
         run.report(static_cast<double>(step) / steps, "relaxing the particles");
         read_sizes(particles, size, step % kAttractionLasts == 0, motion, run);
-        fit_boxes(tree, particles.x, motion.reach, run);
-        near_repulsion(tree, particles, motion.reach, size.extent(), motion.force, run);
+        if (step % kListsLast == 0) {
+            fit_boxes(tree, particles.x, motion.reach, run);
+            find_near(tree, particles, size.extent(), near, run);
+        }
+        near_repulsion(near, particles, motion.reach, size.extent(), motion.force, run);
         const double density_error = solve_poisson(waves, particles, run);
         const double sum = move(particles, motion, waves, size.extent(), run);
         if (run.metrics) {
