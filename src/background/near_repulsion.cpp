@@ -2,6 +2,7 @@
 
 #include "background/wide_vectors.hpp"
 #include "base/parallel.hpp"
+#include "base/wide_vectors.hpp"
 
 #include <cmath>
 

@@ -32,13 +32,14 @@ void transform_row(int32_t* row, int32_t first, int32_t n)
 // voxels, squared distances are divided by the squared spacing of the line.
 struct Columns {
     const Grid& grid;
-    VoxelCoordinates coordinates;
     int axis;
     int64_t stride;
+    double per_row;                    // 1 / dims[0]
     double x_ratio, y_ratio;           // squared ratios of the spacings to that of the line
     std::vector<double> half_inverse;  // 1 / (2 d)
 
-    Columns(const Grid& g, int a) : grid(g), coordinates(g), axis(a), stride(a == 1 ? g.dims[0] : g.index(0, 0, 1))
+    Columns(const Grid& g, int a)
+        : grid(g), axis(a), stride(a == 1 ? g.dims[0] : g.index(0, 0, 1)), per_row(1.0 / g.dims[0])
     {
         const Vec3 ratio = g.spacing / g.spacing[a];
         x_ratio = ratio[0] * ratio[0];
@@ -52,12 +53,20 @@ struct Columns {
     int64_t blocks_in_row() const { return chunk_count(grid.dims[0], block_width); }
     int64_t count() const { return blocks_in_row() * grid.dims[static_cast<size_t>(3 - axis)]; }
 
-    // Squared distance to the site from the column (i, other), within the plane that is orthogonal to the axis.
-    double squared_offset(int32_t site, int32_t i, int32_t other) const
+    // The first voxel of the row (axis 1) or plane (axis 2) that holds place y of a column: the sites there were found
+    // in it.
+    int64_t first_voxel(int64_t y, int32_t other) const
     {
-        const auto at = coordinates.of(site);
-        const double dx = i - at[0];
-        const double dy = other - at[1];
+        return axis == 1 ? (int64_t{other} * grid.dims[1] + y) * grid.dims[0] : y * stride;
+    }
+
+    // Squared distance from the column (i, other) to the voxel that is `number` after the first of its row or plane,
+    // within the plane that is orthogonal to the axis.
+    double squared_offset(int32_t number, int32_t i, int32_t other) const
+    {
+        const auto j = axis == 1 ? 0 : static_cast<int32_t>((number + 0.5) * per_row);
+        const double dx = i - (number - j * grid.dims[0]);
+        const double dy = other - j;
         return x_ratio * dx * dx + y_ratio * dy * dy;
     }
 };
@@ -116,12 +125,14 @@ void transform_block(const Columns& columns, int64_t number, std::vector<int32_t
     const int64_t n = columns.length();
     int32_t* const corner =
         nearest.data() + (columns.axis == 1 ? columns.grid.index(i0, 0, other) : columns.grid.index(i0, other, 0));
-    for (int64_t y = 0; y < n; ++y)
+    for (int64_t y = 0; y < n; ++y) {
+        const auto first = static_cast<int32_t>(columns.first_voxel(y, other));
         for (int32_t c = 0; c < width; ++c) {
             const int32_t site = corner[y * columns.stride + c];
             s.site[static_cast<size_t>(c * n + y)] = site;
-            s.height[static_cast<size_t>(c * n + y)] = columns.squared_offset(site, i0 + c, other);
+            s.height[static_cast<size_t>(c * n + y)] = columns.squared_offset(site - first, i0 + c, other);
         }
+    }
     for (int32_t c = 0; c < width; ++c)
         transform_column(columns, s.site.data() + c * n, s.height.data() + c * n, s);
     for (int64_t y = 0; y < n; ++y)

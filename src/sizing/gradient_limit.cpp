@@ -4,6 +4,7 @@
 // pair of scans with the plain distances to the neighbours (a chamfer transform) closes the gaps.
 #include "sizing/gradient_limit.hpp"
 
+#include "base/wide_vectors.hpp"
 #include "sizing/wavefront.hpp"
 
 #include <cmath>
@@ -120,7 +121,7 @@ void ConeScan::load(int32_t j, int32_t k, ConeRow& out) const
 }
 
 // The values of a row's own cones at its voxels.
-void ConeScan::evaluate(int32_t j, int32_t k, const ConeRow& row, float* h) const
+CLEFT_WIDE_VECTORS void ConeScan::evaluate(int32_t j, int32_t k, const ConeRow& row, float* h) const
 {
     const float* CLEFT_RESTRICT x = row.x.data() + 1;
     const float* CLEFT_RESTRICT y = row.y.data() + 1;
@@ -139,7 +140,7 @@ void ConeScan::evaluate(int32_t j, int32_t k, const ConeRow& row, float* h) cons
 }
 
 // Offers the cones of a row to the row (j, k): each voxel compares those of the three voxels next to it.
-void ConeScan::offer(const ConeRow& from, int32_t number, int32_t j, int32_t k, Scratch& s) const
+CLEFT_WIDE_VECTORS void ConeScan::offer(const ConeRow& from, int32_t number, int32_t j, int32_t k, Scratch& s) const
 {
     const int32_t n = grid_.dims[0];
     const float* CLEFT_RESTRICT x = from.x.data();
@@ -296,7 +297,7 @@ private:
         return h_.data() + grid_.index(0, scan_.at(1, row, grid_), scan_.at(2, plane, grid_));
     }
 
-    void from_row(const float* CLEFT_RESTRICT other, size_t offset, float* CLEFT_RESTRICT h) const
+    CLEFT_WIDE_VECTORS void from_row(const float* CLEFT_RESTRICT other, size_t offset, float* CLEFT_RESTRICT h) const
     {
         const int32_t n = grid_.dims[0];
         const float straight = step_[offset], aslant = step_[offset + 1];
