@@ -83,7 +83,7 @@ LabelledMesh meshed(const cleft_volume& volume, const cleft_sizing* sizing, cons
         const cleft::StageTimer timer(run, "sizing");
         field = cleft::compute_sizing(volume.volume, p.sizing, cleft::part_of(run, 0.0, 0.1));
     }
-    cleft::fit_to_number(field, p.tets);
+    cleft::fit_to_number(field, p.tets, run);
     return cleft::mesh_from_sizing(volume.volume, std::move(field), p, cleft::part_of(run, 0.1, 1.0));
 }
 

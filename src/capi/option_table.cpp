@@ -28,6 +28,9 @@ const OptionRow kOptionTable[kOptionCount] = {
      "greatest edge length at interfaces, in world units; 0: none"},
     {CLEFT_OPTION_TETS, CLEFT_OPTION_TYPE_INTEGER, "tets", 0, 0, 2147483647.0, "",
      "wanted number of tetrahedra, met within 10 %; 0: as the sizes say"},
+    {CLEFT_OPTION_MAX_TETS, CLEFT_OPTION_TYPE_INTEGER, "max_tets", 10000000, 0, 2147483647.0, "",
+     "where size_min is 0, the least edge length is raised until no more background tetrahedra than about these are "
+     "expected; 0: no limit"},
     {CLEFT_OPTION_SMOOTH, CLEFT_OPTION_TYPE_INTEGER, "smooth", 5, 2, 6, "",
      "width in voxels of the kernel that smooths label maps"},
     {CLEFT_OPTION_SNAP, CLEFT_OPTION_TYPE_CHOICE, "snap", CLEFT_SNAP_QUALITY, 0, 2, "quality|safe|none",

@@ -89,6 +89,7 @@ PipelineOptions pipeline_options(const cleft_options* options)
     out.sizing.feature_scale = value(CLEFT_OPTION_FEATURE_SCALE);
     out.sizing.gradation = value(CLEFT_OPTION_GRADATION);
     out.sizing.interface_size = value(CLEFT_OPTION_INTERFACE_SIZE);
+    out.sizing.max_tets = value(CLEFT_OPTION_TETS) > 0 ? 0 : value(CLEFT_OPTION_MAX_TETS);
     if (options)
         out.sizing.label_sizes = options->label_sizes;
     out.background = static_cast<BackgroundKind>(static_cast<int>(value(CLEFT_OPTION_BACKGROUND)));

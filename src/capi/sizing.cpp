@@ -32,7 +32,7 @@ cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* vol
         const cleft::PipelineOptions p = pipeline_options(options);
         const cleft::StageTimer timer(run, "sizing");
         cleft_sizing sizing{Mark::sizing, v.frame, cleft::compute_sizing(v.volume, p.sizing, run)};
-        cleft::fit_to_number(sizing.field, p.tets);
+        cleft::fit_to_number(sizing.field, p.tets, run);
         return sizing;
     });
 }
@@ -62,7 +62,7 @@ cleft_status cleft_sizing_create_values(cleft_context* context, const cleft_volu
             p.sizing.user = field.h.data();
             field = cleft::compute_sizing(v.volume, p.sizing, run);
         }
-        cleft::fit_to_number(field, p.tets);
+        cleft::fit_to_number(field, p.tets, run);
         return cleft_sizing{Mark::sizing, v.frame, std::move(field)};
     });
 }

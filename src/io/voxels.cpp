@@ -129,7 +129,7 @@ std::array<double, 12> affine_of(const Image& image, const cleft_io_reading& rea
     for (size_t axis = 0; axis < 3; ++axis) {
         const double spacing = spacing_along(axis, image, reading);
         for (size_t row = 0; row < 3; ++row)
-            affine[4 * row + axis] = spacing * image.directions[axis][row];
+            affine[4 * row + axis] = spacing * image.directions[axis][row] + 0.0;  // no -0
     }
     for (size_t row = 0; row < 3; ++row)
         affine[4 * row + 3] = image.origin[row];

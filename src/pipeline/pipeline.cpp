@@ -82,6 +82,7 @@ LabelledMesh attempt_number(const Volume& volume, SizingField& field, const Pipe
 {
     constexpr int kRounds = 8;
     constexpr double kTolerance = 0.08;
+    const StageTimer timer(run, "pipeline.rounds");  // of all; the stages note their last round
     const double wanted = static_cast<double>(options.tets);
     NumberSearch search(wanted);
     double factor = 1;
@@ -92,11 +93,11 @@ LabelledMesh attempt_number(const Volume& volume, SizingField& field, const Pipe
         mesh =
             attempt(volume, field, options, part_of(run, 1 - std::ldexp(1.0, -round), 1 - std::ldexp(1.0, -round - 1)));
         const double count = static_cast<double>(mesh.tets.size());
-        run.note("pipeline.rounds", round + 1);
+        run.note("pipeline.rounds.count", round + 1);
         if (std::abs(count - wanted) <= kTolerance * wanted)
             return mesh;
         const double next = search.next(factor, count);
-        scale_sizing(field, next / factor);
+        scale_sizing(field, next / factor, run);
         factor = next;
     }
     if (std::abs(static_cast<double>(mesh.tets.size()) - wanted) > 0.1 * wanted)
@@ -117,14 +118,17 @@ Run part_of(const Run& run, double from, double to)
     return part;
 }
 
-void fit_to_number(SizingField& field, int64_t tets)
+void fit_to_number(SizingField& field, int64_t tets, const Run& run)
 {
-    // A finished mesh has about 2.2 times the tetrahedra of its background where interfaces are as dense as in an
-    // atlas, and as many where there are none: a first guess takes the middle.
-    constexpr double kCleavedOverBackground = 1.6;
-    if (tets > 0)
-        scale_sizing(field,
-                     std::cbrt(kCleavedOverBackground * expected_background_tets(field) / static_cast<double>(tets)));
+    // A finished mesh has from 1.1 times the tetrahedra of its background (few interfaces) to 2.2 times (many).
+    constexpr double kCleavedOverBackground = 1.3;
+    constexpr int kRounds = 4;  // the gradation limit bends the power law
+    for (int round = 0; tets > 0 && round < kRounds; ++round) {
+        const double ratio = kCleavedOverBackground * expected_background_tets(field) / static_cast<double>(tets);
+        if (std::abs(ratio - 1) < 0.05)
+            return;
+        scale_sizing(field, std::cbrt(ratio), run);
+    }
 }
 
 TetMesh make_background(const SizingField& field, const PipelineOptions& options, const Run& run)

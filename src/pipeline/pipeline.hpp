@@ -29,7 +29,7 @@ struct PipelineOptions {
 Run part_of(const Run& run, double from, double to);
 
 // Scales a sizing field so that about `tets` tetrahedra are to be expected of the finished mesh; 0: leaves it.
-void fit_to_number(SizingField& field, int64_t tets);
+void fit_to_number(SizingField& field, int64_t tets, const Run& run);
 
 TetMesh make_background(const SizingField& field, const PipelineOptions& options, const Run& run);
 

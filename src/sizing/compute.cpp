@@ -25,6 +25,7 @@ void check_options(const SizingOptions& options)
     check_size("size_min", options.size_min);
     check_size("size_max", options.size_max);
     check_size("interface_size", options.interface_size);
+    check_size("max_tets", options.max_tets);
     if (options.size_max > 0 && options.size_max < options.size_min)
         throw Error(CLEFT_ERROR_OPTION, "size_max is less than size_min");
     if (!(options.feature_scale > 0) || !std::isfinite(options.feature_scale))
@@ -129,35 +130,74 @@ void note_field(const SizingField& field, const Run& run)
     run.note("sizing.expected_background_tets", expected_background_tets(field));
 }
 
+// Everything that the sizes are computed from.
+struct Sources {
+    const Labelling& labelling;
+    const std::vector<int32_t>& labels;
+    const SizingOptions& options;
+    FeatureSizes features;
+};
+
+SizingField field_of(const Sources& from, const Limits& limits, const Progress& progress)
+{
+    const Grid& grid = from.labelling.grid;
+    SizingField field{grid, std::vector<float>(static_cast<size_t>(grid.size()), static_cast<float>(limits.greatest)),
+                      from.options.gradation};
+    lower_to_features(from.features, from.options, limits, field.h);
+    if (!from.options.label_sizes.empty())
+        lower_to_material_sizes(from.labelling, material_sizes(from.labels, from.options, limits, progress.run),
+                                field.h, progress.part(0, 0.15));
+    if (from.options.user)
+        lower_to_user(from.options.user, limits, field.h);
+    limit_gradient(grid, from.options.gradation, field.h, progress.part(0.15, 1));
+    return field;
+}
+
+// Raises the least size of features until the expected number is kept to. Thin structures fill a noisy volume, so that
+// the number falls with a power of the least size between two and three.
+void keep_to_number(const Sources& from, Limits limits, SizingField& field, const Progress& progress)
+{
+    constexpr int kRounds = 6;
+    constexpr double kPower = 2.5;
+    const double wanted = from.options.max_tets;
+    const double asked = expected_background_tets(field);
+    if (wanted <= 0 || from.options.size > 0 || from.options.size_min > 0 || asked <= wanted)
+        return;
+    double expected = asked;
+    for (int round = 0; round < kRounds && expected > 1.02 * wanted; ++round) {
+        limits.least_feature =
+            std::max(limits.least_feature * std::pow(expected / wanted, 1 / kPower), 1.02 * limits.least_feature);
+        limits.greatest = std::max(limits.greatest, limits.least_feature);
+        field = SizingField();
+        field = field_of(from, limits, progress);
+        expected = expected_background_tets(field);
+    }
+    progress.run.note("sizing.raised_size_min", limits.least_feature);
+    progress.run.say(CLEFT_LOG_WARNING, "the features ask for about " + std::to_string(std::llround(asked)) +
+                                            " tetrahedra: the least size was raised to " +
+                                            std::to_string(limits.least_feature) + " to keep to max_tets, " +
+                                            std::to_string(std::llround(wanted)));
+}
+
 }  // namespace
 
 SizingField compute_sizing(const Labelling& labelling, const std::vector<int32_t>& labels, const SizingOptions& options,
                            const Run& run)
 {
     const StageTimer timer(run, "sizing");
-    const Grid& grid = labelling.grid;
     check_options(options);
-    check_sizing_grid(grid);
-    const Limits limits = limits_of(grid, options);
+    check_sizing_grid(labelling.grid);
+    const Limits limits = limits_of(labelling.grid, options);
     const Progress progress{run, 0, 1, "sizing"};
 
-    FeatureSizes features;
+    Sources from{labelling, labels, options, {}};
     if (options.size <= 0 || options.interface_size > 0)
-        features = local_feature_sizes(labelling, progress.part(0, 0.6));
-    note_features(features, run);
+        from.features = local_feature_sizes(labelling, progress.part(0, 0.6));
+    note_features(from.features, run);
     if (options.size > 0)  // only the places are wanted
-        std::fill(features.size.begin(), features.size.end(), std::numeric_limits<float>::infinity());
-
-    SizingField field{grid, std::vector<float>(static_cast<size_t>(grid.size()), static_cast<float>(limits.greatest)),
-                      options.gradation};
-    lower_to_features(features, options, limits, field.h);
-    if (!options.label_sizes.empty())
-        lower_to_material_sizes(labelling, material_sizes(labels, options, limits, run), field.h,
-                                progress.part(0.6, 0.65));
-    if (options.user)
-        lower_to_user(options.user, limits, field.h);
-    features = {};
-    limit_gradient(grid, options.gradation, field.h, progress.part(0.65, 1));
+        std::fill(from.features.size.begin(), from.features.size.end(), std::numeric_limits<float>::infinity());
+    SizingField field = field_of(from, limits, progress.part(0.6, 1));
+    keep_to_number(from, limits, field, progress.part(1, 1));
     note_field(field, run);
     return field;
 }

@@ -22,6 +22,8 @@ struct SizingOptions {
     double feature_scale = 1;   // size at an interface = feature_scale * local feature size
     double gradation = 0.3;     // Lipschitz constant of h
     double interface_size = 0;  // greatest size at an interface; 0: none
+    double max_tets = 0;        // where size_min is 0, sizes from features are at least as large as keeps the expected
+                                // number of background tetrahedra to about this; 0: no limit
     std::vector<std::pair<int32_t, double>> label_sizes;  // (label, greatest size inside it)
     const float* user = nullptr;  // a user's own field at voxel centres, combined by minimum; may be null
 };
@@ -72,7 +74,8 @@ SizingField sizing_from_values(const Grid& grid, const double* values);
 double sizing_charge(const SizingField& field);
 // Tetrahedra that the particle background would have.
 double expected_background_tets(const SizingField& field);
-// Every value, and the gradation with them, times `factor`.
-void scale_sizing(SizingField& field, double factor);
+// Every value times `factor`, and then as much less as the gradation asks for: sizes at the interfaces scale, their
+// growth away from them does not.
+void scale_sizing(SizingField& field, double factor, const Run& run);
 
 }  // namespace cleft

@@ -1,5 +1,6 @@
 // Sizing fields that are given, what can be asked of any, and scaling it.
 #include "sizing/compute.hpp"
+#include "sizing/gradient_limit.hpp"
 
 #include <cmath>
 #include <limits>
@@ -76,13 +77,14 @@ double expected_background_tets(const SizingField& field)
     return tets_per_particle * particles_per_charge * sizing_charge(field);
 }
 
-void scale_sizing(SizingField& field, double factor)
+void scale_sizing(SizingField& field, double factor, const Run& run)
 {
     if (!(factor > 0) || !std::isfinite(factor))
         throw Error(CLEFT_ERROR_ARGUMENT, "the factor of a sizing field must be positive and finite");
     for (float& value : field.h)
         value = static_cast<float>(value * factor);
-    field.gradation *= factor;
+    if (factor > 1)  // a smaller field grows the more slowly
+        limit_gradient(field.grid, field.gradation, field.h, Progress{run, 0, 1, "sizing"});
 }
 
 }  // namespace cleft

@@ -226,15 +226,44 @@ void charge_scales_as_the_inverse_cube(void**)
 {
     SizingField field = field_of(ragged_cells(grid_of(40, 40, 40, {0.5, 1, 2}), 8, 2.0, 2), {});
     const double charge = sizing_charge(field);
-    const double tets = expected_background_tets(field);
-    const double wanted = 12345;
-    const double factor = std::cbrt(tets / wanted);
-    scale_sizing(field, factor);
-    assert_true(std::abs(sizing_charge(field) * factor * factor * factor / charge - 1) < 1e-5);
-    assert_true(std::abs(expected_background_tets(field) / wanted - 1) < 1e-5);
-    assert_true(std::abs(field.gradation - 0.3 * factor) < 1e-12);
-    assert_true(worst_slope(field.grid, field.h) < field.gradation * (1 + 1e-4));
+    scale_sizing(field, 0.7, Run());
+    assert_true(std::abs(sizing_charge(field) * 0.7 * 0.7 * 0.7 / charge - 1) < 1e-5);
     assert_true(std::abs(sizing_charge(constant_sizing(grid_of(10, 20, 30, {1, 2, 3}), 2)) - 36000.0 / 8) < 1e-6);
+}
+
+// A coarser field is what coarser features would have given: it does not grow faster.
+void scaling_keeps_the_gradation(void**)
+{
+    const Labels labels = ball(grid_of(40, 40, 40), {20, 20, 20}, 10);
+    SizingOptions options;
+    options.size_max = 5;
+    SizingField field = field_of(labels, options);
+    scale_sizing(field, 3, Run());
+    assert_true(field.gradation == options.gradation);
+    assert_true(worst_slope(field.grid, field.h) < options.gradation * (1 + 1e-4));
+    options.feature_scale = 3;
+    options.size_min = 3;
+    options.size_max = 15;
+    const SizingField coarse = field_of(labels, options);
+    for (size_t v = 0; v < field.h.size(); ++v)
+        assert_true(std::abs(field.h[v] - coarse.h[v]) < 1e-3F * coarse.h[v]);
+}
+
+void too_many_tets_raise_the_least_size(void**)
+{
+    const Labels labels = noise(grid_of(30, 30, 30), 3, 4);
+    SizingOptions options;
+    const double asked = expected_background_tets(field_of(labels, options));
+    options.max_tets = 0.1 * asked;
+    const SizingField field = field_of(labels, options);
+    const double kept = expected_background_tets(field);
+    assert_true(kept < 1.02 * options.max_tets && kept > 0.6 * options.max_tets);
+    assert_true(worst_slope(field.grid, field.h) < options.gradation * (1 + 1e-4));
+    options.max_tets = 2 * asked;  // enough: nothing changes
+    assert_true(expected_background_tets(field_of(labels, options)) == asked);
+    options.max_tets = 0.1 * asked;
+    options.size_min = 1;  // what the user says is kept to
+    assert_true(expected_background_tets(field_of(labels, options)) == asked);
 }
 
 void values_are_taken_as_they_are(void**)
@@ -312,6 +341,8 @@ int main()
         cmocka_unit_test(refuses_bad_options),
         cmocka_unit_test(at_interpolates_and_clamps),
         cmocka_unit_test(charge_scales_as_the_inverse_cube),
+        cmocka_unit_test(scaling_keeps_the_gradation),
+        cmocka_unit_test(too_many_tets_raise_the_least_size),
         cmocka_unit_test(values_are_taken_as_they_are),
         cmocka_unit_test(does_not_depend_on_threads),
         cmocka_unit_test(a_progress_callback_can_cancel),
