@@ -109,8 +109,8 @@ int tell_estimate(Session& session, const MeshArguments& arguments, const cleft_
     const double bytes = 3e7 + 12.0 * static_cast<double>(found.voxel_count()) + 200.0 * tets;
     session.clear_progress();
     if (arguments.run.prints())
-        std::cout << volume_line(found) << left("Estimate", 11) << grouped(std::llround(tets))
-                  << " tetrahedra, about " << bytes_text(bytes) << " of memory\n";
+        std::cout << volume_line(found) << left("Estimate", 11) << grouped(std::llround(tets)) << " tetrahedra, about "
+                  << bytes_text(bytes) << " of memory\n";
     if (!arguments.run.json.empty()) {
         auto report = report_head("mesh");
         report["volume"] = volume_json(found);

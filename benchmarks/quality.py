@@ -1,0 +1,111 @@
+#!/usr/bin/python3
+"""Meshes every volume on every background and writes the table of docs/quality.md.
+
+    benchmarks/quality.py [--cleft build/release/src/cli/cleft] [--data FOLDER] [--only TEXT] [-o docs/quality.md]
+
+Needs python3-numpy; Debian's mricron-data for the atlases. Each mesh is validated (--check).
+"""
+import argparse
+import json
+import pathlib
+import statistics
+import subprocess
+import tempfile
+
+import numpy as np
+
+import volumes
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+COLUMNS = ("tetrahedra", "least angle", "greatest angle", "below 10, 15, 20", "radius ratio 95 %",
+           "volume error of labels above 1,000 / 100 voxels", "pieces above 30 voxels lost", "from true surface",
+           "CPU s")
+
+
+def mesh(cleft, files, background, folder):
+    report, surface = folder / "report.json", folder / "surface.ply"
+    done = subprocess.run([cleft, "mesh", *files, "-o", surface, "--background", background, "--json", report,
+                           "--quiet", "--check", "--threads", "1"], capture_output=True, text=True)
+    if done.returncode != 0:
+        return None, done.stderr.strip().splitlines()[-1]
+    return json.loads(report.read_text()), surface
+
+
+def worst_error(report, least_voxels):
+    errors = [row["difference_percent"] for row in report["labels"] if row["voxels"] > least_voxels]
+    return "%+.2f" % max(errors, key=abs) if errors else "-"
+
+
+def median_error(report):
+    errors = [abs(row["difference_percent"]) for row in report["labels"] if row["voxels"] > 100]
+    return "%.2f" % statistics.median(errors) if errors else "-"
+
+
+def vertices(ply):
+    """The vertices of a binary PLY file whose vertices are x, y, z as doubles."""
+    data = ply.read_bytes()
+    header, _, body = data.partition(b"end_header\n")
+    count = int(header.split(b"element vertex ")[1].split()[0])
+    return np.frombuffer(body, "<f8", 3 * count).reshape(count, 3)
+
+
+def distance_to_spheres(surface, spheres):
+    """Mean and greatest distance, in voxels, of interface vertices from the nearest sphere."""
+    points = vertices(surface)
+    inner = ((points > 1e-6) & (points < 64 - 1e-6)).all(1)
+    points = points[inner]
+    away = [np.abs(np.linalg.norm(points - centre, axis=1) - radius) for centre, radius in spheres]
+    away = np.min(away, axis=0)
+    return "%.3f, %.2f" % (away.mean(), away.max())
+
+
+def row(report, surface, spheres):
+    q = report["quality"]
+    lost = sum(r["large_components_lost"] for r in report["labels"])
+    return ["{:,}".format(report["mesh"]["tets"]), "%.1f" % q["min_dihedral"], "%.1f" % q["max_dihedral"],
+            "%d, %d, %d" % (q["tets_below_10"], q["tets_below_15"], q["tets_below_20"]),
+            "%.2f" % q["radius_ratio_95"],
+            "%s / %s %% (median %s)" % (worst_error(report, 1000), worst_error(report, 100), median_error(report)),
+            str(lost), distance_to_spheres(surface, spheres) if spheres else "", "%.1f" % report["cpu_seconds"]]
+
+
+def line(cells):
+    return "| " + " | ".join(cells) + " |\n"
+
+
+def table(cleft, work, backgrounds):
+    text = line(("volume", "background") + COLUMNS) + line(["---"] * (2 + len(COLUMNS)))
+    for name, (files, spheres) in work.items():
+        for background in backgrounds:
+            with tempfile.TemporaryDirectory() as folder:
+                report, result = mesh(cleft, files, background, pathlib.Path(folder))
+                cells = row(report, result, spheres) if report else [result] + [""] * (len(COLUMNS) - 1)
+            text += line([name, background] + cells)
+            print(text.splitlines()[-1], flush=True)
+    return text
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--cleft", default=ROOT / "build/release/src/cli/cleft")
+    parser.add_argument("--data", help="a folder of further volumes")
+    parser.add_argument("--only", default="", help="volumes whose name contains this text")
+    parser.add_argument("--backgrounds", default="particles,octree,lattice")
+    parser.add_argument("-o", "--output", type=pathlib.Path, help="a Markdown file with a line <!-- table -->")
+    arguments = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        work = {**{name: (files, None) for name, files in volumes.kept().items()},
+                **volumes.write_generated(pathlib.Path(folder))}
+        if arguments.data:
+            work.update({name: (files, None) for name, files in volumes.more(arguments.data).items()})
+        work = {name: found for name, found in work.items() if arguments.only in name}
+        text = table(arguments.cleft, work, arguments.backgrounds.split(","))
+    if arguments.output:
+        mark = "<!-- table -->\n"
+        before, _, rest = arguments.output.read_text().partition(mark)
+        after = rest.partition(mark)[2]
+        arguments.output.write_text(before + mark + text + mark + after)
+
+
+if __name__ == "__main__":
+    main()
