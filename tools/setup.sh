@@ -8,7 +8,8 @@ build_packages="
 
 binding_packages="
     swig
-    python3-dev python3-numpy python3-matplotlib"
+    python3-dev python3-numpy python3-matplotlib
+    openjdk-17-jdk-headless"
 
 test_packages="
     clang-format libcmocka-dev python3

@@ -2,6 +2,12 @@
 # classes on top are written by hand.
 find_package(SWIG 4.1 REQUIRED)
 
+# SWIG must know what int64_t is: `long` where that has 64 bits, but for macOS.
+set(cleft_swig_flags)
+if(CMAKE_SIZEOF_VOID_P EQUAL 8 AND NOT WIN32 AND NOT APPLE)
+    set(cleft_swig_flags -DSWIGWORDSIZE64)
+endif()
+
 # cleft_swig_module(TARGET INTERFACE LIBRARY FOLDER SWIG_FLAG...): a module TARGET of the C that SWIG makes of
 # swig/INTERFACE.i, linked with LIBRARY; what SWIG writes in the language itself goes to FOLDER.
 function(cleft_swig_module target interface library folder)
@@ -9,7 +15,7 @@ function(cleft_swig_module target interface library folder)
     file(GLOB interface_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bindings/swig/*.i ${PROJECT_SOURCE_DIR}/include/cleft/*.h)
     add_custom_command(OUTPUT ${source}
         COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
-        COMMAND ${SWIG_EXECUTABLE} ${ARGN} -DSWIGWORDSIZE64 -I${PROJECT_SOURCE_DIR}/include
+        COMMAND ${SWIG_EXECUTABLE} ${ARGN} ${cleft_swig_flags} -I${PROJECT_SOURCE_DIR}/include
             -outdir ${folder} -o ${source} ${PROJECT_SOURCE_DIR}/bindings/swig/${interface}.i
         DEPENDS ${interface_files}
         COMMENT "Wrapping ${interface}.i in ${target}"

@@ -1,0 +1,17 @@
+package org.cleft;
+
+/** Kinds of background meshes. */
+public enum Background {
+    /** Relaxed particles and their Delaunay tetrahedra: the best shapes. */
+    PARTICLES(CleftNative.CLEFT_BACKGROUND_PARTICLES),
+    /** A regular lattice: quick, one size everywhere. */
+    LATTICE(CleftNative.CLEFT_BACKGROUND_LATTICE),
+    /** An adaptive lattice. */
+    OCTREE(CleftNative.CLEFT_BACKGROUND_OCTREE);
+
+    final int number;
+
+    Background(int number) {
+        this.number = number;
+    }
+}

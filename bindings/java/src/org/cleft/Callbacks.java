@@ -1,0 +1,65 @@
+package org.cleft;
+
+/**
+ * The functions of the user while a call runs. The library calls them on the thread that made the call, so they wait by
+ * the thread. What they throw stops the call, and comes out of it.
+ */
+final class Callbacks {
+    private static final ThreadLocal<Callbacks> CURRENT = new ThreadLocal<>();
+
+    private final Progress progress;
+    private final Log log;
+    private Callbacks outer;
+    private Throwable thrown;
+
+    Callbacks(Progress progress, Log log) {
+        this.progress = progress;
+        this.log = log;
+    }
+
+    void begin() {
+        outer = CURRENT.get();
+        CURRENT.set(this);
+    }
+
+    /** Throws what a function of the user threw. */
+    void end() {
+        if (outer == null)
+            CURRENT.remove();
+        else
+            CURRENT.set(outer);
+        if (thrown instanceof Error error)
+            throw error;
+        if (thrown instanceof RuntimeException exception)
+            throw exception;
+    }
+
+    /** From the library: whether to cancel. */
+    static boolean progress(double fraction, String stage) {
+        Callbacks current = CURRENT.get();
+        if (current == null)
+            return false;
+        if (current.thrown != null || Thread.currentThread().isInterrupted())
+            return true;
+        if (current.progress == null)
+            return false;
+        try {
+            return !current.progress.update(fraction, stage);
+        } catch (RuntimeException | Error failure) {
+            current.thrown = failure;
+            return true;
+        }
+    }
+
+    /** From the library. */
+    static void log(int level, String sentence) {
+        Callbacks current = CURRENT.get();
+        if (current == null || current.log == null || current.thrown != null)
+            return;
+        try {
+            current.log.write(Log.Level.of(level), sentence);
+        } catch (RuntimeException | Error failure) {
+            current.thrown = failure;
+        }
+    }
+}

@@ -1,0 +1,31 @@
+package org.cleft;
+
+/** Is told what is worth knowing. */
+@FunctionalInterface
+public interface Log {
+    /** How much a sentence matters. */
+    enum Level {
+        /** Something may not be as wished. */
+        WARNING,
+        /** Good to know. */
+        INFO,
+        /** For those who look for a fault. */
+        DEBUG;
+
+        static Level of(int number) {
+            return switch (number) {
+                case CleftNative.CLEFT_LOG_WARNING -> WARNING;
+                case CleftNative.CLEFT_LOG_DEBUG -> DEBUG;
+                default -> INFO;
+            };
+        }
+    }
+
+    /**
+     * Called on the thread that made the call. What it throws stops the call and comes out of it.
+     *
+     * @param level how much it matters
+     * @param sentence what there is to say
+     */
+    void write(Level level, String sentence);
+}

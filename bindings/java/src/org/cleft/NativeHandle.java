@@ -1,0 +1,52 @@
+package org.cleft;
+
+import java.util.function.LongConsumer;
+
+/**
+ * The address of an object of the library. It is counted who needs it: its owner until it is closed, each call while it
+ * runs, each view until it is collected. The object is destroyed when the last has gone.
+ */
+final class NativeHandle {
+    private final String kind;
+    private final LongConsumer destroy;
+    private final long address;
+    private int users = 1;
+    private boolean closed;
+
+    NativeHandle(String kind, long address, LongConsumer destroy) {
+        this.kind = kind;
+        this.address = address;
+        this.destroy = destroy;
+    }
+
+    /** The address, which stays good until release(). */
+    synchronized long lease() {
+        if (closed)
+            throw new IllegalStateException("this " + kind + " is closed");
+        ++users;
+        return address;
+    }
+
+    void release() {
+        boolean last;
+        synchronized (this) {
+            last = --users == 0;
+        }
+        if (last)
+            destroy.accept(address);
+    }
+
+    /** The owner's part: nobody gets a lease any more. Again and again is allowed. */
+    void close() {
+        synchronized (this) {
+            if (closed)
+                return;
+            closed = true;
+        }
+        release();
+    }
+
+    synchronized boolean isClosed() {
+        return closed;
+    }
+}

@@ -1,0 +1,19 @@
+package org.cleft;
+
+/** Sides of the box, in the axes of the voxels; the ordinal is the number in {@link Surface#hullSides}. */
+public enum Side {
+    /** The least x. */
+    X_MIN,
+    /** The greatest x. */
+    X_MAX,
+    /** The least y. */
+    Y_MIN,
+    /** The greatest y. */
+    Y_MAX,
+    /** The least z. */
+    Z_MIN,
+    /** The greatest z. */
+    Z_MAX,
+    /** No side of the box. */
+    OTHER
+}

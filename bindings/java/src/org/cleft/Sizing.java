@@ -1,0 +1,77 @@
+package org.cleft;
+
+import java.nio.FloatBuffer;
+
+/** The wanted edge length at each point; made by a {@link Mesher} or read by {@link MeshFiles}. It never changes. */
+public final class Sizing extends NativeObject {
+    Sizing(long address) {
+        super("Sizing", address, CleftNative::cleft_sizing_destroy);
+    }
+
+    /**
+     * The numbers of values along x, y and z.
+     *
+     * @return three numbers
+     */
+    public long[] dims() {
+        long[] dims = new long[3];
+        checked(address -> CleftNative.cleft_sizing_dims(address, dims));
+        return dims;
+    }
+
+    /**
+     * The matrix from indices to the world.
+     *
+     * @return 3 rows of 4 numbers
+     */
+    public double[] affine() {
+        double[] affine = new double[12];
+        checked(address -> CleftNative.cleft_sizing_affine(address, affine));
+        return affine;
+    }
+
+    /**
+     * The values, x fastest, without a copy: read-only, and good as long as the buffer is held.
+     *
+     * @return a view
+     */
+    public FloatBuffer valuesView() {
+        long[] dims = dims();
+        return view(CleftNative::cleft_sizing_values, address -> 4 * dims[0] * dims[1] * dims[2]).asFloatBuffer();
+    }
+
+    /**
+     * The values, x fastest.
+     *
+     * @return a copy
+     */
+    public float[] values() {
+        FloatBuffer view = valuesView();
+        float[] values = new float[view.remaining()];
+        view.get(values);
+        return values;
+    }
+
+    /**
+     * The field at a point of the world.
+     *
+     * @param x of the point
+     * @param y of the point
+     * @param z of the point
+     * @return the wanted edge length there
+     */
+    public double at(double x, double y, double z) {
+        double[] size = new double[1];
+        checked(address -> CleftNative.cleft_sizing_at(address, new double[] {x, y, z}, size));
+        return size[0];
+    }
+
+    /**
+     * Tetrahedra that a background of this field will have, within some 10 %.
+     *
+     * @return their number
+     */
+    public double expectedTets() {
+        return with(CleftNative::cleft_sizing_expected_tets);
+    }
+}

@@ -1,0 +1,86 @@
+package org.cleft;
+
+import java.nio.IntBuffer;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/** A labelled volume, or indicator functions; made by a {@link Mesher} or read by {@link MeshFiles}. It never changes. */
+public final class Volume extends NativeObject {
+    Volume(long address) {
+        super("Volume", address, CleftNative::cleft_volume_destroy);
+    }
+
+    /**
+     * The numbers of voxels along x, y and z.
+     *
+     * @return three numbers
+     */
+    public long[] dims() {
+        long[] dims = new long[3];
+        checked(address -> CleftNative.cleft_volume_dims(address, dims));
+        return dims;
+    }
+
+    /**
+     * The matrix from voxel indices to the world.
+     *
+     * @return 3 rows of 4 numbers
+     */
+    public double[] affine() {
+        double[] affine = new double[12];
+        checked(address -> CleftNative.cleft_volume_affine(address, affine));
+        return affine;
+    }
+
+    /**
+     * Voxels and their place in the world.
+     *
+     * @return a grid
+     */
+    public Grid grid() {
+        long[] dims = dims();
+        return new Grid(dims[0], dims[1], dims[2]).affine(affine());
+    }
+
+    /**
+     * The label of each material.
+     *
+     * @return a copy
+     */
+    public int[] labels() {
+        IntBuffer view = view(CleftNative::cleft_volume_labels, address -> 4 * CleftNative.cleft_volume_label_count(address))
+                .asIntBuffer();
+        int[] labels = new int[view.remaining()];
+        view.get(labels);
+        return labels;
+    }
+
+    /**
+     * How many voxels each label has.
+     *
+     * @return from label to count, in the order of {@link #labels}
+     */
+    public Map<Integer, Long> voxelCounts() {
+        int[] labels = labels();
+        long[] counts = new long[labels.length];
+        checked(address -> CleftNative.cleft_volume_copy_voxel_counts(address, counts, counts.length));
+        Map<Integer, Long> map = new LinkedHashMap<>();
+        for (int i = 0; i < labels.length; ++i)
+            map.put(labels[i], counts[i]);
+        return map;
+    }
+
+    /**
+     * The labels at points of the world, as the mesh sees them.
+     *
+     * @param points x y z of each
+     * @return a label a point
+     */
+    public int[] sample(double... points) {
+        if (points.length % 3 != 0)
+            throw new IllegalArgumentException("points has " + points.length + " numbers; it must be 3 a point");
+        int[] labels = new int[points.length / 3];
+        checked(address -> CleftNative.cleft_volume_sample(address, points, labels.length, labels));
+        return labels;
+    }
+}

@@ -1,0 +1,116 @@
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Comparator;
+import org.cleft.*;
+
+/** Reading and writing. */
+final class FilesTest {
+    private static final Path DATA = Path.of(System.getenv("TEST_DATA"));
+    private final Mesher mesher = new Mesher();
+
+    public static void main(String[] arguments) throws Exception {
+        Checks.runAll(FilesTest.class);
+    }
+
+    private interface Use {
+        void of(Path folder) throws Exception;
+    }
+
+    private static void inFolder(Use use) throws Exception {
+        Path folder = Files.createTempDirectory("cleft-test-");
+        try {
+            use.of(folder);
+        } finally {
+            try (var paths = Files.walk(folder)) {
+                for (Path path : paths.sorted(Comparator.reverseOrder()).toList())
+                    Files.delete(path);
+            }
+        }
+    }
+
+    void testMeshes() throws Exception {
+        inFolder(folder -> {
+            Mesh mesh = Checks.ballMesh(mesher);
+            for (String name : new String[] {"a b.vtu", "a.msh", "a.mesh"}) {
+                MeshFiles.writeMesh(mesher, mesh, folder.resolve(name));
+                Checks.equal(MeshFiles.Content.MESH, MeshFiles.guess(folder.resolve(name)));
+                Checks.equal(mesh.tetCount(), MeshFiles.readMesh(mesher, folder.resolve(name)).tetCount());
+            }
+            MeshFiles.writeMesh(mesher, mesh, folder.resolve("b.dat"), "msh22");
+            Checks.check(Files.readString(folder.resolve("b.dat")).contains("2.2"), "no msh 2.2");
+            Checks.thrown(IllegalArgumentException.class,
+                    () -> MeshFiles.writeMesh(mesher, mesh, folder.resolve("b"), "jpeg"));
+            Checks.thrown(CleftException.FileFailure.class,
+                    () -> MeshFiles.writeMesh(mesher, mesh, folder.resolve("none/a.vtu")));
+        });
+    }
+
+    void testVolumes() throws Exception {
+        Path path = DATA.resolve("mickey.nrrd");
+        Volume volume = MeshFiles.readVolume(mesher, path);
+        Checks.check(volume.labels().length > 1, "no labels");
+        Checks.equal(MeshFiles.Content.VOLUME, MeshFiles.guess(path));
+        var reading = new MeshFiles.Reading(
+                MeshFiles.World.RAS, MeshFiles.VoxelKind.LABELS, new double[] {0, 0, 9});
+        Volume other = MeshFiles.readVolume(mesher, reading, null, path);
+        Checks.near(-volume.affine()[0], other.affine()[0], 1e-12);
+        Checks.near(9, Math.abs(other.affine()[10]), 1e-12);
+    }
+
+    void testRaw() throws Exception {
+        inFolder(folder -> {
+            Path path = folder.resolve("labels.raw");
+            byte[] labels = Checks.ballLabels();
+            byte[] shorts = new byte[4 + 2 * labels.length];
+            for (int i = 0; i < labels.length; ++i)
+                shorts[5 + 2 * i] = labels[i];
+            Files.write(path, shorts);
+            Volume volume = MeshFiles.readRaw(mesher, VoxelType.INT16, true, 4, new long[] {12, 13, 14},
+                    new double[] {1, 1, 1}, null, path);
+            Checks.check(Checks.same(Checks.ballMesh(mesher), mesher.mesh(volume, Checks.quick())), "another mesh");
+            Checks.thrown(CleftException.class, () -> MeshFiles.readRaw(
+                    mesher, VoxelType.INT16, true, 0, new long[] {1, 1, 1}, null, null, path));
+            Checks.thrown(IllegalArgumentException.class, () -> MeshFiles.readRaw(
+                    mesher, VoxelType.INT16, true, 0, new long[] {1, 1}, null, null, path));
+        });
+    }
+
+    void testSizing() throws Exception {
+        inFolder(folder -> {
+            Path path = folder.resolve("sizes.nrrd");
+            Volume volume = Checks.ballVolume(mesher);
+            Sizing sizing = mesher.sizing(volume, new Options().size(2.5));
+            MeshFiles.writeSizing(mesher, sizing, MeshFiles.World.LPS, path);
+            Sizing again = MeshFiles.readSizing(mesher, volume, MeshFiles.Reading.DEFAULT, false, null, path);
+            Checks.equal(sizing.values(), again.values());
+            MeshFiles.Field field = MeshFiles.readField(mesher, MeshFiles.Reading.DEFAULT, path);
+            Checks.equal(volume.dims(), field.grid().dims());
+            Checks.check(Arrays.stream(field.values()).allMatch(value -> value == field.values()[0]), "values");
+        });
+    }
+
+    void testFormats() {
+        Checks.check(MeshFiles.formats().stream().anyMatch(row -> row.name().equals("vtu") && row.readsMesh()
+                && row.writesMesh() && row.extensions().contains(".vtu")), "no vtu");
+        Checks.check(MeshFiles.formats().stream().anyMatch(row -> row.readsVolume()), "no volumes");
+    }
+
+    void testFailures() throws Exception {
+        inFolder(folder -> {
+            Path broken = folder.resolve("broken.vtu");
+            Files.writeString(broken, "not XML");
+            Checks.thrown(CleftException.InvalidFormat.class, () -> MeshFiles.readMesh(mesher, broken));
+            Checks.thrown(CleftException.FileFailure.class, () -> MeshFiles.readMesh(mesher, folder.resolve("a.vtu")));
+            Checks.thrown(CleftException.FileFailure.class, () -> MeshFiles.readVolume(mesher, folder.resolve("a.nii")));
+            Checks.thrown(CleftException.InvalidArgument.class,
+                    () -> MeshFiles.readVolume(mesher, MeshFiles.Reading.DEFAULT, null));
+            Checks.thrown(NullPointerException.class, () -> MeshFiles.readMesh(mesher, null));
+            Checks.thrown(NullPointerException.class, () -> MeshFiles.writeMesh(mesher, null, broken));
+            Checks.thrown(IllegalArgumentException.class, () -> new MeshFiles.Reading(
+                    MeshFiles.World.LPS, MeshFiles.VoxelKind.AUTO, new double[2]));
+            mesher.close();
+            Checks.thrown(IllegalStateException.class, () -> MeshFiles.readMesh(mesher, broken));
+        });
+    }
+}

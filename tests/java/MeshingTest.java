@@ -1,0 +1,173 @@
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import org.cleft.*;
+
+/** The stages and what can be asked of their results. */
+final class MeshingTest {
+    private final Mesher mesher = new Mesher();
+
+    public static void main(String[] arguments) throws Exception {
+        Checks.runAll(MeshingTest.class);
+    }
+
+    void testMeshIsSound() {
+        Mesh mesh = Checks.ballMesh(mesher);
+        Validation found = mesher.validate(mesh, true);
+        Checks.check(found.valid() && found.firstFault().isEmpty(), found.toString());
+        Checks.equal(new int[] {0, 1, 7}, mesh.labels());
+        Checks.near(12 * 13 * 14, mesher.quality(mesh).totalVolume(), 1e-12);
+        Checks.equal(4L * mesh.tetCount(), (long) mesh.tets().length);
+        Checks.equal(3L * mesh.pointCount(), (long) mesh.points().length);
+        Checks.check(Arrays.stream(mesh.tets()).allMatch(point -> point >= 0 && point < mesh.pointCount()), "corners");
+    }
+
+    void testVoxelsOfAnyType() {
+        byte[] labels = Checks.ballLabels();
+        short[] shorts = new short[labels.length];
+        int[] ints = new int[labels.length];
+        ByteBuffer buffer = ByteBuffer.allocateDirect(2 * labels.length).order(ByteOrder.nativeOrder());
+        for (int i = 0; i < labels.length; ++i) {
+            ints[i] = shorts[i] = labels[i];
+            buffer.putShort(2 * i, labels[i]);
+        }
+        Mesh wanted = Checks.ballMesh(mesher);
+        for (Volume volume : List.of(mesher.labels(shorts, Checks.GRID, null), mesher.labels(ints, Checks.GRID, null),
+                mesher.labels(buffer, VoxelType.UINT16, Checks.GRID, null)))
+            Checks.check(Checks.same(wanted, mesher.mesh(volume, Checks.quick())), "another mesh");
+        Arrays.fill(labels, (byte) 200);
+        Checks.equal(new int[] {200}, mesher.labels(labels, Checks.GRID, null).labels());
+        Arrays.setAll(ints, i -> i < 700 ? Integer.MIN_VALUE : Integer.MAX_VALUE);
+        Checks.equal(new int[] {Integer.MIN_VALUE, Integer.MAX_VALUE}, mesher.labels(ints, Checks.GRID, null).labels());
+    }
+
+    void testWorld() {
+        Grid grid = Checks.GRID.spacing(0.5, 1, 2).origin(10, 20, 30);
+        Volume volume = mesher.labels(Checks.ballLabels(), grid, null);
+        Checks.equal(grid, volume.grid());
+        Checks.equal(new long[] {12, 13, 14}, volume.dims());
+        Checks.equal(new int[] {7, 1}, volume.sample(10 + 0.5 * 11, 20, 30, 10 + 0.5 * 5, 26, 30 + 2 * 7));
+        Checks.equal(new double[] {1, 0, 0, 0.5, 0, 1, 0, 0.5, 0, 0, 1, 0.5}, Checks.ballVolume(mesher).affine());
+        double[] affine = {0, -2, 0, 5, 1, 0, 0, 6, 0, 0, 3, 7};
+        Checks.equal(affine, mesher.labels(Checks.ballLabels(), Checks.GRID.affine(affine), null).affine());
+    }
+
+    void testStagesByHand() {
+        Volume volume = Checks.ballVolume(mesher);
+        Options options = Checks.quick();
+        Sizing sizing = mesher.sizing(volume, options);
+        Mesh background = mesher.background(sizing, options);
+        Checks.equal(new int[] {0}, background.labels());
+        Mesh improved = mesher.improve(volume, mesher.cleave(volume, background, options), options);
+        Checks.check(mesher.validate(improved, true).valid(), "not valid");
+        Checks.equal(improved.tetCount(), mesher.mesh(volume, sizing, background, options).tetCount());
+        Checks.equal(new int[] {1, 7}, mesher.strip(improved, new Options().strip(0)).labels());
+        Checks.equal(new int[] {1}, mesher.strip(improved, new Options().only(1)).labels());
+    }
+
+    void testSizing() {
+        Volume volume = Checks.ballVolume(mesher);
+        Checks.near(2.5, mesher.constantSizing(volume, 2.5).at(6, 6, 6), 1e-6);
+        double[] wanted = new double[12 * 13 * 14];
+        float[] floats = new float[wanted.length];
+        for (int i = 0; i < wanted.length; ++i)
+            floats[i] = (float) (wanted[i] = i < 1000 ? 1.5 : 3);
+        Sizing sizing = mesher.sizing(volume, wanted, false, null);
+        Checks.equal(floats, sizing.values());
+        Checks.equal(floats, mesher.sizing(volume, floats, false, null).values());
+        Checks.equal(volume.affine(), sizing.affine());
+        Checks.equal(volume.dims(), sizing.dims());
+        Checks.check(sizing.expectedTets() > 100, "expected");
+        for (float value : mesher.sizing(volume, wanted, true, new Options().size(2)).values())
+            Checks.check(value <= 2, "combined");
+    }
+
+    void testIndicators() {
+        double[] inside = new double[12 * 13 * 14];
+        for (int i = 0; i < inside.length; ++i)
+            inside[i] = 5.5 - i % 12;
+        double[] outside = Arrays.stream(inside).map(value -> -value).toArray();
+        float[] single = new float[inside.length];
+        for (int i = 0; i < inside.length; ++i)
+            single[i] = (float) inside[i];
+        Checks.equal(new int[] {0, 1}, mesher.indicators(new float[][] {single}, Checks.GRID, null).labels());
+        Volume volume = mesher.indicators(new double[][] {inside, outside}, Checks.GRID, new int[] {40, -3});
+        Checks.equal(new int[] {-3, 40}, mesher.mesh(volume, Checks.quick()).labels());
+    }
+
+    void testReport() {
+        Volume volume = Checks.ballVolume(mesher);
+        List<LabelReport> rows = mesher.report(volume, mesher.mesh(volume, Checks.quick()));
+        Checks.equal(List.of(0, 1, 7), rows.stream().map(LabelReport::label).toList());
+        Map<Integer, Long> counts = volume.voxelCounts();
+        for (LabelReport row : rows)
+            Checks.check(!row.lost() && counts.get(row.label()) == row.voxels(), row.toString());
+        Checks.near(12 * 13 * 14, rows.stream().mapToDouble(LabelReport::meshVolume).sum(), 1e-12);
+    }
+
+    void testQuality() {
+        Mesh mesh = Checks.ballMesh(mesher);
+        Quality quality = mesher.quality(mesh);
+        Checks.equal(mesh.tetCount(), quality.tetCount());
+        Checks.equal(6 * mesh.tetCount(), quality.dihedralHistogram().stream().mapToLong(Long::longValue).sum());
+        Checks.check(0 < quality.minDihedral() && quality.minDihedral() < 60 && quality.maxDihedral() < 180, "angles");
+    }
+
+    void testSurface() {
+        Mesh mesh = Checks.ballMesh(mesher);
+        Surface surface = mesher.surface(mesh);
+        mesh.close();
+        Checks.equal(surface.interfaceTriangles().length / 3, surface.interfaceLabels().length / 2);
+        Checks.equal(surface.hullTriangles().length / 3, surface.hullLabels().length);
+        Checks.equal(6L, Arrays.stream(surface.hullSides()).mapToObj(side -> Side.values()[side]).distinct().count());
+    }
+
+    void testArraysThereAndBack() {
+        Mesh mesh = Checks.ballMesh(mesher);
+        Checks.check(Checks.same(mesh, mesher.meshOf(mesh.points(), mesh.tets(1), mesh.tetLabels(), 1)), "another mesh");
+        Checks.equal(new int[] {0}, mesher.meshOf(mesh.points(), mesh.tets(), null, 0).labels());
+        Validation found = mesher.validate(
+                mesher.meshOf(new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, new int[] {1, 0, 2, 3}, null, 0), false);
+        Checks.check(!found.valid() && found.negativeTets() == 1 && !found.firstFault().isEmpty(), found.toString());
+    }
+
+    void testQuadratic() {
+        Mesh mesh = Checks.ballMesh(mesher);
+        Mesh.Quadratic ten = mesh.quadratic(0);
+        Checks.equal(10 * mesh.tetCount(), (long) ten.tets().length);
+        int[] t = ten.tets();
+        Checks.near((ten.points()[3 * t[0]] + ten.points()[3 * t[1]]) / 2 + 1, ten.points()[3 * t[4]] + 1, 1e-12);
+        Checks.equal(t[0] + 1, mesh.quadratic(1).tets()[0]);
+    }
+
+    void testThreads() throws Exception {
+        Volume volume = Checks.ballVolume(mesher);
+        Mesh one = mesher.mesh(volume, Checks.quick());
+        Checks.equal(2, mesher.threads(2).threads());
+        Checks.check(Checks.same(one, mesher.mesh(volume, Checks.quick())), "another mesh");
+        Thread[] threads = new Thread[4];
+        boolean[] same = new boolean[threads.length];
+        for (int n = 0; n < threads.length; ++n) {
+            int mine = n;
+            threads[n] = new Thread(() -> same[mine] = Checks.same(one, new Mesher().mesh(volume, Checks.quick())));
+            threads[n].start();
+        }
+        for (Thread thread : threads)
+            thread.join();
+        Checks.equal(new boolean[] {true, true, true, true}, same);
+    }
+
+    void testMetrics() {
+        Checks.ballMesh(mesher).close();
+        Checks.check(mesher.metrics().size() > 3, "no figures");
+        mesher.clearMetrics();
+        Checks.equal(Map.of(), mesher.metrics());
+    }
+
+    void testVersion() {
+        Checks.check(Cleft.version().matches("\\d+\\.\\d+\\.\\d+"), Cleft.version());
+        Checks.check(Cleft.hasTetgen() || !Cleft.hasTetgen(), "no answer");
+    }
+}
