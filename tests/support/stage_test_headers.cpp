@@ -1,0 +1,2 @@
+// Only its precompiled headers are wanted.
+int main() {}
