@@ -35,7 +35,7 @@ struct Numbering {
             triple, c.faces, [&](size_t i) { return c.has_triple(c.faces[i]); },
             [&](size_t i) { return c.triple_point(c.faces[i]); });
         number(
-            quadruple, c.mixed, [&](size_t i) { return c.cuts(c.mixed[i]) == kAllCuts; },
+            quadruple, c.mixed, [&](size_t i) { return c.has_quadruple(c.mixed[i]); },
             [&](size_t i) { return c.quadruple_point(c.mixed[i]); });
     }
 
@@ -72,17 +72,23 @@ private:
     }
 };
 
+void note_points(const Numbering& numbering, const Run& run)
+{
+    const auto note = [&](const char* name, const std::vector<int32_t>& numbers) {
+        const auto unused = std::count(numbers.begin(), numbers.end(), -1);
+        run.note(name, static_cast<double>(numbers.size()) - static_cast<double>(unused));
+    };
+    note("cleaving.cuts", numbering.cut);
+    note("cleaving.triples", numbering.triple);
+    note("cleaving.quads", numbering.quadruple);
+    run.note("cleaving.steiner", 0);  // lemma 2 of stencil.hpp: none is ever needed
+}
+
 // Where the output tetrahedra of each chunk of background tetrahedra go.
 struct Plan {
     std::vector<int64_t> begin;
     int64_t tets = 0;
 };
-
-int tets_of(const SplitTet& split, int apex)
-{
-    std::array<StencilTet, 24> tets;
-    return fan(split.surface, apex, tets);
-}
 
 Plan plan_output(const Centres& c, const Run& run)
 {
@@ -92,12 +98,8 @@ Plan plan_output(const Centres& c, const Run& run)
     parallel_chunks(run, n, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
         int64_t count = 0;
         for (auto t = static_cast<size_t>(begin); t < static_cast<size_t>(end); ++t) {
-            if (c.mixed_of[t] < 0) {
-                ++count;
-                continue;
-            }
-            const auto m = static_cast<size_t>(c.mixed_of[t]);
-            count += tets_of(split_tet(c, c.mixed[m]), c.fans[m].apex);
+            const int32_t m = c.mixed_of[t];
+            count += m < 0 ? 1 : static_cast<int64_t>(c.stencils.tets(c.fans[static_cast<size_t>(m)].stencil).size());
         }
         plan.begin[static_cast<size_t>(chunk)] = count;
     });
@@ -132,21 +134,19 @@ public:
         return 1;
     }
 
-    size_t write_fan(const MixedTet& m, int apex, size_t out)
+    size_t write_fan(const MixedTet& m, const StencilTable::Tets& tets, size_t out)
     {
-        const SplitTet split = split_tet(c_, m);
         const MaterialChooser chooser(c_, c_.corners(m.tet));
         const auto id = numbering_.of(c_, m);
-        std::array<StencilTet, 24> tets;
-        const auto count = static_cast<size_t>(fan(split.surface, apex, tets));
-        for (size_t i = 0; i < count; ++i) {
-            const StencilTet& t = tets[i];
-            for (size_t k = 0; k < 4; ++k)
-                mesh_.tets[out + i][k] = id[t[k]];
-            mesh_.material[out + i] =
-                chooser.choose(t, {split.x[t[0]], split.x[t[1]], split.x[t[2]], split.x[t[3]]}, scratch_);
+        for (const StencilTet& t : tets) {
+            std::array<Vec3, 4> x;
+            for (size_t k = 0; k < 4; ++k) {
+                mesh_.tets[out][k] = id[t[k]];
+                x[k] = mesh_.points[static_cast<size_t>(id[t[k]])];
+            }
+            mesh_.material[out++] = chooser.choose(t, x, scratch_);
         }
-        return count;
+        return tets.size();
     }
 
 private:
@@ -163,6 +163,7 @@ LabelledMesh assemble(const Centres& c, const Run& run)
     const Plan plan = plan_output(c, run);
     run.report(0.9, "cleaving: tetrahedra");
     Numbering numbering(c);
+    note_points(numbering, run);
     LabelledMesh mesh;
     mesh.points = std::move(numbering.points);
     mesh.tets.resize(static_cast<size_t>(plan.tets));
@@ -173,7 +174,8 @@ LabelledMesh assemble(const Centres& c, const Run& run)
         for (auto t = static_cast<size_t>(begin); t < static_cast<size_t>(end); ++t) {
             const int32_t m = c.mixed_of[t];
             out += m < 0 ? writer.write_whole(t, out)
-                         : writer.write_fan(c.mixed[static_cast<size_t>(m)], c.fans[static_cast<size_t>(m)].apex, out);
+                         : writer.write_fan(c.mixed[static_cast<size_t>(m)],
+                                            c.stencils.tets(c.fans[static_cast<size_t>(m)].stencil), out);
         }
     });
     return mesh;

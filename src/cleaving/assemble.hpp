@@ -11,6 +11,7 @@ namespace cleft
 int64_t give_up_flat_cuts(Centres& c, const Run& run);
 
 // Numbers the points in use (vertices, cuts, triple points, quadruple points) and writes the fans with their materials.
+// Notes cleaving.cuts, .triples, .quads and .steiner.
 LabelledMesh assemble(const Centres& c, const Run& run);
 
 }  // namespace cleft

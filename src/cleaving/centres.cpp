@@ -11,6 +11,12 @@ CutMask Centres::cuts(const MixedTet& m) const
     return mask;
 }
 
+bool Centres::has_quadruple(const MixedTet& m) const
+{
+    const bool had_one = std::all_of(m.faces.begin(), m.faces.end(), [](int32_t f) { return f >= 0; });
+    return had_one && cuts(m) == kAllCuts;
+}
+
 Vec3 Centres::triple_point(const TripleFace& f) const
 {
     const auto cut = [&](size_t i) { return cut_point(edges[static_cast<size_t>(f.edges[i])]); };

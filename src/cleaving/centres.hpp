@@ -7,7 +7,7 @@
 
 #include "base/run.hpp"
 #include "cleaving/sample_store.hpp"
-#include "cleaving/stencil.hpp"
+#include "cleaving/stencil_table.hpp"
 #include "cleaving/tie.hpp"
 
 #include <memory>
@@ -37,7 +37,7 @@ struct MixedTet {
 // How a mixed tetrahedron splits: the fan whose worst tetrahedron is best.
 struct Fan {
     double cost = 0;  // of its tetrahedra, see shape_cost
-    uint8_t apex = 0;
+    uint16_t stencil = 0;
 };
 
 struct Centres {
@@ -51,7 +51,8 @@ struct Centres {
     std::vector<TripleFace> faces;
     std::vector<MixedTet> mixed;
     std::vector<int32_t> mixed_of;  // by tetrahedron, or -1
-    std::vector<Fan> fans;          // of the mixed tetrahedra, where all centres are as they were when it was chosen
+    StencilTable stencils;
+    std::vector<Fan> fans;  // of the mixed tetrahedra, where all centres are as they were when it was chosen
 
     const Vec3& point(int32_t v) const { return points[static_cast<size_t>(v)]; }
     const MaterialSet& materials_of(int32_t v) const { return materials[static_cast<size_t>(v)]; }
@@ -62,6 +63,7 @@ struct Centres {
         return is_cut(f.edges[0]) && is_cut(f.edges[1]) && is_cut(f.edges[2]);
     }
     CutMask cuts(const MixedTet& m) const;
+    bool has_quadruple(const MixedTet& m) const;
 
     // Triple and quadruple points are the means of the cuts around them: inside whatever the cuts are, and near the
     // tie where all cuts are. Written as corner + sum of shares of sides, so that a coordinate that all corners share

@@ -7,6 +7,12 @@ namespace cleft
 
 MaterialChooser::MaterialChooser(const Centres& c, const Tet& corners) : volume_(c.volume)
 {
+    const MaterialSet& first = c.materials_of(corners[0]);
+    if (first.size() == 1 &&
+        std::all_of(corners.begin(), corners.end(), [&](int32_t v) { return c.materials_of(v) == first; })) {
+        material_[static_cast<size_t>(count_++)] = first[0];
+        return;
+    }
     for (const int32_t v : corners)
         for (const Material m : c.materials_of(v))
             material_[static_cast<size_t>(count_++)] = m;

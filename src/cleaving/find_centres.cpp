@@ -44,7 +44,11 @@ SampledVertices sample_vertices(const Volume& volume, const std::vector<Vec3>& p
 class Tables
 {
 public:
-    Tables(Centres& centres, const Run& run) : c_(centres), run_(run) {}
+    Tables(Centres& centres, const Run& run) : c_(centres), run_(run), material_(centres.points.size())
+    {
+        for (size_t v = 0; v < material_.size(); ++v)
+            material_[v] = static_cast<uint16_t>(c_.materials[v][0]);
+    }
 
     void build()
     {
@@ -55,7 +59,7 @@ public:
     }
 
 private:
-    Material material(int32_t v) const { return c_.materials_of(v)[0]; }
+    Material material(int32_t v) const { return material_[static_cast<size_t>(v)]; }
 
     template <class Visit>
     void for_each_cut(const Tet& t, const Visit& visit) const
@@ -136,7 +140,9 @@ private:
         for (size_t k = 0; k < c_.mixed.size(); ++k) {
             check_now_and_then(k);
             MixedTet& m = c_.mixed[k];
-            const CutMask cuts = c_.cuts(m);
+            CutMask cuts = 0;
+            for (size_t e = 0; e < 6; ++e)
+                cuts |= static_cast<CutMask>(m.edges[e] >= 0) << e;
             for (size_t i = 0; i < 4; ++i) {
                 if ((cuts & kFaceCuts[i]) != kFaceCuts[i])
                     continue;
@@ -173,6 +179,7 @@ private:
 
     Centres& c_;
     const Run& run_;
+    std::vector<uint16_t> material_;   // of each vertex
     std::vector<int32_t> first_edge_;  // of each lower vertex
 };
 
@@ -189,6 +196,7 @@ Centres find_centres(const Volume& volume, const TetMesh& background, const Run&
               background.points,
               std::move(sampled.materials),
               SampleStore(std::move(sampled.values), sampled.count),
+              {},
               {},
               {},
               {},

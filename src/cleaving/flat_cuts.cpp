@@ -43,7 +43,7 @@ std::vector<int32_t> find_flat(const Centres& c, double threshold, const Run& ru
             if (orient(c.point(t[0]), c.point(t[1]), c.point(t[2]), c.point(t[3])) * kLeastShare > threshold)
                 continue;
             const SplitTet split = split_tet(c, c.mixed[m]);
-            if (split.cuts && !(least_volume(split, c.fans[m].apex) > threshold))
+            if (split.cuts && !(least_volume(c.stencils.tets(c.fans[m].stencil), split) > threshold))
                 found[static_cast<size_t>(chunk)].push_back(static_cast<int32_t>(m));
         }
     });

@@ -33,8 +33,15 @@ class Snapper
 {
 public:
     Snapper(Centres& c, Snap rule, const Run& run)
-        : c_(c), rule_(rule), run_(run), star_(c, run), touched_(c.points.size(), 1)
+        : c_(c),
+          rule_(rule),
+          run_(run),
+          star_(c, run),
+          touched_(c.points.size(), 1),
+          vertices_of_(static_cast<size_t>(c.volume.material_count()), 0)
     {
+        for (const MaterialSet& m : c.materials)
+            ++vertices_of_[static_cast<size_t>(m[0])];
     }
 
     SnapCounts run()
@@ -76,7 +83,7 @@ private:
     {
         touched_[static_cast<size_t>(v)] = 0;
         gather(v);
-        if (near_.empty())
+        if (near_.empty() || is_last_of_material())
             return;
         frozen_ = star_.frozen_axes();
         before_.save(c_, star_);
@@ -97,8 +104,17 @@ private:
             take_best();
     }
 
+    // Tetrahedra at a vertex of one material alone are of that material: a label that keeps such a vertex is not lost.
+    bool is_last_of_material() const
+    {
+        const MaterialSet& own = c_.materials_of(star_.vertex());
+        return own.size() == 1 && vertices_of_[static_cast<size_t>(own[0])] == 1;
+    }
+
     void take_best()
     {
+        if (before_.materials.size() == 1)
+            --vertices_of_[static_cast<size_t>(before_.materials[0])];
         best_.restore(c_, star_);
         ++(best_.x == before_.x ? counts_.stayed : counts_.moved);
         for (size_t i = 0; i < star_.parts().size(); ++i)
@@ -165,7 +181,8 @@ private:
     const Snap rule_;
     const Run& run_;
     Star star_;
-    std::vector<uint8_t> touched_;  // by vertex: something in its star changed since its last visit
+    std::vector<uint8_t> touched_;      // by vertex: something in its star changed since its last visit
+    std::vector<int64_t> vertices_of_;  // by material: how many carry it alone
     SnapCounts counts_;
 
     // Of the vertex being visited.

@@ -8,7 +8,7 @@ namespace cleft
 
 struct SplitTet {
     CutMask cuts = 0;
-    SplitSurface surface;
+    StencilTable::Range stencils{};
     std::array<Vec3, kStencilPoints> x;  // of the points that are there
 };
 
@@ -16,13 +16,13 @@ struct SplitTet {
 SplitTet split_tet(const Centres& c, const MixedTet& mixed);
 
 // Chosen anew; its cost is infinite if one of its tetrahedra is not positive.
-Fan best_fan(const SplitTet& split);
+Fan best_fan(const StencilTable& stencils, const SplitTet& split);
 
 // For all mixed tetrahedra.
 void choose_fans(Centres& c, const Run& run);
 
-// Least of six times the volumes of a fan.
-double least_volume(const SplitTet& split, int apex);
+// Least of six times the volumes of the tetrahedra of a stencil.
+double least_volume(const StencilTable::Tets& tets, const SplitTet& split);
 
 // What a tetrahedron adds to the cost of those around it, 1 / (sine + 0.02)^2: falls when bad ones get better.
 double shape_cost(double least_sine);

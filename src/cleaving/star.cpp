@@ -188,7 +188,7 @@ void measure_fans(const Centres& c, const Star& star, double limit, StarShape& s
         const int32_t mixed = star.parts()[i].mixed;
         if (mixed < 0)
             continue;
-        shape.fans[i] = best_fan(split_tet(c, c.mixed[static_cast<size_t>(mixed)]));
+        shape.fans[i] = best_fan(c.stencils, split_tet(c, c.mixed[static_cast<size_t>(mixed)]));
         shape.cost += shape.fans[i].cost;
     }
 }

@@ -17,8 +17,8 @@ bool has_corner(const StencilTriangle& triangle, int point)
 class FaceSplitter
 {
 public:
-    FaceSplitter(size_t face, CutMask cuts, const CutRanks& ranks, SplitSurface& out)
-        : face_(face), cuts_(cuts), ranks_(ranks), out_(out), end_(out.first[face])
+    FaceSplitter(size_t face, CutMask cuts, Diagonals diagonals, SplitSurface& out)
+        : face_(face), cuts_(cuts), higher_is_greater_(diagonals >> face & 1u), out_(out), end_(out.first[face])
     {
     }
 
@@ -68,7 +68,7 @@ private:
         const int a = corner(whole_side), b = corner(whole_side + 1), between = corner(whole_side + 2);
         const int p = cut(whole_side + 1), q = cut(whole_side + 2);
         add(p, between, q);
-        if (ranks_[static_cast<size_t>(p - kCutPoint)] > ranks_[static_cast<size_t>(q - kCutPoint)]) {
+        if ((p > q) == higher_is_greater_) {
             add(p, q, a);
             add(p, a, b);
         } else {
@@ -88,7 +88,7 @@ private:
 
     size_t face_;
     CutMask cuts_;
-    const CutRanks& ranks_;
+    bool higher_is_greater_;
     SplitSurface& out_;
     size_t end_;
 };
@@ -115,11 +115,25 @@ bool is_apex(int point, const SplitSurface& surface)
 
 }  // namespace
 
-SplitSurface split_surface(CutMask cuts, const CutRanks& ranks)
+Diagonals diagonals(CutMask cuts, const CutRanks& ranks)
+{
+    Diagonals diagonals = 0;
+    for (size_t face = 0; face < 4; ++face) {
+        size_t found[3], count = 0;
+        for (size_t e = 0; e < 6; ++e)
+            if ((cuts & kFaceCuts[face]) >> e & 1u)
+                found[count++] = e;
+        if (count == 2 && ranks[found[1]] > ranks[found[0]])
+            diagonals |= 1u << face;
+    }
+    return diagonals;
+}
+
+SplitSurface split_surface(CutMask cuts, Diagonals diagonals)
 {
     SplitSurface surface;
     for (size_t face = 0; face < 4; ++face)
-        FaceSplitter(face, cuts, ranks, surface).split();
+        FaceSplitter(face, cuts, diagonals, surface).split();
     return surface;
 }
 

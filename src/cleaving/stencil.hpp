@@ -54,6 +54,11 @@ inline constexpr std::array<CutMask, 4> kFaceCuts = {0b111000, 0b100110, 0b01010
 // Places of the six cuts in the total order: distinct for the edges that are cut.
 using CutRanks = std::array<uint8_t, 6>;
 
+// Bit i: in the face opposite corner i, which has two cuts, the one on the edge of higher number is the greater.
+using Diagonals = unsigned;
+
+Diagonals diagonals(CutMask cuts, const CutRanks& ranks);
+
 using StencilTriangle = std::array<uint8_t, 3>;
 using StencilTet = std::array<uint8_t, 4>;
 
@@ -64,7 +69,7 @@ struct SplitSurface {
     std::array<uint8_t, 5> first{};
 };
 
-SplitSurface split_surface(CutMask cuts, const CutRanks& ranks);
+SplitSurface split_surface(CutMask cuts, Diagonals diagonals);
 
 // The points around which the tetrahedron may be fanned.
 struct Apexes {
@@ -72,8 +77,8 @@ struct Apexes {
     int count = 0;
 };
 
-// Never empty (lemma 2). With six cuts the quadruple point alone: only there do all four materials meet. Without cuts
-// one corner: they all give the tetrahedron itself.
+// Never empty for the diagonals of a total order (lemma 2). With six cuts the quadruple point alone: only there do all
+// four materials meet. Without cuts one corner: they all give the tetrahedron itself.
 Apexes apexes(CutMask cuts, const SplitSurface& surface);
 
 // The positively oriented tetrahedra of the fan; returns their number, at most 24.

@@ -91,7 +91,7 @@ void every_pattern_and_order_fans_with_positive_volumes(void**)
     Random random(1);
     for (const CutRanks& ranks : all_ranks())
         for (CutMask cuts = 0; cuts <= kAllCuts; ++cuts) {
-            const SplitSurface surface = split_surface(cuts, ranks);
+            const SplitSurface surface = split_surface(cuts, diagonals(cuts, ranks));
             const Apexes candidates = apexes(cuts, surface);
             assert_true(candidates.count > 0);
             const Points x = random_points(random);
@@ -125,7 +125,7 @@ void greatest_cut_is_an_apex_without_triple_points(void**)
             for (size_t e = 0; e < 6; ++e)
                 if (cuts >> e & 1u && (greatest == 6 || ranks[e] > ranks[greatest]))
                     greatest = e;
-            const Apexes found = apexes(cuts, split_surface(cuts, ranks));
+            const Apexes found = apexes(cuts, split_surface(cuts, diagonals(cuts, ranks)));
             const auto end = found.point.begin() + found.count;
             assert_true(std::find(found.point.begin(), end, kCutPoint + greatest) != end);
             ++cases;
@@ -145,7 +145,7 @@ void cyclic_diagonals_leave_no_apex(void**)
         CutRanks ranks{};
         ranks[ring[k]] = 1;  // beats the next one
         const size_t next = ring[(k + 1) % 4];
-        const SplitSurface split = split_surface(cuts, ranks);
+        const SplitSurface split = split_surface(cuts, diagonals(cuts, ranks));
         for (size_t face = 0; face < 4; ++face)
             if ((kFaceCuts[face] >> ring[k] & 1u) && (kFaceCuts[face] >> next & 1u))
                 for (size_t i = 0; i < 3; ++i)
@@ -185,7 +185,7 @@ void both_sides_split_a_shared_face_alike(void**)
                     for (size_t i = 0; i < 4; ++i)
                         names[i] = name[i];
                     names[kTriplePoint + face] = 30;
-                    const SplitSurface surface = split_surface(cuts, ranks);
+                    const SplitSurface surface = split_surface(cuts, diagonals(cuts, ranks));
                     std::set<NamedTriangle> triangles;
                     for (size_t i = surface.first[face]; i < surface.first[face + 1]; ++i) {
                         NamedTriangle t{};

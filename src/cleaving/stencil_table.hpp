@@ -1,0 +1,44 @@
+// All that a tetrahedron can split into, worked out once.
+#pragma once
+
+#include "cleaving/stencil.hpp"
+
+#include <vector>
+
+namespace cleft
+{
+
+// Stencils: the tetrahedra of one fan. Apexes that give the same tetrahedra are listed once.
+class StencilTable
+{
+public:
+    StencilTable();
+
+    struct Range {
+        uint16_t begin, end;
+    };
+
+    // The stencils of a pattern of cuts.
+    Range stencils(CutMask cuts, Diagonals diagonals) const { return of_pattern_[cuts << 4 | diagonals]; }
+
+    struct Tets {
+        const StencilTet *first, *last;
+        const StencilTet* begin() const { return first; }
+        const StencilTet* end() const { return last; }
+        size_t size() const { return static_cast<size_t>(last - first); }
+    };
+
+    Tets tets(uint16_t stencil) const
+    {
+        return {tets_.data() + first_tet_[stencil], tets_.data() + first_tet_[stencil + size_t{1}]};
+    }
+
+private:
+    void add_pattern(CutMask cuts, Diagonals diagonals);
+
+    std::array<Range, 64 * 16> of_pattern_{};
+    std::vector<uint32_t> first_tet_;  // of each stencil, and the end of the last
+    std::vector<StencilTet> tets_;
+};
+
+}  // namespace cleft
