@@ -14,7 +14,7 @@ binding_packages="
 test_packages="
     clang-format libcmocka-dev python3
     gmsh calculix-ccx
-    gfortran abigail-tools
+    gfortran make abigail-tools freefem++ man-db
     python3-numpy python3-meshio python3-vtk9 python3-nibabel"
 
 say() { printf '\n== %s\n' "$*"; }

@@ -93,9 +93,15 @@ function(cleft_install_io)
     install(FILES ${dependencies} DESTINATION ${CLEFT_INSTALL_CMAKEDIR} COMPONENT io_development)
 endfunction()
 
-function(cleft_install_command)
+# cleft_install_command(MANUAL): the command, its completion and, if there is one, the folder of its manual pages.
+function(cleft_install_command manual)
     cleft_find_libraries_from(cleft_cli ${CMAKE_INSTALL_BINDIR})
     install(TARGETS cleft_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
+    install(FILES ${PROJECT_SOURCE_DIR}/src/cli/cleft.bash
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME cleft COMPONENT command)
+    if(manual)
+        install(DIRECTORY ${manual}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT command)
+    endif()
 endfunction()
 
 # cleft_install_fortran(MODULE_FOLDER SOURCES IO_SOURCES): the modules as compiled, and their sources for other compilers.

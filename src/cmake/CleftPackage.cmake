@@ -1,0 +1,42 @@
+# Debian packages of the install tree, by `cpack -G DEB` in the build folder: one for each component. Configured with
+# CMAKE_INSTALL_PREFIX=/usr, libraries go into the multiarch folder.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_VENDOR Cleft)
+set(CPACK_PACKAGE_CONTACT "The Cleft maintainers <cleft@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/src ${PROJECT_BINARY_DIR}/src/io)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+
+# cleft_package(COMPONENT NAME SECTION TEXT COMPONENT_IT_NEEDS...)
+function(cleft_package component name section text)
+    string(TOUPPER ${component} upper)
+    foreach(setting "DEBIAN_${upper}_PACKAGE_NAME;${name}" "DEBIAN_${upper}_PACKAGE_SECTION;${section}"
+            "COMPONENT_${upper}_DESCRIPTION;${text}")
+        list(GET setting 0 variable)
+        list(GET setting 1 value)
+        set(CPACK_${variable} "${value}" PARENT_SCOPE)
+    endforeach()
+    set(CPACK_COMPONENT_${upper}_DEPENDS ${ARGN} PARENT_SCOPE)
+endfunction()
+
+cleft_package(runtime libcleft0 libs "Cleft: the library")
+cleft_package(development libcleft-dev libdevel "Cleft: header, static library, CMake package and pkg-config file" runtime)
+cleft_package(io libcleft-io0 libs "Cleft: the file component" runtime)
+cleft_package(io_development libcleft-io-dev libdevel "Cleft: to build on the file component" io development)
+cleft_package(command cleft science "Cleft: the command" io)
+cleft_package(fortran libcleft-fortran-dev libdevel "Cleft: the Fortran modules" development)
+cleft_package(java libcleft-java java "Cleft: the Java package" runtime)
+cleft_package(csharp libcleft-cil cli-mono "Cleft: the .NET assembly" runtime)
+cleft_package(python python3-cleft python "Cleft: the Python package" runtime)
+
+get_cmake_property(CPACK_COMPONENTS_ALL COMPONENTS)
+list(REMOVE_ITEM CPACK_COMPONENTS_ALL Unspecified)
+include(CPack)

@@ -1,0 +1,55 @@
+#!/bin/sh
+# Do the Debian packages install, work and go away again? check_packages.sh BUILD FOLDER PROGRAM.c: makes them, installs them
+# into a root of their own, builds and runs PROGRAM with what is there, and removes them.
+set -eu
+build=$1
+folder=$2
+program=$3
+root=$folder/root
+
+rm -rf "$folder"
+mkdir -p "$root/var/lib/dpkg/updates" "$root/var/lib/dpkg/info" "$root/var/lib/dpkg/triggers"
+touch "$root/var/lib/dpkg/status" "$root/var/lib/dpkg/available"
+
+cpack --config "$build/CPackConfig.cmake" -G DEB -B "$folder/packages" >"$folder/cpack.log" 2>&1 || {
+    cat "$folder/cpack.log"
+    exit 1
+}
+packages=$(ls "$folder"/packages/*.deb)
+
+field() { dpkg-deb -f "$folder"/packages/"$1"_*.deb "$2"; }
+expect() { case "$2" in *"$1"*) ;; *) echo "\"$1\" is not in \"$2\""; exit 1 ;; esac; }
+refuse() { case "$2" in *"$1"*) echo "\"$1\" is in \"$2\""; exit 1 ;; esac; }
+expect libc6 "$(field libcleft0 Depends)"
+refuse itk "$(field libcleft0 Depends)"
+expect "libcleft0 (= " "$(field libcleft-dev Depends)"
+for package in $packages; do
+    if [ -n "$(dpkg-deb -c "$package" | awk '$2 != "root/root"')" ]; then
+        echo "$package has files that are not root's"
+        exit 1
+    fi
+done
+
+# Into a root of its own, which has no other packages: dependencies are looked at above.
+manage() { dpkg --root="$root" --force-not-root --force-depends --force-script-chrootless --log=/dev/null "$@"; }
+manage -i $packages >"$folder/install.log" 2>&1 || { cat "$folder/install.log"; exit 1; }
+dpkg --root="$root" --audit
+
+pc=$(find "$root" -name cleft.pc)
+export PKG_CONFIG_PATH="${pc%/*}"
+flags=$(pkg-config --cflags --libs cleft)
+cc "$program" $flags -o "$folder/program"
+libraries=$(pkg-config --variable=libdir cleft)
+LD_LIBRARY_PATH="$libraries" "$folder/program"
+if [ -x "$root/usr/bin/cleft" ]; then
+    "$root/usr/bin/cleft" --version
+    [ -e "$root/usr/share/man/man1/cleft.1" ] || [ -e "$root/usr/share/man/man1/cleft.1.gz" ]
+fi
+
+names=$(for package in $packages; do dpkg-deb -f "$package" Package; done)
+manage -P $names >"$folder/remove.log" 2>&1 || { cat "$folder/remove.log"; exit 1; }
+left=$(find "$root" -path "$root/var" -prune -o -type f -print -o -type l -print)
+if [ -n "$left" ]; then
+    echo "left behind: $left"
+    exit 1
+fi
