@@ -31,7 +31,8 @@ for package in $packages; do
 done
 
 # Into a root of its own, which has no other packages: dependencies are looked at above.
-manage() { dpkg --root="$root" --force-not-root --force-depends --force-script-chrootless --log=/dev/null "$@"; }
+manage() { dpkg --root="$root" --force-not-root --force-depends --force-unsafe-io \
+    --force-script-chrootless --log=/dev/null "$@"; }
 manage -i $packages >"$folder/install.log" 2>&1 || { cat "$folder/install.log"; exit 1; }
 dpkg --root="$root" --audit
 
