@@ -1,6 +1,6 @@
 // The near electrostatic forces on particles, unit charges, in units of 1 / h^2 of the particle that they act on.
 //
-// The field of a charge at a particle is split in two: within the particle's reach R = 1.9 h, the field of the point
+// The field of a charge at a particle is split in two: within the particle's reach R = 1.7 h, the field of the point
 // charge less that of a cloud of the same charge, radius R and density 1 / (2 pi R^2 r), which is (1 - r^2/R^2) / r^2
 // and vanishes at R with no jump; and the field of the cloud, which is smooth and left to the waves of long_waves.hpp.
 // The charge of the background, c / h^3, is split in the same way; its near field is a sum over directions.
@@ -15,7 +15,7 @@ namespace cleft
 {
 
 // The reach R of a particle in units of its h.
-constexpr float kReach = 1.9F;
+constexpr float kReach = 1.7F;
 
 // The repulsion of every particle by all near ones and by near images. All arrays in tree order; `reach` is kReach
 // times h.

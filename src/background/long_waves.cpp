@@ -165,11 +165,12 @@ std::vector<float> potential_waves(const LongWaves& waves, const LongWaves::Leve
     return out;
 }
 
-// The least reach: that of the smallest particles, but not so small that there are more cells than particles.
+// The least reach: that of the smallest particles, but not so small that the grid costs more than the particles.
 double finest_reach(const Vec3& extent, double smallest, double particles)
 {
-    constexpr int32_t kMostCells = 64;
-    const double most = std::clamp(particles, 512.0, std::pow(kMostCells, 3));
+    constexpr int32_t kMostCells = 80;  // along an axis
+    constexpr double kCellsPerParticle = 2;
+    const double most = std::clamp(kCellsPerParticle * particles, 512.0, std::pow(kMostCells, 3));
     double reach = smallest;
     const auto cells = [&](int axis) { return std::max(1.0, std::ceil(2 * extent[axis] / reach)); };
     while (cells(0) * cells(1) * cells(2) > most || std::max({cells(0), cells(1), cells(2)}) > kMostCells)

@@ -12,7 +12,7 @@ namespace cleft
 {
 
 struct ParticleOptions {
-    int steps = 10;     // relaxation steps
+    int steps = 8;      // relaxation steps
     uint64_t seed = 0;  // varies the arrangement; the same seed gives the same bytes
 };
 

@@ -20,10 +20,8 @@ namespace
 constexpr float kNearGain = 3, kWaveGain = 1;
 constexpr float kMomentum = 0.5F;
 constexpr float kLongestMove = 0.15F;  // in h
-// The attraction by the background changes little from step to step.
-constexpr int kAttractionLasts = 3;
-// So do the lists of who is near.
-constexpr int kListsLast = 3;
+// The attraction by the background changes little from step to step, who is near changes still less.
+constexpr int kAttractionLasts = 2, kListsLast = 4;
 // A particle does not come nearer to a wall than this many h, nor does one on a wall to an edge.
 constexpr double kClearance = 0.1;
 

@@ -38,7 +38,7 @@ const OptionRow kOptionTable[kOptionCount] = {
      "or none"},
     {CLEFT_OPTION_IMPROVE, CLEFT_OPTION_TYPE_CHOICE, "improve", CLEFT_IMPROVE_FAST, 0, 2, "off|fast|best",
      "effort spent on the worst dihedral angles after cleaving"},
-    {CLEFT_OPTION_STEPS, CLEFT_OPTION_TYPE_INTEGER, "steps", 10, 0, 1000, "", "relaxation steps of the particles"},
+    {CLEFT_OPTION_STEPS, CLEFT_OPTION_TYPE_INTEGER, "steps", 8, 0, 1000, "", "relaxation steps of the particles"},
     {CLEFT_OPTION_SEED, CLEFT_OPTION_TYPE_INTEGER, "seed", 0, 0, kWhole, "",
      "varies the arrangement of the particles; the same seed gives the same mesh"},
     {CLEFT_OPTION_STRICT, CLEFT_OPTION_TYPE_FLAG, "strict", 0, 0, 1, "", "fail when a label is lost"},
