@@ -17,15 +17,12 @@ namespace cleft
 namespace
 {
 
-// About seven tetrahedra a point, four numbers each, must stay below 2^31 in TetGen's arrays.
-constexpr size_t kMostPoints = 60'000'000;
-
 void check_points(const std::vector<Vec3>& points)
 {
     if (points.size() < 4)
         throw Error(CLEFT_ERROR_ARGUMENT,
                     "a Delaunay mesh needs at least 4 points, not " + std::to_string(points.size()));
-    if (points.size() > kMostPoints)
+    if (points.size() > kMostDelaunayPoints)
         throw Error(CLEFT_ERROR_TOO_LARGE,
                     std::to_string(points.size()) + " points are too many for one Delaunay mesh");
     for (size_t i = 0; i < points.size(); ++i)
@@ -156,6 +153,22 @@ void make_positive(std::vector<Tet>& tets, const std::vector<Vec3>& points, cons
         throw Error(CLEFT_ERROR_INTERNAL, "TetGen returned a flat tetrahedron inside the mesh");
 }
 
+// TetGen's order is that of its insertions, all over the box. Where the points are in a spatial order, so are the
+// tetrahedra after this, and the stages that follow find in the cache what they need.
+std::vector<Tet> by_least_point(const std::vector<Tet>& tets, size_t point_count)
+{
+    const auto key = [](const Tet& tet) { return static_cast<size_t>(*std::min_element(tet.begin(), tet.end())); };
+    std::vector<size_t> begin(point_count + 1, 0);
+    for (const Tet& tet : tets)
+        ++begin[key(tet) + 1];
+    for (size_t v = 0; v < point_count; ++v)
+        begin[v + 1] += begin[v];
+    std::vector<Tet> sorted(tets.size());
+    for (const Tet& tet : tets)
+        sorted[begin[key(tet)]++] = tet;
+    return sorted;
+}
+
 void check_all_used(const std::vector<Tet>& tets, size_t point_count)
 {
     std::vector<char> used(point_count, 0);
@@ -183,6 +196,7 @@ std::vector<Tet> delaunay(const std::vector<Vec3>& points, const Run& run)
     run.report(0.9, "Delaunay");
     make_positive(tets, scaled, run);
     check_all_used(tets, points.size());
+    tets = by_least_point(tets, points.size());
     run.report(1.0, "Delaunay");
     return tets;
 }

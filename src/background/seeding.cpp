@@ -2,6 +2,7 @@
 
 #include "background/bcc_patches.hpp"
 #include "background/charge_cells.hpp"
+#include "background/delaunay.hpp"
 #include "base/parallel.hpp"
 
 #include <cmath>
@@ -44,11 +45,38 @@ private:
     std::vector<Vec3>& out_;
 };
 
+// The number of particles to come. A particle of a wall takes half of its charge from the box: the other half is
+// counted here, for in a thin box most particles lie on walls. Edges never have enough to matter.
+double expected_particles(const SizingField& field)
+{
+    double expected = 8 + kParticleDensity[3] * sizing_charge(field);
+    const Grid& grid = field.grid;
+    for (size_t axis = 0; axis < 3; ++axis) {
+        const size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+        const double du = grid.spacing[static_cast<int>(u)], dv = grid.spacing[static_cast<int>(v)];
+        std::array<int32_t, 3> at{};
+        for (const int32_t side : {0, grid.dims[axis] - 1}) {
+            at[axis] = side;
+            for (at[v] = 0; at[v] < grid.dims[v]; ++at[v])
+                for (at[u] = 0; at[u] < grid.dims[u]; ++at[u]) {
+                    const double h = field.h[static_cast<size_t>(grid.index(at[0], at[1], at[2]))];
+                    expected += 0.5 * kParticleDensity[2] * du * dv / (h * h);
+                }
+        }
+    }
+    return expected;
+}
+
 void refuse_too_many(double particles)
 {
-    if (particles > INT32_MAX)
-        throw Error(CLEFT_ERROR_TOO_LARGE, "the sizes ask for about " + std::to_string(std::llround(particles)) +
-                                               " background points, more than 2147483647");
+    constexpr double kTetsPerParticle = 6.1;
+    if (particles <= static_cast<double>(kMostDelaunayPoints))
+        return;
+    const double millions = std::min(kTetsPerParticle * particles / 1e6, 1e12);
+    throw Error(CLEFT_ERROR_TOO_LARGE,
+                "the sizes ask for a background of about " + std::to_string(std::llround(millions)) +
+                    " million tetrahedra, and particles can make 360 million: give a greater size or size_min, or a "
+                    "number of tetrahedra by tets");
 }
 
 template <size_t D>
@@ -72,7 +100,6 @@ void seed_part(const BoxPart<D>& part, const SizeSampler& size, const BccPatches
                         });
     });
     for (const auto& points : found) {
-        refuse_too_many(static_cast<double>(out.size() + points.size()));
         for (Vec3 x : points) {
             for (size_t axis = 0; axis < 3; ++axis)
                 if (held(part.walls, axis))  // a centroid of points in a wall may miss it by a rounding error
@@ -114,7 +141,7 @@ void seed_border(const SizeSampler& size, const BccPatches& patches, uint64_t va
 
 Seeds seed_particles(const SizingField& field, const SizeSampler& size, uint64_t variation, const Run& run)
 {
-    refuse_too_many(kParticleDensity[3] * sizing_charge(field));
+    refuse_too_many(expected_particles(field));
     const BccPatches patches = constant_size_patches(field, size, run);
     Seeds seeds;
     add_corners(size.extent(), seeds.particles);
