@@ -72,7 +72,6 @@ TetMesh particle_background(const SizingField& field, const ParticleOptions& opt
         const StageTimer timer(run, "background.delaunay");
         mesh.tets = delaunay(mesh.points, run);
     }
-    const StageTimer timer(run, "background.repair_all");
     repair(mesh, RepairOptions{}, run);
     return mesh;
 }

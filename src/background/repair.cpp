@@ -17,6 +17,8 @@ namespace
 
 // The sweep mends most of what is better than this, and may leave a tetrahedron as bad as this.
 constexpr double kSweepAngle = 22;  // degrees
+// Points whose tetrahedra are all better than this have no need of it.
+constexpr double kGoodAngle = 38;  // degrees
 
 double sine(double degrees) { return std::sin(degrees * M_PI / 180); }
 
@@ -24,7 +26,7 @@ class Repair
 {
 public:
     Repair(TetMesh& mesh, const RepairOptions& options, const Run& run)
-        : run_(run), options_(options), mesh_(std::move(mesh.points), std::move(mesh.tets), {})
+        : run_(run), options_(options), mesh_(std::move(mesh.points), std::move(mesh.tets), {}, run)
     {
     }
 
@@ -33,9 +35,11 @@ public:
     {
         improve_bad(std::min(kSweepAngle, options_.target_angle), false, 0.1);
         for (int sweep = 0; sweep < options_.sweeps; ++sweep)
-            smooth_everywhere();
+            smooth_poor();
         improve_bad(options_.target_angle, true, 0.6);
     }
+
+    const LocalMesh& mesh() const { return mesh_; }
 
     TetMesh take()
     {
@@ -47,7 +51,7 @@ private:
     void improve_bad(double angle, bool with_smoothing, double progress);
     bool flip(int32_t t);
     bool smooth_corners(int32_t t, double target);
-    void smooth_everywhere();
+    void smooth_poor();
     void move_to_centroid(int32_t v, const Mat3& tangent);
 
     const Run& run_;
@@ -112,13 +116,17 @@ bool Repair::smooth_corners(int32_t t, double target)
     return moved;
 }
 
-// One Gauss-Seidel sweep towards the centroids of the stars. In a mesh of the wanted sizes every tetrahedron weighs the
-// same: a volume over the wanted volume is about one.
-void Repair::smooth_everywhere()
+// One Gauss-Seidel sweep of points of poor tetrahedra towards the centroids of their stars. In a mesh of the wanted
+// sizes every tetrahedron weighs the same: a volume over the wanted volume is about one.
+void Repair::smooth_poor()
 {
+    const double good = sine(kGoodAngle);
     for (int32_t v = 0; v < mesh_.point_count(); ++v) {
         if (v % 2048 == 0)
             run_.report(0.2 + 0.4 * v / mesh_.point_count(), "background repair");
+        const auto star = mesh_.star(v);
+        if (std::all_of(star.begin(), star.end(), [&](int32_t t) { return mesh_.quality(t) >= good; }))
+            continue;
         const Mat3 tangent = free_axes(mesh_.frozen(v));
         if (!tangent.isZero())
             move_to_centroid(v, tangent);
@@ -152,11 +160,11 @@ void repair(TetMesh& mesh, const RepairOptions& options, const Run& run)
 {
     const StageTimer timer(run, "background.repair");
     run.report(0, "background repair");
-    note_angles(mesh.points, mesh.tets, "background.repair", "before", run);
     Repair repair(mesh, options, run);
+    note_angles(repair.mesh(), "background.repair", "before", run);
     repair.work();
+    note_angles(repair.mesh(), "background.repair", "after", run);
     mesh = repair.take();
-    note_angles(mesh.points, mesh.tets, "background.repair", "after", run);
     run.report(1, "background repair");
 }
 

@@ -3,10 +3,11 @@
 #include "base/parallel.hpp"
 #include "base/stage_timer.hpp"
 #include "mesh/adjacency.hpp"
-#include "mesh/interfaces.hpp"
 #include "mesh/smoothing.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace cleft
@@ -20,10 +21,20 @@ namespace
 constexpr double kReach = 0.3;
 // Steps of the search, in the least voxel spacing: label indicators are flat further away than that.
 constexpr double kStep = 0.4;
-constexpr double kCentroidShare = 0.75, kCornerShare = 1 / 12.0;
-// The second round makes good what the guard of the first held back at a neighbour.
-constexpr int kRounds = 2;
+constexpr double kCentroidShare = 0.75;
+// Smaller moves are not worth their price, in lengths of the root of the area around.
+constexpr double kLeastMove = 5e-4;
+// Later rounds make good at neighbours what a point could not give.
+constexpr int kRounds = 4;
+// Directions in which the triangles at a point ask for less than this share of what they ask in the strongest are along
+// the interface.
+constexpr double kLeastShare = 0.2;
+// A point that cannot go further than this share of its way stays.
+constexpr double kLeastGrant = 0.1;
 constexpr int64_t kGrain = 2048;
+constexpr int32_t kTetsACheck = 1 << 16, kPointsACheck = 1 << 12;  // between two looks for a cancel
+
+constexpr Material kNone = -1, kSeveral = -2;
 
 // By how much the first material of a pair leads the second at a point; not ok if a third one wins there.
 struct Lead {
@@ -67,99 +78,138 @@ double height_of_tie(const Volume& volume, const Vec3& x, const Vec3& normal, co
     return 0;
 }
 
-// What the triangles at a point ask of it.
-struct Wish {
-    Vec3 normal = Vec3::Zero();  // sum of area normals
-    double height = 0;           // sum of area times mean height
-    double area = 0;
-    int32_t pair = -1;  // of its triangles; -2: of several pairs
+// A triangle of an interface; its corners wind so that the normal looks from the first material to the second.
+struct InterfaceTriangle {
+    std::array<int32_t, 3> corners;
+    std::array<Material, 2> pair;  // ascending
+    double height = 0;             // mean height of the tie above the triangle as it was found
 };
 
-// Mean height of the interface above each triangle. `offset`: how far each point was moved off the tie before.
-// A quadratic function has the mean  3/4 centroid + 1/12 sum of corners  over a triangle.
-std::vector<double> mean_heights(const LocalMesh& mesh, const Interfaces& interfaces, const std::vector<double>& offset,
-                                 const Volume& volume, const Run& run)
+// Only tetrahedra with three points of interfaces can have a triangle in one.
+std::vector<InterfaceTriangle> find_triangles(const LocalMesh& mesh, const Run& run)
+{
+    std::vector<Material> only(static_cast<size_t>(mesh.point_count()), kNone);
+    for (int32_t t = 0; t < mesh.slot_count(); ++t)
+        for (const int32_t v : mesh.tet(t)) {
+            Material& m = only[static_cast<size_t>(v)];
+            m = m == kNone || m == mesh.material(t) ? mesh.material(t) : kSeveral;
+        }
+    std::vector<InterfaceTriangle> triangles;
+    for (int32_t t = 0; t < mesh.slot_count(); ++t) {
+        if (t % kTetsACheck == 0)
+            run.report(0.2 * t / mesh.slot_count(), "fitting volumes");
+        const Tet& corners = mesh.tet(t);
+        for (int face = 0; face < 4; ++face) {
+            const auto& f = kFaceCorners[face];
+            const std::array<int32_t, 3> points{corners[static_cast<size_t>(f[0])], corners[static_cast<size_t>(f[1])],
+                                                corners[static_cast<size_t>(f[2])]};
+            if (std::any_of(points.begin(), points.end(),
+                            [&](int32_t v) { return only[static_cast<size_t>(v)] != kSeveral; }))
+                continue;
+            const int32_t behind = mesh.neighbour(t, face);
+            if (behind >= 0 && mesh.material(t) < mesh.material(behind))
+                triangles.push_back({points, {mesh.material(t), mesh.material(behind)}});
+        }
+    }
+    return triangles;
+}
+
+// A quadratic function that is zero at the corners has 3/4 of its value at the centroid as its mean over the triangle.
+void find_heights(const LocalMesh& mesh, const Volume& volume, std::vector<InterfaceTriangle>& triangles,
+                  const Run& run)
 {
     const double step = kStep * volume.grid().spacing.minCoeff();
-    std::vector<double> heights(interfaces.triangles.size());
-    parallel_for(run, static_cast<int64_t>(heights.size()), kGrain, [&](int64_t begin, int64_t end) {
+    parallel_for(run, static_cast<int64_t>(triangles.size()), kGrain, [&](int64_t begin, int64_t end) {
         Samples samples;
         for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
-            const Triangle& t = interfaces.triangles[i];
-            const Vec3& a = mesh.point(t[0]);
-            const Vec3& b = mesh.point(t[1]);
-            const Vec3& c = mesh.point(t[2]);
+            InterfaceTriangle& t = triangles[i];
+            const Vec3 &a = mesh.point(t.corners[0]), &b = mesh.point(t.corners[1]), &c = mesh.point(t.corners[2]);
             const Vec3 normal = (b - a).cross(c - a).normalized();
             const double edge =
                 std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
-            heights[i] = kCentroidShare * height_of_tie(volume, (a + b + c) / 3, normal, interfaces.pairs[i],
-                                                        kReach * edge, step, samples);
-            for (const int32_t v : t)
-                heights[i] -= kCornerShare * offset[static_cast<size_t>(v)];
+            t.height =
+                kCentroidShare * height_of_tie(volume, (a + b + c) / 3, normal, t.pair, kReach * edge, step, samples);
         }
     });
-    return heights;
 }
 
-std::vector<Wish> wishes(const LocalMesh& mesh, const Interfaces& interfaces, const std::vector<double>& heights)
+// What the triangles at a point ask of it: to move by their heights along their normals.
+struct Wish {
+    Mat3 normals = Mat3::Zero();  // sum of area n n^T
+    Vec3 heights = Vec3::Zero();  // sum of area height n
+    double area = 0;
+};
+
+// `moved`: where each point has been moved from its place on the tie.
+std::vector<Wish> wishes(const LocalMesh& mesh, const std::vector<InterfaceTriangle>& triangles,
+                         const std::vector<Vec3>& moved)
 {
     std::vector<Wish> out(static_cast<size_t>(mesh.point_count()));
-    int32_t pair = -1;
-    for (size_t i = 0; i < interfaces.triangles.size(); ++i) {
-        if (i == 0 || interfaces.pairs[i] != interfaces.pairs[i - 1])
-            ++pair;  // triangles come sorted by pair
-        const Triangle& t = interfaces.triangles[i];
-        const Vec3& a = mesh.point(t[0]);
-        const Vec3 normal = 0.5 * (mesh.point(t[1]) - a).cross(mesh.point(t[2]) - a);
-        for (const int32_t v : t) {
+    for (const InterfaceTriangle& t : triangles) {
+        const Vec3& a = mesh.point(t.corners[0]);
+        const Vec3 twice = (mesh.point(t.corners[1]) - a).cross(mesh.point(t.corners[2]) - a);
+        const double area = 0.5 * twice.norm();
+        const Vec3 normal = twice.normalized();
+        double height = t.height;
+        for (const int32_t v : t.corners)
+            height -= moved[static_cast<size_t>(v)].dot(normal) / 3;
+        for (const int32_t v : t.corners) {
             Wish& wish = out[static_cast<size_t>(v)];
-            wish.normal += normal;
-            wish.area += normal.norm();
-            wish.height += normal.norm() * heights[i];
-            wish.pair = wish.pair == -1 || wish.pair == pair ? pair : -2;
+            wish.normals += area * normal * normal.transpose();
+            wish.heights += area * height * normal;
+            wish.area += area;
         }
     }
     return out;
 }
 
-// The move that gives the wish along the free axes; zero where there is none.
+// The shortest move that grants the wish best (least squares), along the free axes: one direction on a smooth
+// interface, two on a line where interfaces meet, three in a corner. Zero if it is not worth while.
 Vec3 move_of(const Wish& wish, uint8_t frozen)
 {
-    if (wish.pair < 0 || wish.area <= 0 || wish.normal.norm() < 0.5 * wish.area)  // a fold or a cone has no normal
+    if (wish.heights.squaredNorm() < kLeastMove * kLeastMove * wish.area * wish.area * wish.area)
         return Vec3::Zero();
-    Vec3 along = wish.normal.normalized();
-    for (int axis = 0; axis < 3; ++axis)
-        if (frozen >> axis & 1)
-            along[axis] = 0;
-    const double free = along.squaredNorm();
-    return free < 0.25 ? Vec3(Vec3::Zero()) : Vec3(along * (wish.height / wish.area / free));
+    const Mat3 free = free_axes(frozen);
+    Eigen::SelfAdjointEigenSolver<Mat3> eigen;
+    eigen.computeDirect(free * wish.normals * free);
+    const Vec3 heights = free * wish.heights;
+    const double strongest = eigen.eigenvalues()[2];
+    if (!(strongest > kLeastShare * wish.area))  // across the wall
+        return Vec3::Zero();
+    Vec3 move = Vec3::Zero();
+    for (int i = 0; i < 3; ++i)
+        if (eigen.eigenvalues()[i] > kLeastShare * strongest) {
+            const Vec3 direction = eigen.eigenvectors().col(i);
+            move += direction.dot(heights) / eigen.eigenvalues()[i] * direction;
+        }
+    return free * move;
 }
 
 // Moves points one after the other, as far as the shapes around allow. Returns the number that could not move.
-int64_t grant(const std::vector<Wish>& wanted, double floor, LocalMesh& mesh, std::vector<double>& offset,
-              const Run& run)
+int64_t grant(const std::vector<Wish>& wanted, double floor, LocalMesh& mesh, std::vector<Vec3>& moved, const Run& run)
 {
     Star star;
     int64_t held = 0;
     for (int32_t v = 0; v < mesh.point_count(); ++v) {
-        if (v % 4096 == 0)
+        if (v % kPointsACheck == 0)
             run.check();
-        const Wish& wish = wanted[static_cast<size_t>(v)];
-        const Vec3 move = move_of(wish, mesh.frozen(v));
+        const Vec3 move = move_of(wanted[static_cast<size_t>(v)], mesh.frozen(v));
         if (move.isZero(0))
             continue;
         star.load(mesh, v);
         const Vec3 from = mesh.point(v);
-        const double allowed = std::min(floor, star.worst_at(from, -1));
-        double share = allowed > 0 ? 1 : 0;
-        while (share > 0.2 && star.worst_at(from + share * move, -1) < allowed)
-            share *= 0.5;
-        if (share <= 0.2) {
+        double share = 1;
+        if (star.worst_at(from + move, floor) <= floor) {
+            const double allowed = std::min(floor, star.worst_at(from, -1));
+            while (share > kLeastGrant && !(allowed > 0 && star.worst_at(from + share * move, -1) >= allowed))
+                share *= 0.5;
+        }
+        if (share <= kLeastGrant) {
             ++held;
             continue;
         }
         mesh.move(v, from + share * move);
-        offset[static_cast<size_t>(v)] += share * move.dot(wish.normal.normalized());
+        moved[static_cast<size_t>(v)] += share * move;
     }
     return held;
 }
@@ -172,15 +222,15 @@ void fit_volumes(LabelledMesh& mesh, const Volume& volume, double least_angle, c
         return;
     const StageTimer timer(run, "fitting");
     run.report(0, "fitting volumes");
-    // Sides of the box do not matter here: frozen axes hold the points of the hull.
-    const Interfaces interfaces = extract_interfaces(mesh, Vec3::Zero(), volume.grid().extent(), run);
-    LocalMesh local(std::move(mesh.points), std::move(mesh.tets), std::move(mesh.material));
-    std::vector<double> offset(static_cast<size_t>(local.point_count()), 0.0);
+    LocalMesh local(std::move(mesh.points), std::move(mesh.tets), std::move(mesh.material), run);
+    std::vector<InterfaceTriangle> triangles = find_triangles(local, run);
+    run.report(0.3, "fitting volumes");
+    find_heights(local, volume, triangles, run);
+    const double floor = std::sin(least_angle * M_PI / 180);
+    std::vector<Vec3> moved(static_cast<size_t>(local.point_count()), Vec3(0, 0, 0));
     for (int round = 0; round < kRounds; ++round) {
-        run.report(0.3 + 0.3 * round, "fitting volumes");
-        const std::vector<double> heights = mean_heights(local, interfaces, offset, volume, run);
-        const int64_t held =
-            grant(wishes(local, interfaces, heights), std::sin(least_angle * M_PI / 180), local, offset, run);
+        run.report(0.6 + 0.4 * round / kRounds, "fitting volumes");
+        const int64_t held = grant(wishes(local, triangles, moved), floor, local, moved, run);
         run.note("fitting.held", static_cast<double>(held));
     }
     mesh = local.take();

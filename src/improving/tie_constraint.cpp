@@ -5,29 +5,30 @@
 namespace cleft
 {
 
-void TieConstraint::set(const LocalMesh& mesh, const std::vector<int32_t>& tets, const Vec3& home, uint8_t frozen,
-                        double reach, double tolerance)
+void TieConstraint::set(const LocalMesh& mesh, const std::vector<int32_t>& tets, const Vec3& x, const Vec3& home,
+                        uint8_t frozen, double reach, double tolerance)
 {
     materials_ = MaterialSet();
     too_many_ = false;
     for (const int32_t t : tets)
         too_many_ = !materials_.unite(MaterialSet(mesh.material(t))) || too_many_;
+    home_ = home;
     frozen_ = frozen;
     reach_ = reach;
     tolerance_ = tolerance;
     tangent_ = free_axes(frozen);
     if (materials_.size() > 1 && tolerance == 0)
-        find_tangent(home);
+        find_tangent(x);
 }
 
 // Takes the gradients of the differences of the indicators out of the free directions, one after the other.
-void TieConstraint::find_tangent(const Vec3& home)
+void TieConstraint::find_tangent(const Vec3& x)
 {
     if (too_many_ || materials_.size() > 3) {
         tangent_.setZero();
         return;
     }
-    volume_.sample_gradient(home, samples_);
+    volume_.sample_gradient(x, samples_);
     const auto gradient = [&](Material m) {
         const int i = samples_.find(m);
         return i < 0 ? Vec3(0, 0, 0) : samples_.gradient[static_cast<size_t>(i)];
@@ -47,12 +48,14 @@ bool TieConstraint::project(Vec3& x)
 {
     if (materials_.size() < 2)
         return true;
-    const auto on_tie = project_to_tie(volume_, x, x, materials_, frozen_, 0.5 * reach_, samples_);
-    if (!on_tie)
+    const auto on_tie =
+        too_many_ ? std::nullopt : project_to_tie(volume_, x, x, materials_, frozen_, 0.5 * reach_, samples_);
+    if (!on_tie && tolerance_ == 0)
         return false;
-    const Vec3 off = x - *on_tie;
-    const double distance = off.norm();
-    x = distance > tolerance_ ? Vec3(*on_tie + (tolerance_ / distance) * off) : x;
+    const Vec3 middle = on_tie.value_or(home_);
+    const double distance = (x - middle).norm();
+    if (distance > tolerance_)
+        x = middle + (tolerance_ / distance) * (x - middle);
     return true;
 }
 

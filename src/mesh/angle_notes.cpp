@@ -12,39 +12,50 @@ namespace
 {
 
 constexpr double kCountBelow[] = {10, 15, 20, 25};
+constexpr int32_t kTetsACheck = 1 << 16;  // between two looks for a cancel
+
+double sine(double degrees) { return std::sin(degrees * M_PI / 180); }
 
 struct AngleSummary {
     double least = 180, greatest = 0;
     int64_t below[4] = {0, 0, 0, 0};
+    int64_t tets = 0;
+    // No angle of a tetrahedron of this quality can change the summary any more.
+    double of_no_interest = 2;
 
-    void add(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
+    void add(const LocalMesh& mesh, int32_t t)
     {
-        // No angle of the tetrahedron is nearer to 0 or 180 degrees than this; most need no closer look.
-        const double bound = std::asin(std::clamp(least_sine(a, b, c, d), 0.0, 1.0)) * 180 / M_PI;
-        if (bound >= kCountBelow[3] && bound >= least && 180 - bound <= greatest)
+        ++tets;
+        if (mesh.quality(t) > of_no_interest)
             return;
-        const auto angles = dihedral_angles(a, b, c, d);
+        const Tet& v = mesh.tet(t);
+        const auto angles = dihedral_angles(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]));
         const auto [low, high] = std::minmax_element(angles.begin(), angles.end());
         least = std::min(least, *low);
         greatest = std::max(greatest, *high);
         for (size_t i = 0; i < 4; ++i)
             below[i] += *low < kCountBelow[i];
+        // The quality is at most the sine of every angle.
+        const double nearest = std::max({kCountBelow[3], std::min(least, 90.0), 180 - std::max(greatest, 90.0)});
+        of_no_interest = sine(nearest) * (1 + 1e-12);
     }
 };
 
 }  // namespace
 
-void note_angles(const std::vector<Vec3>& points, const std::vector<Tet>& tets, const std::string& prefix,
-                 const std::string& when, const Run& run)
+void note_angles(const LocalMesh& mesh, const std::string& prefix, const std::string& when, const Run& run)
 {
     if (!run.metrics)
         return;
     AngleSummary summary;
-    const auto point = [&](int32_t v) -> const Vec3& { return points[static_cast<size_t>(v)]; };
-    for (const Tet& t : tets)
-        summary.add(point(t[0]), point(t[1]), point(t[2]), point(t[3]));
+    for (int32_t t = 0; t < mesh.slot_count(); ++t)
+        if (mesh.alive(t)) {
+            if (t % kTetsACheck == 0)
+                run.check();
+            summary.add(mesh, t);
+        }
     const auto note = [&](const char* name, double value) { run.note(prefix + "." + name + "_" + when, value); };
-    note("tets", static_cast<double>(tets.size()));
+    note("tets", static_cast<double>(summary.tets));
     note("min_angle", summary.least);
     note("max_angle", summary.greatest);
     note("below_10", static_cast<double>(summary.below[0]));

@@ -16,6 +16,9 @@ struct Cavity {
     std::vector<Tet> new_tets;
     std::vector<Material> new_materials;
     std::vector<int32_t> created;  // after the operation: the numbers of the new tetrahedra
+    // What was taken out, to take the operation back.
+    std::vector<Tet> taken_tets;
+    std::vector<Material> taken_materials;
 
     void clear()
     {
@@ -29,7 +32,18 @@ struct Cavity {
         new_tets.push_back(tet);
         new_materials.push_back(material);
     }
-    void apply(LocalMesh& mesh) { mesh.replace(old_tets, new_tets, new_materials, created); }
+    void apply(LocalMesh& mesh)
+    {
+        taken_tets.clear();
+        taken_materials.clear();
+        for (const int32_t t : old_tets) {
+            taken_tets.push_back(mesh.tet(t));
+            taken_materials.push_back(mesh.material(t));
+        }
+        mesh.replace(old_tets, new_tets, new_materials, created);
+    }
+    // As long as nothing but points has changed since. The tetrahedra get new numbers, those in `old_tets`.
+    void undo(LocalMesh& mesh) { mesh.replace(created, taken_tets, taken_materials, old_tets); }
 };
 
 }  // namespace cleft

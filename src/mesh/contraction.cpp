@@ -36,14 +36,15 @@ bool Contraction::BoundaryStar::has(const Opposite& triangle) const
     return std::binary_search(triangles.begin(), triangles.end(), triangle);
 }
 
-bool Contraction::contract(LocalMesh& mesh, int32_t t, int corner_gone, int corner_kept, Cavity& cavity)
+bool Contraction::contract(LocalMesh& mesh, int32_t t, int corner_gone, int corner_kept, Cavity& cavity, double share)
 {
     gone_ = mesh.tet(t)[at(corner_gone)];
     kept_ = mesh.tet(t)[at(corner_kept)];
     if (!hull_allows(mesh))
         return false;
-    mesh.star(gone_, star_gone_);
-    if (!same_stratum(mesh) || !shapes_get_better(mesh, cavity) || !materials_are_connected(mesh) || !links_allow(mesh))
+    star_gone_.assign(mesh.star(gone_).begin(), mesh.star(gone_).end());
+    if (!same_stratum(mesh) || !shapes_get_better(mesh, cavity, share) || !materials_are_connected(mesh) ||
+        !links_allow(mesh))
         return false;
     cavity.apply(mesh);
     return true;
@@ -61,9 +62,9 @@ bool Contraction::hull_allows(const LocalMesh& mesh) const
     return true;
 }
 
-bool Contraction::shapes_get_better(LocalMesh& mesh, Cavity& cavity) const
+bool Contraction::shapes_get_better(LocalMesh& mesh, Cavity& cavity, double share) const
 {
-    const double floor = std::max(mesh.worst(star_gone_), kLeastSine);
+    const double floor = std::max(share * mesh.worst(star_gone_), kLeastSine);
     cavity.clear();
     for (const int32_t t : star_gone_) {
         Tet tet = mesh.tet(t);
@@ -171,7 +172,7 @@ bool Contraction::links_allow(LocalMesh& mesh)
 {
     if (at_point_.size() == 1)
         return true;
-    mesh.star(kept_, star_kept_);
+    star_kept_.assign(mesh.star(kept_).begin(), mesh.star(kept_).end());
     load_boundary(mesh, gone_, star_gone_, boundary_gone_);
     load_boundary(mesh, kept_, star_kept_, boundary_kept_);
     int lines = 0;

@@ -12,8 +12,9 @@ class Contraction
 {
 public:
     // Moves the first corner of t onto the second and takes out the tetrahedra between, if that is allowed and makes
-    // the worst tetrahedron at the first corner better. What came in their place is in cavity.created.
-    bool contract(LocalMesh& mesh, int32_t t, int corner_gone, int corner_kept, Cavity& cavity);
+    // the worst tetrahedron at the first corner better (than `share` of its quality). What came in their place is in
+    // cavity.created.
+    bool contract(LocalMesh& mesh, int32_t t, int corner_gone, int corner_kept, Cavity& cavity, double share = 1);
 
 private:
     // A boundary triangle (of an interface or the hull) at a point, by its two other points in ascending order.
@@ -32,7 +33,7 @@ private:
     };
 
     bool hull_allows(const LocalMesh& mesh) const;
-    bool shapes_get_better(LocalMesh& mesh, Cavity& cavity) const;
+    bool shapes_get_better(LocalMesh& mesh, Cavity& cavity, double share) const;
     bool same_stratum(const LocalMesh& mesh);
     bool materials_are_connected(LocalMesh& mesh);
     bool links_allow(LocalMesh& mesh);

@@ -142,7 +142,7 @@ bool lone_tets_are_backed(const LocalMesh& mesh, const EdgeRing& ring, const std
 
 }  // namespace
 
-bool remove_edge(LocalMesh& mesh, int32_t t, int corner_a, int corner_b, double bend, Cavity& cavity)
+bool remove_edge(LocalMesh& mesh, int32_t t, int corner_a, int corner_b, double bend, Cavity& cavity, double share)
 {
     EdgeRing& ring = cavity.ring;
     mesh.ring(t, corner_a, corner_b, ring);
@@ -152,7 +152,7 @@ bool remove_edge(LocalMesh& mesh, int32_t t, int corner_a, int corner_b, double 
         !boundary_stays(mesh, ring, arcs, arc_count, bend) ||
         !lone_tets_are_backed(mesh, ring, arcs, arc_count, cavity.other_ring))
         return false;
-    const double floor = std::max(mesh.worst(ring.tets), kLeastSine);
+    const double floor = std::max(share * mesh.worst(ring.tets), kLeastSine);
     std::array<ArcTriangulation, 2> triangulations;
     for (size_t k = 0; k < arc_count; ++k)
         if (triangulations[k].solve(mesh, ring.a, ring.b, arcs[k], floor) <= floor)
@@ -165,7 +165,7 @@ bool remove_edge(LocalMesh& mesh, int32_t t, int corner_a, int corner_b, double 
     return true;
 }
 
-bool remove_face(LocalMesh& mesh, int32_t t, int corner, Cavity& cavity)
+bool remove_face(LocalMesh& mesh, int32_t t, int corner, Cavity& cavity, double share)
 {
     if (mesh.is_boundary(t, corner))
         return false;
@@ -176,7 +176,7 @@ bool remove_face(LocalMesh& mesh, int32_t t, int corner, Cavity& cavity)
                   z = v[at(kFaceCorners[corner][2])];
     const Tet& w = mesh.tet(n);
     const int32_t b = w[0] ^ w[1] ^ w[2] ^ w[3] ^ x ^ y ^ z;
-    const double old_worst = std::max(std::min(mesh.quality(t), mesh.quality(n)), kLeastSine);
+    const double old_worst = std::max(share * std::min(mesh.quality(t), mesh.quality(n)), kLeastSine);
     const std::array<Tet, 3> made{Tet{a, b, x, y}, Tet{a, b, y, z}, Tet{a, b, z, x}};
     for (const Tet& tet : made)
         if (mesh.quality(tet) <= old_worst)

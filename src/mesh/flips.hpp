@@ -7,13 +7,13 @@ namespace cleft
 {
 
 // Edge removal: takes out the edge between two corners of t and fills its ring with the best of all triangulations
-// (Klincsek's dynamic programming), if that makes the worst tetrahedron better. Contains the 3-2 and 4-4 flips and, in
-// a plane of the hull, the 2-2 flip. An edge in the interface of two materials is taken out too if the two interface
-// triangles at it are flat within `bend` (the distance that the interface moves).
-bool remove_edge(LocalMesh& mesh, int32_t t, int corner_a, int corner_b, double bend, Cavity& cavity);
+// (Klincsek's dynamic programming), if that makes the worst tetrahedron better (than `share` of its quality). Contains
+// the 3-2 and 4-4 flips and, in a plane of the hull, the 2-2 flip. An edge in the interface of two materials is taken
+// out too if the two interface triangles at it are flat within `bend` (the distance that the interface moves).
+bool remove_edge(LocalMesh& mesh, int32_t t, int corner_a, int corner_b, double bend, Cavity& cavity, double share = 1);
 
 // The 2-3 flip: takes out the face opposite `corner` of t and joins the two points at its sides, if that makes the
-// worst tetrahedron better.
-bool remove_face(LocalMesh& mesh, int32_t t, int corner, Cavity& cavity);
+// worst tetrahedron better (than `share` of its quality).
+bool remove_face(LocalMesh& mesh, int32_t t, int corner, Cavity& cavity, double share = 1);
 
 }  // namespace cleft

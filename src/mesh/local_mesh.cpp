@@ -10,20 +10,90 @@ namespace cleft
 namespace
 {
 
+constexpr int32_t kPointsACheck = 1 << 14;  // between two looks for a cancel
+
+constexpr double kUnknown = 2;  // no quality
+
 size_t at(int32_t i) { return static_cast<size_t>(i); }
+
+bool has_corner(const Tet& t, int32_t v) { return t[0] == v || t[1] == v || t[2] == v || t[3] == v; }
+
+// The other two corners of a tetrahedron at the edge a b, in the order that makes a, b, c, d positive.
+Hinge hinge(const Tet& v, int32_t t, int32_t a, int32_t b)
+{
+    for (size_t e = 0; e < 6; ++e) {
+        const int32_t from = v[at(kEdgeCorners[e][0])], to = v[at(kEdgeCorners[e][1])];
+        if (!((from == a && to == b) || (from == b && to == a)))
+            continue;
+        // (edge, opposite) is an even permutation of the corners for every edge but (0, 2) and (1, 3).
+        const bool even = e != 1 && e != 4;
+        const int32_t c = v[at(kEdgeOpposite[e][even ? 0 : 1])], d = v[at(kEdgeOpposite[e][even ? 1 : 0])];
+        return from == a ? Hinge{t, c, d} : Hinge{t, d, c};
+    }
+    return {t, -1, -1};
+}
 
 }  // namespace
 
-LocalMesh::LocalMesh(std::vector<Vec3> points, std::vector<Tet> tets, std::vector<Material> material)
-    : points_(std::move(points)), tets_(std::move(tets)), materials_(std::move(material))
+LocalMesh::LocalMesh(std::vector<Vec3> points, std::vector<Tet> tets, std::vector<Material> material, const Run& run)
+    : points_(std::move(points)),
+      tets_(std::move(tets)),
+      materials_(std::move(material)),
+      stars_(tets_, points_.size(), run),
+      quality_(tets_.size(), kUnknown)
 {
-    neighbours_ = tet_neighbours(tets_, static_cast<int64_t>(points_.size()));
-    frozen_ = frozen_axes(points_, tets_, neighbours_);
-    stamps_.assign(tets_.size(), 0);
-    tet_of_point_.assign(points_.size(), -1);
-    for (int32_t t = 0; t < slot_count(); ++t)
-        for (const int32_t v : tet(t))
-            tet_of_point_[at(v)] = t;
+    freeze_hull(run);
+}
+
+void LocalMesh::freeze_hull(const Run& run)
+{
+    frozen_.assign(points_.size(), 0);
+    std::vector<int32_t> mark(points_.size(), -1);
+    std::vector<uint8_t> inside(points_.size());
+    for (int32_t v = 0; v < point_count(); ++v) {
+        if (v % kPointsACheck == 0)
+            run.check();
+        inside[at(v)] = is_inside(v, mark);
+    }
+    for (int32_t v = 0; v < point_count(); ++v) {
+        if (inside[at(v)])
+            continue;
+        for (const int32_t t : star(v))
+            for (int corner = 0; corner < 4; ++corner) {
+                const auto& f = kFaceCorners[corner];
+                const int32_t a = tet(t)[at(f[0])], b = tet(t)[at(f[1])], c = tet(t)[at(f[2])];
+                if (v != std::min({a, b, c}) || inside[at(a)] || inside[at(b)] || inside[at(c)] ||
+                    neighbour(t, corner) >= 0)
+                    continue;
+                const unsigned axes = hull_axes(point(a), point(b), point(c));
+                for (const int32_t p : {a, b, c})
+                    frozen_[at(p)] = static_cast<uint8_t>(frozen_[at(p)] | axes);
+            }
+    }
+}
+
+// Euler's formula for the link of a point, a surface whose triangles are the faces opposite the point: a sphere of n
+// triangles has n / 2 + 2 vertices, any other link in space has more.
+bool LocalMesh::is_inside(int32_t v, std::vector<int32_t>& mark) const
+{
+    size_t vertices = 0;
+    for (const int32_t t : star(v))
+        for (const int32_t w : tet(t))
+            if (w != v && mark[at(w)] != v) {
+                mark[at(w)] = v;
+                ++vertices;
+            }
+    return 2 * vertices == star(v).size() + 4;
+}
+
+int32_t LocalMesh::neighbour(int32_t t, int corner) const
+{
+    const auto& f = kFaceCorners[corner];
+    const int32_t a = tet(t)[at(f[0])], b = tet(t)[at(f[1])], c = tet(t)[at(f[2])];
+    for (const int32_t n : star(a))
+        if (n != t && has_corner(tet(n), b) && has_corner(tet(n), c))
+            return n;
+    return -1;
 }
 
 bool LocalMesh::is_boundary(int32_t t, int corner) const
@@ -38,120 +108,58 @@ int LocalMesh::corner_of(int32_t t, int32_t v) const
     return static_cast<int>(std::find(corners.begin(), corners.end(), v) - corners.begin());
 }
 
-uint32_t LocalMesh::next_stamp()
-{
-    if (++stamp_ == 0) {
-        std::fill(stamps_.begin(), stamps_.end(), 0);
-        stamp_ = 1;
-    }
-    return stamp_;
-}
-
-void LocalMesh::star(int32_t v, std::vector<int32_t>& out)
-{
-    out.clear();
-    if (tet_of_point_[at(v)] < 0)
-        return;
-    const uint32_t stamp = next_stamp();
-    out.push_back(tet_of_point_[at(v)]);
-    stamps_[at(out[0])] = stamp;
-    for (size_t i = 0; i < out.size(); ++i) {
-        const int32_t t = out[i];
-        for (int corner = 0; corner < 4; ++corner) {
-            const int32_t n = neighbour(t, corner);
-            if (n >= 0 && stamps_[at(n)] != stamp && tet(t)[at(corner)] != v) {
-                stamps_[at(n)] = stamp;
-                out.push_back(n);
-            }
-        }
-    }
-}
-
 void LocalMesh::ring(int32_t t, int corner_a, int corner_b, EdgeRing& out) const
 {
     out.a = tet(t)[at(corner_a)];
     out.b = tet(t)[at(corner_b)];
-    const Hinge start = hinge(t, out.a, out.b);
-    out.closed = walk_ring(start, out);
-    if (out.closed)
-        return;
-    Hinge first = start;
-    for (Hinge h = start; h.tet >= 0; h = backward(h, out))
-        first = h;
-    walk_ring(first, out);
-}
-
-// Forward until the start comes back (true) or the hull is met (false).
-bool LocalMesh::walk_ring(const Hinge& first, EdgeRing& out) const
-{
+    auto& left = out.unordered;
+    left.clear();
+    for (const int32_t n : star(out.a))
+        if (has_corner(tet(n), out.b))
+            left.push_back(hinge(tet(n), n, out.a, out.b));
+    // It begins at the hinge that no other leads to, if there is one, else at t.
+    auto first = std::find_if(left.begin(), left.end(), [&](const Hinge& h) { return h.tet == t; });
+    for (auto h = left.begin(); h != left.end(); ++h)
+        if (std::none_of(left.begin(), left.end(), [&](const Hinge& before) { return before.d == h->c; }))
+            first = h;
     out.points.clear();
     out.tets.clear();
-    Hinge h = first;
-    while (true) {
-        out.points.push_back(h.c);
-        out.tets.push_back(h.tet);
-        const Hinge next = forward(h, out);
-        if (next.tet == first.tet)
-            return true;
-        if (next.tet < 0) {
-            out.points.push_back(h.d);
-            return false;
-        }
-        h = next;
+    const int32_t start = first->c;
+    int32_t end = start;
+    while (first != left.end()) {
+        out.points.push_back(first->c);
+        out.tets.push_back(first->tet);
+        end = first->d;
+        *first = left.back();
+        left.pop_back();
+        first = std::find_if(left.begin(), left.end(), [&](const Hinge& h) { return h.c == end; });
     }
+    out.closed = end == start;
+    if (!out.closed)
+        out.points.push_back(end);
 }
 
-// The corners c, d of t beside a and b, so that a, b, c, d are positively oriented.
-LocalMesh::Hinge LocalMesh::hinge(int32_t t, int32_t a, int32_t b) const
+void LocalMesh::move(int32_t v, const Vec3& to)
 {
-    const int ca = corner_of(t, a), cb = corner_of(t, b);
-    for (size_t e = 0; e < 6; ++e) {
-        const auto& edge = kEdgeCorners[e];
-        const auto& opposite = kEdgeOpposite[e];
-        const Tet& v = tet(t);
-        // (edge, opposite) is an even permutation of the corners for every edge but (0, 2) and (1, 3).
-        const bool even = e != 1 && e != 4;
-        const int32_t c = v[at(opposite[even ? 0 : 1])], d = v[at(opposite[even ? 1 : 0])];
-        if (edge[0] == ca && edge[1] == cb)
-            return {t, c, d};
-        if (edge[0] == cb && edge[1] == ca)
-            return {t, d, c};
-    }
-    return {-1, -1, -1};
-}
-
-LocalMesh::Hinge LocalMesh::forward(const Hinge& h, const EdgeRing& edge) const
-{
-    const int32_t n = neighbour(h.tet, corner_of(h.tet, h.c));
-    return n < 0 ? Hinge{-1, -1, -1} : Hinge{n, h.d, apex(n, edge.a, edge.b, h.d)};
-}
-
-LocalMesh::Hinge LocalMesh::backward(const Hinge& h, const EdgeRing& edge) const
-{
-    const int32_t n = neighbour(h.tet, corner_of(h.tet, h.d));
-    return n < 0 ? Hinge{-1, -1, -1} : Hinge{n, apex(n, edge.a, edge.b, h.c), h.c};
-}
-
-// The corner of t beside the face a, b, c.
-int32_t LocalMesh::apex(int32_t t, int32_t a, int32_t b, int32_t c) const
-{
-    const Tet& v = tet(t);
-    return v[0] ^ v[1] ^ v[2] ^ v[3] ^ a ^ b ^ c;
+    points_[at(v)] = to;
+    for (const int32_t t : star(v))
+        quality_[at(t)] = kUnknown;
 }
 
 int32_t LocalMesh::add_point(const Vec3& x, uint8_t frozen)
 {
     points_.push_back(x);
     frozen_.push_back(frozen);
-    tet_of_point_.push_back(-1);
+    stars_.add_point();
     return point_count() - 1;
 }
 
 void LocalMesh::replace(const std::vector<int32_t>& old_tets, const std::vector<Tet>& new_tets,
                         const std::vector<Material>& new_materials, std::vector<int32_t>& created)
 {
-    collect_cavity_faces(old_tets);
     for (const int32_t t : old_tets) {
+        for (const int32_t v : tet(t))
+            stars_.remove(v, t);
         tets_[at(t)][0] = -1;
         free_slots_.push_back(t);
     }
@@ -159,41 +167,13 @@ void LocalMesh::replace(const std::vector<int32_t>& old_tets, const std::vector<
     for (size_t i = 0; i < new_tets.size(); ++i) {
         const int32_t t = take_slot();
         tets_[at(t)] = new_tets[i];
-        neighbours_[at(t)] = {-1, -1, -1, -1};
+        quality_[at(t)] = kUnknown;
         if (!materials_.empty())
             materials_[at(t)] = new_materials[i];
         created.push_back(t);
-        for (int face = 0; face < 4; ++face)
-            add_face_slot(t, face);
         for (const int32_t v : new_tets[i])
-            tet_of_point_[at(v)] = t;
+            stars_.add(v, t);
     }
-    match_faces();
-}
-
-// The faces of the cavity as its outer neighbours see them. Its points are given a tetrahedron outside, if there is
-// one.
-void LocalMesh::collect_cavity_faces(const std::vector<int32_t>& old_tets)
-{
-    faces_.clear();
-    const uint32_t stamp = next_stamp();
-    for (const int32_t t : old_tets) {
-        stamps_[at(t)] = stamp;
-        for (const int32_t v : tet(t))
-            tet_of_point_[at(v)] = -1;
-    }
-    for (const int32_t t : old_tets)
-        for (int corner = 0; corner < 4; ++corner) {
-            const int32_t n = neighbour(t, corner);
-            if (n < 0 || stamps_[at(n)] == stamp)
-                continue;
-            const auto& around = neighbours_[at(n)];
-            const int face = static_cast<int>(std::find(around.begin(), around.end(), t) - around.begin());
-            neighbours_[at(n)][at(face)] = -1;
-            add_face_slot(n, face);
-            for (const int32_t v : faces_.back().corners)
-                tet_of_point_[at(v)] = n;
-        }
 }
 
 int32_t LocalMesh::take_slot()
@@ -204,41 +184,24 @@ int32_t LocalMesh::take_slot()
         return t;
     }
     tets_.emplace_back();
-    neighbours_.emplace_back();
-    stamps_.push_back(0);
+    quality_.push_back(kUnknown);
     if (!materials_.empty())
         materials_.push_back(0);
     return slot_count() - 1;
 }
 
-void LocalMesh::add_face_slot(int32_t t, int face)
-{
-    FaceSlot slot{{}, t, face};
-    for (size_t k = 0; k < 3; ++k)
-        slot.corners[k] = tet(t)[at(kFaceCorners[face][k])];
-    std::sort(slot.corners.begin(), slot.corners.end());
-    faces_.push_back(slot);
-}
-
-void LocalMesh::match_faces()
-{
-    std::sort(faces_.begin(), faces_.end(), [](const FaceSlot& p, const FaceSlot& q) { return p.corners < q.corners; });
-    for (size_t i = 0; i + 1 < faces_.size(); ++i) {
-        const FaceSlot &p = faces_[i], &q = faces_[i + 1];
-        if (p.corners == q.corners) {
-            neighbours_[at(p.tet)][at(p.face)] = q.tet;
-            neighbours_[at(q.tet)][at(q.face)] = p.tet;
-            ++i;
-        }
-    }
-}
-
 double LocalMesh::quality(const Tet& corners) const
 {
-    return least_sine(point(corners[0]), point(corners[1]), point(corners[2]), point(corners[3]));
+    return angle_quality(point(corners[0]), point(corners[1]), point(corners[2]), point(corners[3]));
 }
 
-double LocalMesh::quality(int32_t t) const { return quality(tet(t)); }
+double LocalMesh::quality(int32_t t) const
+{
+    double& known = quality_[at(t)];
+    if (known == kUnknown)
+        known = quality(tet(t));
+    return known;
+}
 
 double LocalMesh::worst(const std::vector<int32_t>& tets) const
 {
@@ -252,10 +215,10 @@ LabelledMesh LocalMesh::take()
 {
     LabelledMesh mesh;
     std::vector<int32_t> number(points_.size(), -1);
-    for (size_t v = 0; v < points_.size(); ++v)
-        if (tet_of_point_[v] >= 0) {
-            number[v] = static_cast<int32_t>(mesh.points.size());
-            mesh.points.push_back(points_[v]);
+    for (int32_t v = 0; v < point_count(); ++v)
+        if (!star(v).empty()) {
+            number[at(v)] = static_cast<int32_t>(mesh.points.size());
+            mesh.points.push_back(point(v));
         }
     size_t kept = 0;
     for (int32_t t = 0; t < slot_count(); ++t)

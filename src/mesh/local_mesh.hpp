@@ -2,10 +2,16 @@
 // with others. Repair (one material) and improving (many) work on it.
 #pragma once
 
+#include "mesh/point_stars.hpp"
 #include "mesh/tet_mesh.hpp"
 
 namespace cleft
 {
+
+// A tetrahedron at an edge a b: a, b, c, d are its corners, positively oriented.
+struct Hinge {
+    int32_t tet, c, d;
+};
 
 // The tetrahedra around an edge, in order: tets[i] has the corners a, b, points[i], points[i + 1], positively oriented.
 // A ring around an edge of the hull is open: its first and last point lie on the two hull faces at the edge.
@@ -14,6 +20,7 @@ struct EdgeRing {
     bool closed = true;
     std::vector<int32_t> points;
     std::vector<int32_t> tets;
+    std::vector<Hinge> unordered;  // room to work in
 
     size_t size() const { return points.size(); }
 };
@@ -22,7 +29,7 @@ class LocalMesh
 {
 public:
     // `material` may be empty: then every tetrahedron has material 0.
-    LocalMesh(std::vector<Vec3> points, std::vector<Tet> tets, std::vector<Material> material);
+    LocalMesh(std::vector<Vec3> points, std::vector<Tet> tets, std::vector<Material> material, const Run& run);
 
     int32_t point_count() const { return static_cast<int32_t>(points_.size()); }
     // Slots of tetrahedra, dead ones included.
@@ -32,30 +39,29 @@ public:
     const Vec3& point(int32_t v) const { return points_[static_cast<size_t>(v)]; }
     const Tet& tet(int32_t t) const { return tets_[static_cast<size_t>(t)]; }
     Material material(int32_t t) const { return materials_.empty() ? 0 : materials_[static_cast<size_t>(t)]; }
-    // Behind the face opposite `corner`; -1 on the hull.
-    int32_t neighbour(int32_t t, int corner) const
-    {
-        return neighbours_[static_cast<size_t>(t)][static_cast<size_t>(corner)];
-    }
-    // The tetrahedron behind the face is of another material, or there is none.
-    bool is_boundary(int32_t t, int corner) const;
     // Axes that the point must not move along (see frozen_axes in adjacency.hpp).
     uint8_t frozen(int32_t v) const { return frozen_[static_cast<size_t>(v)]; }
+
+    // The tetrahedra at a point. Valid until the mesh changes.
+    PointStars::Range star(int32_t v) const { return stars_.at(v); }
+    // Behind the face opposite `corner`; -1 on the hull.
+    int32_t neighbour(int32_t t, int corner) const;
+    // The tetrahedron behind the face is of another material, or there is none.
+    bool is_boundary(int32_t t, int corner) const;
     // The corner of t that is v.
     int corner_of(int32_t t, int32_t v) const;
-
-    // All tetrahedra at a point, one of them first.
-    void star(int32_t v, std::vector<int32_t>& out);
     // The ring around the edge between two corners of t.
     void ring(int32_t t, int corner_a, int corner_b, EdgeRing& out) const;
-    void move(int32_t v, const Vec3& to) { points_[static_cast<size_t>(v)] = to; }
+
+    void move(int32_t v, const Vec3& to);
     int32_t add_point(const Vec3& x, uint8_t frozen);
-    // Takes out `old_tets` and puts in `new_tets`, which must fill the same cavity; faces that match nothing become
-    // hull. The numbers of the new ones go to `created`.
+    // Takes out `old_tets` and puts in `new_tets`, which must fill the same cavity. The numbers of the new ones go to
+    // `created`.
     void replace(const std::vector<int32_t>& old_tets, const std::vector<Tet>& new_tets,
                  const std::vector<Material>& new_materials, std::vector<int32_t>& created);
 
-    // Least sine of the dihedral angles of a tetrahedron, and over several.
+    // See angle_quality: of a tetrahedron, and the least of several. What was found is kept, so that asking again costs
+    // nothing; not for several threads.
     double quality(int32_t t) const;
     double quality(const Tet& corners) const;
     double worst(const std::vector<int32_t>& tets) const;
@@ -64,38 +70,17 @@ public:
     LabelledMesh take();
 
 private:
-    struct FaceSlot {
-        std::array<int32_t, 3> corners;  // ascending
-        int32_t tet;
-        int32_t face;
-    };
-
-    // A tetrahedron of a ring: the corners a, b of the edge, c and d in this order are positively oriented.
-    struct Hinge {
-        int32_t tet, c, d;
-    };
-
-    Hinge hinge(int32_t t, int32_t a, int32_t b) const;
-    Hinge forward(const Hinge& h, const EdgeRing& edge) const;
-    Hinge backward(const Hinge& h, const EdgeRing& edge) const;
-    bool walk_ring(const Hinge& first, EdgeRing& out) const;
-    int32_t apex(int32_t t, int32_t a, int32_t b, int32_t c) const;
-    void collect_cavity_faces(const std::vector<int32_t>& old_tets);
+    void freeze_hull(const Run& run);
+    bool is_inside(int32_t v, std::vector<int32_t>& mark) const;
     int32_t take_slot();
-    void add_face_slot(int32_t t, int face);
-    void match_faces();
-    uint32_t next_stamp();
 
     std::vector<Vec3> points_;
     std::vector<Tet> tets_;
-    std::vector<std::array<int32_t, 4>> neighbours_;
     std::vector<Material> materials_;
+    PointStars stars_;
     std::vector<uint8_t> frozen_;
-    std::vector<int32_t> tet_of_point_;
     std::vector<int32_t> free_slots_;
-    std::vector<uint32_t> stamps_;  // of tetrahedra: visited in the walk `stamp_`
-    uint32_t stamp_ = 0;
-    std::vector<FaceSlot> faces_;
+    mutable std::vector<double> quality_;  // of each tetrahedron since it was last asked for; kUnknown after a change
 };
 
 }  // namespace cleft

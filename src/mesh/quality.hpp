@@ -16,6 +16,11 @@ inline double orient(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 // Least sine of the six dihedral angles (bounds the largest angle too); negative if inverted, 0 if flat.
 double least_sine(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
+// The measure that local operations raise: least sine of the six dihedral angles, that of an obtuse angle times
+// kObtuseWeight. 155 degrees are as bad as 20.
+inline constexpr double kObtuseWeight = 0.8092;  // a little below sin(20) / sin(25)
+double angle_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
 // The six dihedral angles in degrees, in the order of kEdgeCorners.
 std::array<double, 6> dihedral_angles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 

@@ -16,19 +16,20 @@ constexpr int kSteps = 4;         // directions tried for a point
 constexpr int kHalvings = 4;      // trial lengths for a direction
 constexpr double kActive = 0.03;  // tetrahedra this near to the worst are improved together
 constexpr double kLeastGain = 1e-4;
+constexpr double kExploredRadii[] = {0.25, 0.1, 0.04};
 constexpr double kLeastSlope = 1e-3;  // gain of quality for a typical edge length
 
 size_t at(int32_t i) { return static_cast<size_t>(i); }
 
 // The sine of the dihedral angle at the edge between two corners is
 //   s = D |e| / (|n| |m|),  D = det[b-a, c-a, d-a], n and m the doubled normals of the two faces at the edge,
-// so the least sine and its gradient come from one edge, the worst.
-struct SineGradient {
+// so the quality and its gradient come from one edge, the worst.
+struct QualityGradient {
     double value = 0;
     Vec3 gradient{0, 0, 0};  // with respect to corner 0
 };
 
-SineGradient least_sine_gradient(const Vec3& p0, const Vec3& p1, const Vec3& p2, const Vec3& p3)
+QualityGradient quality_gradient(const Vec3& p0, const Vec3& p1, const Vec3& p2, const Vec3& p3)
 {
     const Vec3* p[4] = {&p0, &p1, &p2, &p3};
     Vec3 normal[4];
@@ -43,13 +44,16 @@ SineGradient least_sine_gradient(const Vec3& p0, const Vec3& p1, const Vec3& p2,
     size_t worst = 6;
     for (size_t e = 0; e < 6; ++e) {
         const double length2 = (*p[kEdgeCorners[e][1]] - *p[kEdgeCorners[e][0]]).squaredNorm();
-        const double square = length2 / (normal2[kEdgeOpposite[e][0]] * normal2[kEdgeOpposite[e][1]]);
+        const int* faces = kEdgeOpposite[e];
+        const bool obtuse = normal[faces[0]].dot(normal[faces[1]]) > 0;
+        const double weight = obtuse ? kObtuseWeight * kObtuseWeight : 1;
+        const double square = weight * length2 / (normal2[faces[0]] * normal2[faces[1]]);
         if (worst == 6 || square < least) {
             least = square;
             worst = e;
         }
     }
-    SineGradient result;
+    QualityGradient result;
     result.value = det * std::sqrt(least);
     // Logarithmic derivatives; only terms with corner 0 count.
     Vec3 log_gradient = -normal[0] / det;
@@ -82,9 +86,9 @@ Mat3 free_axes(uint8_t frozen)
     return projector;
 }
 
-void Star::load(LocalMesh& mesh, int32_t v)
+void Star::load(const LocalMesh& mesh, int32_t v)
 {
-    mesh.star(v, tets_);
+    tets_.assign(mesh.star(v).begin(), mesh.star(v).end());
     opposite_.clear();
     for (const int32_t t : tets_)
         add(mesh, mesh.tet(t), mesh.corner_of(t, v));
@@ -127,7 +131,7 @@ double Star::worst_at(const Vec3& x, double floor) const
 {
     double worst = 1;
     for (const auto& o : opposite_) {
-        worst = std::min(worst, least_sine(x, o[0], o[1], o[2]));
+        worst = std::min(worst, angle_quality(x, o[0], o[1], o[2]));
         if (worst <= floor)
             return worst;
     }
@@ -139,7 +143,7 @@ void Star::gradients_at(const Vec3& x, std::vector<double>& quality, std::vector
     quality.clear();
     gradient.clear();
     for (const auto& o : opposite_) {
-        const SineGradient q = least_sine_gradient(x, o[0], o[1], o[2]);
+        const QualityGradient q = quality_gradient(x, o[0], o[1], o[2]);
         quality.push_back(q.value);
         gradient.push_back(q.gradient);
     }
@@ -208,6 +212,26 @@ bool Smoother::step(const Star& star, Place& place, const Mat3& tangent, const P
         }
     }
     return false;
+}
+
+Place Smoother::explore(const Star& star, const Vec3& x, const Mat3& tangent, const Projection& projection) const
+{
+    Place best{x, std::max(star.worst_at(x, -1), kLeastSine)};
+    const double reach = star.reach(x);
+    for (const double radius : kExploredRadii)
+        for (int code = 0; code < 27; ++code) {
+            const Vec3 along(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
+            const Vec3 shift = tangent * along;
+            if (shift.norm() < 0.1 * along.norm() || code == 13)
+                continue;
+            Vec3 trial = x + radius * reach * shift.normalized();
+            if (projection && !projection(trial))
+                continue;
+            const double worst = star.worst_at(trial, best.worst);
+            if (worst > best.worst + kLeastGain)
+                best = {trial, worst};
+        }
+    return best;
 }
 
 Place Smoother::climb(const Star& star, const Vec3& x, double target, const Mat3& tangent, const Projection& projection)

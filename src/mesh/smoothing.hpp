@@ -13,7 +13,7 @@ class Star
 {
 public:
     // The star of a point of the mesh.
-    void load(LocalMesh& mesh, int32_t v);
+    void load(const LocalMesh& mesh, int32_t v);
     // The star that a point put into an edge would have.
     void load(const LocalMesh& mesh, const EdgeRing& ring);
 
@@ -52,6 +52,10 @@ public:
     // Climbs from x, in the plane or line that `tangent` projects on, until the worst tetrahedron is as good as
     // `target` or cannot be made better; every trial position goes through `projection` if there is one.
     Place climb(const Star& star, const Vec3& x, double target, const Mat3& tangent, const Projection& projection);
+
+    // The best of a fixed set of places around x, up to half of the reach away: for stars where climbing ends on a
+    // ridge.
+    Place explore(const Star& star, const Vec3& x, const Mat3& tangent, const Projection& projection) const;
 
 private:
     Vec3 ascent_direction(double worst) const;

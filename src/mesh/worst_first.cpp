@@ -19,6 +19,15 @@ void WorstFirst::collect_all(const LocalMesh& mesh, double target)
     sort_list();
 }
 
+void WorstFirst::collect_left(const LocalMesh& mesh, double target)
+{
+    for (const Item& item : list_)
+        next_.push_back(item);
+    for (Item& item : next_)
+        item.tried = 0;
+    collect_next(mesh, target);
+}
+
 void WorstFirst::collect_next(const LocalMesh& mesh, double target)
 {
     // One item for each tetrahedron, the one that knows of the last try.
@@ -64,6 +73,12 @@ void WorstFirst::changed(const LocalMesh& mesh, const std::vector<int32_t>& tets
             changed_[static_cast<size_t>(v)] = now_;
         next_.push_back({0, t, 0});
     }
+}
+
+void WorstFirst::renumbered(const std::vector<int32_t>& tets)
+{
+    for (const int32_t t : tets)
+        next_.push_back({0, t, now_});
 }
 
 void WorstFirst::give_back(size_t i, bool in_vain)

@@ -12,6 +12,8 @@ class WorstFirst
 public:
     // Starts a search: every tetrahedron of the mesh with a quality below `target`.
     void collect_all(const LocalMesh& mesh, double target);
+    // Starts another search over what is left of the last one: all that was tried in vain may be tried again.
+    void collect_left(const LocalMesh& mesh, double target);
     // The next pass: those below the target that the last pass changed or gave back.
     void collect_next(const LocalMesh& mesh, double target);
 
@@ -22,6 +24,8 @@ public:
 
     // These are new or have been moved.
     void changed(const LocalMesh& mesh, const std::vector<int32_t>& tets);
+    // These took the place of others that were tried in vain.
+    void renumbered(const std::vector<int32_t>& tets);
     // Gives the i-th one back for the next pass. `in_vain`: it was tried and nothing helped.
     void give_back(size_t i, bool in_vain);
 

@@ -1,0 +1,169 @@
+#include "improving/improver.hpp"
+
+#include "mesh/adjacency.hpp"
+#include "mesh/edge_split.hpp"
+#include "mesh/flips.hpp"
+
+#include <algorithm>
+
+namespace cleft
+{
+
+namespace
+{
+
+// Dear operations are for a few: where a target is out of reach for many (random noise, an angle asked too much), only
+// the worst get them, one in so many tetrahedra of the mesh and some more.
+constexpr size_t kThoroughOneIn = 200, kThoroughAtLeast = 200;
+constexpr size_t kAttemptsOneIn = 10000, kAttemptsAtLeast = 20;
+
+}  // namespace
+
+Improver::Improver(LabelledMesh& mesh, const Volume& volume, double target, const Run& run)
+    : run_(run),
+      target_(target),
+      voxel_(volume.grid().spacing.minCoeff()),
+      mesh_(std::move(mesh.points), std::move(mesh.tets), std::move(mesh.material), run),
+      constraint_(volume)
+{
+    home_.reserve(static_cast<size_t>(mesh_.point_count()));
+    for (int32_t v = 0; v < mesh_.point_count(); ++v)
+        home_.push_back(mesh_.point(v));
+}
+
+void Improver::work(const Search& search)
+{
+    search_ = search;
+    if (started_)
+        bad_.collect_left(mesh_, target_);
+    else
+        bad_.collect_all(mesh_, target_);
+    started_ = true;
+    const auto tets = static_cast<size_t>(mesh_.slot_count());
+    const size_t most = search.thorough ? tets / kThoroughOneIn + kThoroughAtLeast : tets;
+    bool changed = true;
+    for (int pass = 0; pass < search.passes && changed; ++pass) {
+        changed = false;
+        attempts_left_ = search.compound ? tets / kAttemptsOneIn + kAttemptsAtLeast : 0;
+        for (size_t i = 0; i < bad_.size(); ++i) {
+            if (i % 16 == 0)
+                run_.report((pass + double(i) / double(bad_.size())) / search.passes, "improving");
+            const bool worth = i < most && bad_.worth_trying(mesh_, i, target_);
+            const bool done = worth && improve_tet(bad_[i]);
+            changed = changed || done;
+            bad_.give_back(i, worth && !done);
+        }
+        bad_.collect_next(mesh_, target_);
+    }
+}
+
+bool Improver::improve_tet(int32_t t)
+{
+    const bool moved = smooth_corners(t);
+    if (moved && mesh_.quality(t) >= target_)
+        return true;
+    if (change_connections(t) || moved)
+        return true;
+    if (attempts_left_ == 0)
+        return false;
+    --attempts_left_;
+    return rescue(t);
+}
+
+bool Improver::smooth_corners(int32_t t)
+{
+    bool moved = false;
+    const Tet corners = mesh_.tet(t);
+    for (const int32_t v : corners)
+        if (mesh_.quality(t) < target_ && smooth(v)) {
+            bad_.changed(mesh_, star_.tets());
+            moved = true;
+        }
+    return moved;
+}
+
+bool Improver::smooth(int32_t v)
+{
+    if (mesh_.frozen(v) == 7)
+        return false;
+    star_.load(mesh_, v);
+    const Place place = better_place(v);
+    if (place.x == mesh_.point(v))
+        return false;
+    mesh_.move(v, place.x);
+    ++counts_.moved;
+    return true;
+}
+
+// Where the star that is loaded is better with the point there; the point's own place if there is none.
+Place Improver::better_place(int32_t v)
+{
+    const Vec3 from = mesh_.point(v);
+    constrain(star_.tets(), from, home_[static_cast<size_t>(v)], mesh_.frozen(v));
+    if (constraint_.fixed())
+        return {from, -1};
+    const auto project = [&](Vec3& x) { return constraint_.project(x); };
+    const Place place = smoother_.climb(star_, from, target_, constraint_.tangent(), project);
+    if (!search_.thorough || place.worst >= target_)
+        return place;
+    const Place start = smoother_.explore(star_, place.x, constraint_.tangent(), project);
+    return start.x == place.x ? place : smoother_.climb(star_, start.x, target_, constraint_.tangent(), project);
+}
+
+void Improver::constrain(const std::vector<int32_t>& tets, const Vec3& x, const Vec3& home, uint8_t frozen)
+{
+    const double reach = star_.reach(x);
+    constraint_.set(mesh_, tets, x, home, frozen, reach, search_.tolerance * std::min(reach, voxel_));
+}
+
+bool Improver::change_connections(int32_t t)
+{
+    const auto done = [&](int64_t& count) {
+        ++count;
+        bad_.changed(mesh_, cavity_.created);
+        return true;
+    };
+    for (const auto& edge : kEdgeCorners)
+        if (remove_edge(mesh_, t, edge[0], edge[1], bend(t, edge[0], edge[1]), cavity_))
+            return done(counts_.edges_removed);
+    for (int corner = 0; corner < 4; ++corner)
+        if (remove_face(mesh_, t, corner, cavity_))
+            return done(counts_.faces_removed);
+    for (const auto& edge : kEdgeCorners)
+        if (contraction_.contract(mesh_, t, edge[0], edge[1], cavity_) ||
+            contraction_.contract(mesh_, t, edge[1], edge[0], cavity_))
+            return done(counts_.contracted);
+    for (const auto& edge : kEdgeCorners)
+        if (split(t, edge[0], edge[1]))
+            return done(counts_.split);
+    return false;
+}
+
+double Improver::bend(int32_t t, int corner_a, int corner_b) const
+{
+    const Tet& v = mesh_.tet(t);
+    return search_.bend *
+           (mesh_.point(v[static_cast<size_t>(corner_a)]) - mesh_.point(v[static_cast<size_t>(corner_b)])).norm();
+}
+
+// A point put into the edge and smoothed, if that makes the worst tetrahedron at the edge better.
+bool Improver::split(int32_t t, int corner_a, int corner_b)
+{
+    EdgeRing& ring = cavity_.ring;
+    mesh_.ring(t, corner_a, corner_b, ring);
+    star_.load(mesh_, ring);
+    const double floor = std::max(mesh_.worst(ring.tets), kLeastSine);
+    Vec3 middle = 0.5 * (mesh_.point(ring.a) + mesh_.point(ring.b));
+    constrain(ring.tets, middle, middle, frozen_on_edge(mesh_, ring));
+    const auto project = [&](Vec3& x) { return constraint_.project(x); };
+    if (!project(middle))
+        return false;
+    const Place place = smoother_.climb(star_, middle, target_, constraint_.tangent(), project);
+    if (!(place.worst > floor))
+        return false;
+    split_edge(mesh_, ring, place.x, cavity_);
+    home_.push_back(place.x);
+    return true;
+}
+
+}  // namespace cleft

@@ -1,0 +1,84 @@
+// The local search of improving: for each bad tetrahedron, worst first, every operation that may help.
+#pragma once
+
+#include "improving/tie_constraint.hpp"
+#include "mesh/contraction.hpp"
+#include "mesh/worst_first.hpp"
+
+namespace cleft
+{
+
+// One search: passes over the tetrahedra below the target.
+struct Search {
+    int passes;
+    double tolerance = 0;   // how far points of interfaces may leave the tie, in least voxel spacings (or edge
+                            // lengths, where those are shorter)
+    double bend = 0.05;     // how far an interface may move when an edge in it is flipped, in lengths of the edge
+    bool thorough = false;  // only for the worst, if there are many: also tries places far from where a point is
+    bool compound = false;  // also tries operations that help only after the points around have moved
+};
+
+class Improver
+{
+public:
+    struct Counts {
+        int64_t moved = 0, edges_removed = 0, faces_removed = 0, contracted = 0, split = 0, compound = 0;
+    };
+
+    // `target`: of angle_quality.
+    Improver(LabelledMesh& mesh, const Volume& volume, double target, const Run& run);
+
+    void work(const Search& search);
+    // Tetrahedra that the last search left below the target.
+    size_t left() const { return bad_.size(); }
+    const Counts& counts() const { return counts_; }
+    const LocalMesh& mesh() const { return mesh_; }
+    LabelledMesh take() { return mesh_.take(); }
+
+private:
+    bool improve_tet(int32_t t);
+
+    // Smoothing.
+    bool smooth_corners(int32_t t);
+    bool smooth(int32_t v);
+    Place better_place(int32_t v);
+    void constrain(const std::vector<int32_t>& tets, const Vec3& x, const Vec3& home, uint8_t frozen);
+
+    // Operations that make the worst tetrahedron better at once.
+    bool change_connections(int32_t t);
+    bool split(int32_t t, int corner_a, int corner_b);
+    double bend(int32_t t, int corner_a, int corner_b) const;
+
+    // Operations that make it better together with the moves of points that follow (rescue.cpp).
+    bool rescue(int32_t t);
+    bool attempt(int32_t t, int operation);
+    bool split_in_middle(int32_t t, int corner_a, int corner_b);
+    bool pays(double before);
+    void smooth_cavity();
+    void take_back();
+
+    const Run& run_;
+    const double target_;
+    const double voxel_;
+    LocalMesh mesh_;
+    std::vector<Vec3> home_;  // of each point: where cleaving, or the split that made it, put it
+    TieConstraint constraint_;
+    WorstFirst bad_;
+    Search search_{};
+    bool started_ = false;
+    size_t attempts_left_ = 0;  // in a pass
+    Cavity cavity_;
+    Contraction contraction_;
+    Smoother smoother_;
+    Star star_;
+    Counts counts_;
+    // Of an attempt.
+    struct Move {
+        int32_t point;
+        Vec3 from;
+    };
+    std::vector<Move> moves_;
+    std::vector<int32_t> cavity_points_;
+};
+
+}  // namespace cleft

@@ -1,0 +1,72 @@
+#include "mesh/point_stars.hpp"
+
+#include "base/error.hpp"
+#include "mesh/face_buckets.hpp"
+
+#include <algorithm>
+
+namespace cleft
+{
+
+namespace
+{
+
+constexpr size_t kTetsACheck = size_t{1} << 16;  // between two looks for a cancel
+
+}  // namespace
+
+PointStars::PointStars(const std::vector<Tet>& tets, size_t point_count, const Run& run)
+    : lists_(point_count, List{0, 0, 0}), pool_(4 * tets.size())
+{
+    for (size_t t = 0; t < tets.size(); ++t) {
+        if (t % kTetsACheck == 0)
+            run.check();
+        if (has_bad_index(tets[t], static_cast<int64_t>(point_count)) || has_repeated_corner(tets[t]))
+            throw Error(CLEFT_ERROR_INVALID_MESH,
+                        "tetrahedron " + std::to_string(t) + " does not have four different points of the mesh");
+        for (const int32_t v : tets[t])
+            ++lists_[static_cast<size_t>(v)].capacity;
+    }
+    size_t begin = 0;
+    for (List& list : lists_) {
+        list.begin = begin;
+        begin += list.capacity;
+    }
+    for (size_t t = 0; t < tets.size(); ++t) {
+        if (t % kTetsACheck == 0)
+            run.check();
+        for (const int32_t v : tets[t]) {
+            List& list = lists_[static_cast<size_t>(v)];
+            pool_[list.begin + list.size++] = static_cast<int32_t>(t);
+        }
+    }
+}
+
+// A list that is full moves to the end of the pool, with room to grow.
+void PointStars::add(int32_t v, int32_t t)
+{
+    List& list = lists_[static_cast<size_t>(v)];
+    if (list.size == list.capacity) {
+        const size_t end = pool_.size();
+        list.capacity += std::max<uint32_t>(8, list.capacity / 2);
+        pool_.resize(end + list.capacity);
+        std::copy_n(pool_.begin() + static_cast<std::ptrdiff_t>(list.begin), list.size,
+                    pool_.begin() + static_cast<std::ptrdiff_t>(end));
+        list.begin = end;
+    }
+    pool_[list.begin + list.size++] = t;
+}
+
+void PointStars::remove(int32_t v, int32_t t)
+{
+    List& list = lists_[static_cast<size_t>(v)];
+    int32_t* first = pool_.data() + list.begin;
+    int32_t* last = first + list.size;
+    int32_t* found = std::find(first, last, t);
+    if (found == last)
+        return;
+    *found = last[-1];
+    --list.size;
+}
+
+}  // namespace cleft
