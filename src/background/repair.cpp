@@ -67,7 +67,7 @@ private:
 void Repair::improve_bad(double angle, bool with_smoothing, double progress)
 {
     const double target = sine(angle);
-    bad_.collect_all(mesh_, target);
+    bad_.collect_all(mesh_, target, run_);
     bool changed = true;
     for (int pass = 0; pass < options_.passes && changed; ++pass) {
         changed = false;

@@ -25,14 +25,15 @@ constexpr double kCentroidShare = 0.75;
 // Smaller moves are not worth their price, in lengths of the root of the area around.
 constexpr double kLeastMove = 5e-4;
 // Later rounds make good at neighbours what a point could not give.
-constexpr int kRounds = 4;
+constexpr int kRounds = 3;
 // Directions in which the triangles at a point ask for less than this share of what they ask in the strongest are along
 // the interface.
 constexpr double kLeastShare = 0.2;
 // A point that cannot go further than this share of its way stays.
 constexpr double kLeastGrant = 0.1;
 constexpr int64_t kGrain = 2048;
-constexpr int32_t kTetsACheck = 1 << 16, kPointsACheck = 1 << 12;  // between two looks for a cancel
+constexpr int32_t kTetsACheck = 1 << 16;
+constexpr size_t kPointsACheck = 1 << 12;  // between two looks for a cancel
 
 constexpr Material kNone = -1, kSeveral = -2;
 
@@ -95,6 +96,7 @@ std::vector<InterfaceTriangle> find_triangles(const LocalMesh& mesh, const Run& 
             m = m == kNone || m == mesh.material(t) ? mesh.material(t) : kSeveral;
         }
     std::vector<InterfaceTriangle> triangles;
+    triangles.reserve(static_cast<size_t>(mesh.slot_count()) / 8);
     for (int32_t t = 0; t < mesh.slot_count(); ++t) {
         if (t % kTetsACheck == 0)
             run.report(0.2 * t / mesh.slot_count(), "fitting volumes");
@@ -140,19 +142,44 @@ struct Wish {
     double area = 0;
 };
 
-// `moved`: where each point has been moved from its place on the tie.
-std::vector<Wish> wishes(const LocalMesh& mesh, const std::vector<InterfaceTriangle>& triangles,
-                         const std::vector<Vec3>& moved)
+// A point of interfaces, and how far it has been moved from its place on the tie.
+struct InterfacePoint {
+    int32_t number;
+    Vec3 moved{0, 0, 0};
+};
+
+// Numbers the corners of the triangles among themselves.
+std::vector<InterfacePoint> find_points(const LocalMesh& mesh, std::vector<InterfaceTriangle>& triangles)
 {
-    std::vector<Wish> out(static_cast<size_t>(mesh.point_count()));
+    std::vector<int32_t> index(static_cast<size_t>(mesh.point_count()), 0);
+    for (const InterfaceTriangle& t : triangles)
+        for (const int32_t v : t.corners)
+            index[static_cast<size_t>(v)] = 1;
+    std::vector<InterfacePoint> points;
+    for (int32_t v = 0; v < mesh.point_count(); ++v)
+        if (index[static_cast<size_t>(v)] == 1) {
+            index[static_cast<size_t>(v)] = static_cast<int32_t>(points.size());
+            points.push_back({v});
+        }
+    for (InterfaceTriangle& t : triangles)
+        for (int32_t& v : t.corners)
+            v = index[static_cast<size_t>(v)];
+    return points;
+}
+
+std::vector<Wish> wishes(const LocalMesh& mesh, const std::vector<InterfaceTriangle>& triangles,
+                         const std::vector<InterfacePoint>& points)
+{
+    std::vector<Wish> out(points.size());
+    const auto place = [&](int32_t i) -> const Vec3& { return mesh.point(points[static_cast<size_t>(i)].number); };
     for (const InterfaceTriangle& t : triangles) {
-        const Vec3& a = mesh.point(t.corners[0]);
-        const Vec3 twice = (mesh.point(t.corners[1]) - a).cross(mesh.point(t.corners[2]) - a);
+        const Vec3& a = place(t.corners[0]);
+        const Vec3 twice = (place(t.corners[1]) - a).cross(place(t.corners[2]) - a);
         const double area = 0.5 * twice.norm();
         const Vec3 normal = twice.normalized();
         double height = t.height;
         for (const int32_t v : t.corners)
-            height -= moved[static_cast<size_t>(v)].dot(normal) / 3;
+            height -= points[static_cast<size_t>(v)].moved.dot(normal) / 3;
         for (const int32_t v : t.corners) {
             Wish& wish = out[static_cast<size_t>(v)];
             wish.normals += area * normal * normal.transpose();
@@ -163,55 +190,93 @@ std::vector<Wish> wishes(const LocalMesh& mesh, const std::vector<InterfaceTrian
     return out;
 }
 
+// Where a point is to go, and along which directions it may slide without breaking the wish.
+struct Move {
+    Vec3 shift{0, 0, 0};
+    Mat3 along = Mat3::Zero();
+};
+
 // The shortest move that grants the wish best (least squares), along the free axes: one direction on a smooth
-// interface, two on a line where interfaces meet, three in a corner. Zero if it is not worth while.
-Vec3 move_of(const Wish& wish, uint8_t frozen)
+// interface, two on a line where interfaces meet, three in a corner. No shift if it is not worth while.
+Move move_of(const Wish& wish, uint8_t frozen)
 {
+    Move move;
     if (wish.heights.squaredNorm() < kLeastMove * kLeastMove * wish.area * wish.area * wish.area)
-        return Vec3::Zero();
+        return move;
     const Mat3 free = free_axes(frozen);
     Eigen::SelfAdjointEigenSolver<Mat3> eigen;
     eigen.computeDirect(free * wish.normals * free);
-    const Vec3 heights = free * wish.heights;
     const double strongest = eigen.eigenvalues()[2];
     if (!(strongest > kLeastShare * wish.area))  // across the wall
-        return Vec3::Zero();
-    Vec3 move = Vec3::Zero();
+        return move;
+    move.along = free;
     for (int i = 0; i < 3; ++i)
         if (eigen.eigenvalues()[i] > kLeastShare * strongest) {
-            const Vec3 direction = eigen.eigenvectors().col(i);
-            move += direction.dot(heights) / eigen.eigenvalues()[i] * direction;
+            const Vec3 direction = free * eigen.eigenvectors().col(i);
+            move.shift += direction.dot(wish.heights) / eigen.eigenvalues()[i] * direction;
+            move.along -= direction * direction.transpose();
         }
-    return free * move;
+    return move;
 }
 
-// Moves points one after the other, as far as the shapes around allow. Returns the number that could not move.
-int64_t grant(const std::vector<Wish>& wanted, double floor, LocalMesh& mesh, std::vector<Vec3>& moved, const Run& run)
+// A place for a point, and the share of its move that it has there.
+struct Granted {
+    Vec3 x;
+    double share;
+};
+
+class Granter
 {
-    Star star;
+public:
+    Granter(LocalMesh& mesh, double floor) : mesh_(mesh), floor_(floor) {}
+
+    // Moves points one after the other, as far as the shapes around allow. Returns the number that could not move.
+    int64_t grant(const std::vector<Wish>& wanted, std::vector<InterfacePoint>& points, const Run& run);
+
+private:
+    Granted place_for(int32_t v, const Move& move);
+
+    LocalMesh& mesh_;
+    const double floor_;
+    Star star_;
+    Smoother smoother_;
+};
+
+int64_t Granter::grant(const std::vector<Wish>& wanted, std::vector<InterfacePoint>& points, const Run& run)
+{
     int64_t held = 0;
-    for (int32_t v = 0; v < mesh.point_count(); ++v) {
-        if (v % kPointsACheck == 0)
+    for (size_t i = 0; i < points.size(); ++i) {
+        if (i % kPointsACheck == 0)
             run.check();
-        const Vec3 move = move_of(wanted[static_cast<size_t>(v)], mesh.frozen(v));
-        if (move.isZero(0))
+        const int32_t v = points[i].number;
+        const Move move = move_of(wanted[i], mesh_.frozen(v));
+        if (move.shift.isZero(0))
             continue;
-        star.load(mesh, v);
-        const Vec3 from = mesh.point(v);
-        double share = 1;
-        if (star.worst_at(from + move, floor) <= floor) {
-            const double allowed = std::min(floor, star.worst_at(from, -1));
-            while (share > kLeastGrant && !(allowed > 0 && star.worst_at(from + share * move, -1) >= allowed))
-                share *= 0.5;
-        }
-        if (share <= kLeastGrant) {
+        const Granted granted = place_for(v, move);
+        if (granted.share > 0) {
+            mesh_.move(v, granted.x);
+            points[i].moved += granted.share * move.shift;
+        } else
             ++held;
-            continue;
-        }
-        mesh.move(v, from + share * move);
-        moved[static_cast<size_t>(v)] += share * move;
     }
     return held;
+}
+
+// All of the move, or a half, a quarter ...; where the place itself is bad, there may be a good one beside it along the
+// interface.
+Granted Granter::place_for(int32_t v, const Move& move)
+{
+    star_.load(mesh_, v);
+    const Vec3 from = mesh_.point(v);
+    if (star_.worst_at(from + move.shift, floor_) > floor_)
+        return {from + move.shift, 1};
+    const double least = std::min(floor_, star_.worst_at(from, -1));
+    for (double share = 1; least > 0 && share > kLeastGrant; share *= 0.5) {
+        const Place place = smoother_.climb(star_, from + share * move.shift, least, move.along, {});
+        if (place.worst >= least)
+            return {place.x, share};
+    }
+    return {from, 0};
 }
 
 }  // namespace
@@ -226,11 +291,11 @@ void fit_volumes(LabelledMesh& mesh, const Volume& volume, double least_angle, c
     std::vector<InterfaceTriangle> triangles = find_triangles(local, run);
     run.report(0.3, "fitting volumes");
     find_heights(local, volume, triangles, run);
-    const double floor = std::sin(least_angle * M_PI / 180);
-    std::vector<Vec3> moved(static_cast<size_t>(local.point_count()), Vec3(0, 0, 0));
+    std::vector<InterfacePoint> points = find_points(local, triangles);
+    Granter granter(local, std::sin(least_angle * M_PI / 180));
     for (int round = 0; round < kRounds; ++round) {
         run.report(0.6 + 0.4 * round / kRounds, "fitting volumes");
-        const int64_t held = grant(wishes(local, triangles, moved), floor, local, moved, run);
+        const int64_t held = granter.grant(wishes(local, triangles, points), points, run);
         run.note("fitting.held", static_cast<double>(held));
     }
     mesh = local.take();

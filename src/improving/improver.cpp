@@ -15,7 +15,7 @@ namespace
 // Dear operations are for a few: where a target is out of reach for many (random noise, an angle asked too much), only
 // the worst get them, one in so many tetrahedra of the mesh and some more.
 constexpr size_t kThoroughOneIn = 200, kThoroughAtLeast = 200;
-constexpr size_t kAttemptsOneIn = 10000, kAttemptsAtLeast = 20;
+constexpr size_t kAttemptsOneIn = 10000, kAttemptsAtLeast = 5;
 
 }  // namespace
 
@@ -37,7 +37,7 @@ void Improver::work(const Search& search)
     if (started_)
         bad_.collect_left(mesh_, target_);
     else
-        bad_.collect_all(mesh_, target_);
+        bad_.collect_all(mesh_, target_, run_);
     started_ = true;
     const auto tets = static_cast<size_t>(mesh_.slot_count());
     const size_t most = search.thorough ? tets / kThoroughOneIn + kThoroughAtLeast : tets;
@@ -75,19 +75,19 @@ bool Improver::smooth_corners(int32_t t)
     bool moved = false;
     const Tet corners = mesh_.tet(t);
     for (const int32_t v : corners)
-        if (mesh_.quality(t) < target_ && smooth(v)) {
+        if (mesh_.quality(t) < target_ && smooth(v, search_.thorough)) {
             bad_.changed(mesh_, star_.tets());
             moved = true;
         }
     return moved;
 }
 
-bool Improver::smooth(int32_t v)
+bool Improver::smooth(int32_t v, bool thorough)
 {
     if (mesh_.frozen(v) == 7)
         return false;
     star_.load(mesh_, v);
-    const Place place = better_place(v);
+    const Place place = better_place(v, thorough);
     if (place.x == mesh_.point(v))
         return false;
     mesh_.move(v, place.x);
@@ -96,7 +96,7 @@ bool Improver::smooth(int32_t v)
 }
 
 // Where the star that is loaded is better with the point there; the point's own place if there is none.
-Place Improver::better_place(int32_t v)
+Place Improver::better_place(int32_t v, bool thorough)
 {
     const Vec3 from = mesh_.point(v);
     constrain(star_.tets(), from, home_[static_cast<size_t>(v)], mesh_.frozen(v));
@@ -104,7 +104,7 @@ Place Improver::better_place(int32_t v)
         return {from, -1};
     const auto project = [&](Vec3& x) { return constraint_.project(x); };
     const Place place = smoother_.climb(star_, from, target_, constraint_.tangent(), project);
-    if (!search_.thorough || place.worst >= target_)
+    if (!thorough || place.worst >= target_)
         return place;
     const Place start = smoother_.explore(star_, place.x, constraint_.tangent(), project);
     return start.x == place.x ? place : smoother_.climb(star_, start.x, target_, constraint_.tangent(), project);

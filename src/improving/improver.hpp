@@ -40,8 +40,8 @@ private:
 
     // Smoothing.
     bool smooth_corners(int32_t t);
-    bool smooth(int32_t v);
-    Place better_place(int32_t v);
+    bool smooth(int32_t v, bool thorough);
+    Place better_place(int32_t v, bool thorough);
     void constrain(const std::vector<int32_t>& tets, const Vec3& x, const Vec3& home, uint8_t frozen);
 
     // Operations that make the worst tetrahedron better at once.

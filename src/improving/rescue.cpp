@@ -18,7 +18,7 @@ namespace
 constexpr int kOperations = 28;
 // An operation may leave a tetrahedron with this share of the worst quality before it.
 constexpr double kShare = 0.3;
-constexpr int kSweeps = 3;
+constexpr int kSweeps = 2;
 constexpr double kGain = 1e-3;
 
 }  // namespace
@@ -91,7 +91,7 @@ void Improver::smooth_cavity()
                 if (mesh_.quality(t) >= target_)
                     break;
                 const Vec3 from = mesh_.point(v);
-                if (smooth(v)) {
+                if (smooth(v, false)) {
                     moves_.push_back({v, from});
                     moved = true;
                 }

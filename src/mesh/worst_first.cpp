@@ -5,17 +5,24 @@
 namespace cleft
 {
 
-void WorstFirst::collect_all(const LocalMesh& mesh, double target)
+namespace
+{
+
+constexpr int32_t kTetsACheck = 1 << 16;  // between two looks for a cancel
+
+}  // namespace
+
+void WorstFirst::collect_all(const LocalMesh& mesh, double target, const Run& run)
 {
     next_.clear();
     list_.clear();
     changed_.assign(static_cast<size_t>(mesh.point_count()), now_);
-    for (int32_t t = 0; t < mesh.slot_count(); ++t)
-        if (mesh.alive(t)) {
-            const double quality = mesh.quality(t);
-            if (quality < target)
-                list_.push_back({quality, t, 0});
-        }
+    for (int32_t t = 0; t < mesh.slot_count(); ++t) {
+        if (t % kTetsACheck == 0)
+            run.check();
+        if (mesh.alive(t) && mesh.quality(t) < target)
+            list_.push_back({mesh.quality(t), t, 0});
+    }
     sort_list();
 }
 

@@ -11,7 +11,7 @@ class WorstFirst
 {
 public:
     // Starts a search: every tetrahedron of the mesh with a quality below `target`.
-    void collect_all(const LocalMesh& mesh, double target);
+    void collect_all(const LocalMesh& mesh, double target, const Run& run);
     // Starts another search over what is left of the last one: all that was tried in vain may be tried again.
     void collect_left(const LocalMesh& mesh, double target);
     // The next pass: those below the target that the last pass changed or gave back.

@@ -69,6 +69,33 @@ void half_a_ball_at_a_wall_keeps_its_volume(void**)
     assert_true(std::abs(loss.after) < 0.3 * std::abs(loss.before));
 }
 
+// Three materials meet along the equator, which is a chord too.
+void halves_of_a_ball_keep_their_volumes(void**)
+{
+    const double radius = 11.3, exact = 2 * M_PI / 3 * std::pow(radius, 3);
+    const Vec3 centre(16.2, 15.7, 16.1);
+    const Grid grid{{kSide, kSide, kSide}, Vec3(1, 1, 1)};
+    std::vector<double> outside, upper, lower;
+    for (int i = 0; i < kSide * kSide * kSide; ++i) {
+        const Vec3 x = grid.centre(i % kSide, i / kSide % kSide, i / kSide / kSide) - centre;
+        const double depth = radius - x.norm(), height = x.dot(Vec3(0.2, -0.1, 1).normalized());
+        outside.push_back(-depth);
+        upper.push_back(std::min(depth, height));
+        lower.push_back(std::min(depth, -height));
+    }
+    const Volume volume = Volume::from_indicators(
+        std::vector<const double*>{outside.data(), upper.data(), lower.data()}, grid, {}, Run());
+    LabelledMesh mesh = cleave(volume, lattice_background(grid, 4, Run()), CleaveOptions(), Run());
+    const std::vector<double> before = material_volumes(mesh, 3);
+    fit_volumes(mesh, volume, 20, Run());
+    const std::vector<double> after = material_volumes(mesh, 3);
+    for (const size_t half : {1, 2}) {
+        assert_true(before[half] < 0.98 * exact);
+        assert_true(std::abs(after[half] - exact) < 0.4 * std::abs(before[half] - exact));
+    }
+    assert_string_equal(validate(mesh, true, Run()).first_fault.c_str(), "");
+}
+
 void a_flat_interface_stays_flat(void**)
 {
     const Grid grid{{16, 16, 16}, Vec3(1, 1, 1)};
@@ -92,6 +119,7 @@ int main()
     const CMUnitTest tests[] = {
         cmocka_unit_test(a_coarse_ball_keeps_its_volume),
         cmocka_unit_test(half_a_ball_at_a_wall_keeps_its_volume),
+        cmocka_unit_test(halves_of_a_ball_keep_their_volumes),
         cmocka_unit_test(a_flat_interface_stays_flat),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
