@@ -23,7 +23,7 @@ constexpr double kReach = 0.3;
 constexpr double kStep = 0.4;
 constexpr double kCentroidShare = 0.75;
 // Smaller moves are not worth their price, in lengths of the root of the area around.
-constexpr double kLeastMove = 5e-4;
+constexpr double kLeastMove = 2e-3;
 // Later rounds make good at neighbours what a point could not give.
 constexpr int kRounds = 3;
 // Directions in which the triangles at a point ask for less than this share of what they ask in the strongest are along

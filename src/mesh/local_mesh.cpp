@@ -102,12 +102,6 @@ bool LocalMesh::is_boundary(int32_t t, int corner) const
     return n < 0 || material(n) != material(t);
 }
 
-int LocalMesh::corner_of(int32_t t, int32_t v) const
-{
-    const Tet& corners = tet(t);
-    return static_cast<int>(std::find(corners.begin(), corners.end(), v) - corners.begin());
-}
-
 void LocalMesh::ring(int32_t t, int corner_a, int corner_b, EdgeRing& out) const
 {
     out.a = tet(t)[at(corner_a)];

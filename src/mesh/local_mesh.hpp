@@ -48,8 +48,12 @@ public:
     int32_t neighbour(int32_t t, int corner) const;
     // The tetrahedron behind the face is of another material, or there is none.
     bool is_boundary(int32_t t, int corner) const;
-    // The corner of t that is v.
-    int corner_of(int32_t t, int32_t v) const;
+    // The corner of t that is v; 4 if none is.
+    int corner_of(int32_t t, int32_t v) const
+    {
+        const Tet& c = tet(t);
+        return c[0] == v ? 0 : c[1] == v ? 1 : c[2] == v ? 2 : c[3] == v ? 3 : 4;
+    }
     // The ring around the edge between two corners of t.
     void ring(int32_t t, int corner_a, int corner_b, EdgeRing& out) const;
 
