@@ -9,7 +9,8 @@ build_packages="
 binding_packages="
     swig
     python3-dev python3-numpy python3-matplotlib
-    openjdk-17-jdk-headless"
+    openjdk-17-jdk-headless
+    mono-devel"
 
 test_packages="
     clang-format libcmocka-dev python3

@@ -16,7 +16,7 @@
 
 %include "stdint.i"
 
-#ifdef CLEFT_IO_MODULE
+#if defined(CLEFT_IO_MODULE) && !defined(SWIGCSHARP)
 %{
 // Splits texts that are each closed by a zero. `pointers` must have room for one pointer a text.
 static int64_t cleft_split_texts(const char* bytes, size_t size, const char** pointers)
@@ -74,7 +74,10 @@ CLEFT_HANDLE(cleft_report)
 %apply const int64_t* ARRAY_IN { const int64_t dims[3] };
 %apply const double* ARRAY_IN { const double affine[12], const double point[3], const double* points };
 %apply const int32_t* ARRAY_IN { const int32_t* labels, const int32_t* tets };
+#if !defined(SWIGCSHARP)  // where an array and its number are two arguments
 %apply (const void* const* FIELDS, int64_t COUNT) { (const void* const* fields, int64_t count) };
+%apply (const char* const* PATHS, int64_t COUNT) { (const char* const* paths, int64_t count) };
+#endif
 
 %apply int32_t* ARRAY_OUT { int32_t* major, int32_t* minor, int32_t* patch, int32_t* tets, int32_t* labels };
 %apply int64_t* ARRAY_OUT { int64_t dims[3], int64_t* counts, int64_t* value, int64_t* point_count };
@@ -83,9 +86,10 @@ CLEFT_HANDLE(cleft_report)
 %apply const void* ADDRESS { const double*, const int32_t*, const float* };
 
 %apply const char* PATH { const char* path };
-%apply (const char* const* PATHS, int64_t COUNT) { (const char* const* paths, int64_t count) };
 %apply void** OUT_HANDLE { double** values };  // given back to cleft_io_free()
+#if !defined(SWIGCSHARP)
 %apply void* HANDLE { void* array };
+#endif
 #if defined(SWIGPYTHON)
 %typemap(freearg) double** values "cleft_io_free(made$argnum);"
 #endif

@@ -1,0 +1,247 @@
+using System;
+using System.Collections.Generic;
+using System.Runtime.InteropServices;
+
+namespace Cleft
+{
+    /// <summary>Directions of the world axes.</summary>
+    public enum World
+    {
+        /// <summary>Left, posterior, superior: ITK's, DICOM's, and those of files of 3D Slicer.</summary>
+        Lps = CleftIoNative.CLEFT_IO_WORLD_LPS,
+        /// <summary>Right, anterior, superior: NIfTI's.</summary>
+        Ras = CleftIoNative.CLEFT_IO_WORLD_RAS
+    }
+
+    /// <summary>What the voxels of a file mean.</summary>
+    public enum VoxelKind
+    {
+        /// <summary>Labels if the numbers are whole and not negative, else indicator functions.</summary>
+        Auto = CleftIoNative.CLEFT_IO_KIND_AUTO,
+        /// <summary>Labels.</summary>
+        Labels = CleftIoNative.CLEFT_IO_KIND_LABELS,
+        /// <summary>Indicator functions.</summary>
+        Indicators = CleftIoNative.CLEFT_IO_KIND_INDICATORS
+    }
+
+    /// <summary>What a file holds.</summary>
+    public enum Content
+    {
+        /// <summary>Neither a volume nor a mesh, as far as one can tell.</summary>
+        Unknown = CleftIoNative.CLEFT_IO_UNKNOWN,
+        /// <summary>A volume.</summary>
+        Volume = CleftIoNative.CLEFT_IO_VOLUME,
+        /// <summary>A mesh.</summary>
+        Mesh = CleftIoNative.CLEFT_IO_MESH
+    }
+
+    /// <summary>How to read a volume; as the file says, if nothing is set.</summary>
+    public sealed class Reading
+    {
+        /// <summary>The axes that coordinates come out in.</summary>
+        public World World { get; set; }
+        /// <summary>What the voxels mean.</summary>
+        public VoxelKind Kind { get; set; }
+        /// <summary>Three lengths taken instead of the file's, 0 for the file's; or null.</summary>
+        public double[] Spacing { get; set; }
+
+        internal NativeReading ToNative()
+        {
+            if (Spacing != null && Spacing.Length != 3)
+                throw new ArgumentException("Spacing must have 3 numbers, not " + Spacing.Length);
+            var reading = new NativeReading { world = (int)World, kind = (int)Kind };
+            for (int axis = 0; Spacing != null && axis < 3; ++axis)
+                reading.set_spacing(axis, Spacing[axis]);
+            return reading;
+        }
+    }
+
+    /// <summary>How voxels without a header lie in a file, x fastest.</summary>
+    public sealed class RawVoxels
+    {
+        /// <summary>The type of the voxels.</summary>
+        public VoxelType Type { get; set; } = VoxelType.UInt8;
+        /// <summary>Does the most significant byte come first?</summary>
+        public bool BigEndian { get; set; }
+        /// <summary>Bytes before the first voxel.</summary>
+        public long Skip { get; set; }
+        /// <summary>Voxels along x, y and z.</summary>
+        public long[] Dims { get; set; }
+        /// <summary>Lengths of a voxel; or null for 1.</summary>
+        public double[] Spacing { get; set; }
+
+        internal NativeRaw ToNative()
+        {
+            if (Dims == null || Dims.Length != 3 || Spacing != null && Spacing.Length != 3)
+                throw new ArgumentException("Dims and Spacing must have 3 numbers");
+            var raw = new NativeRaw { type = (int)Type, big_endian = BigEndian ? 1 : 0, skip = Skip };
+            for (int axis = 0; axis < 3; ++axis)
+                raw.set_axis(axis, Dims[axis], Spacing == null ? 0 : Spacing[axis]);
+            return raw;
+        }
+    }
+
+    /// <summary>A format of files.</summary>
+    public sealed class FileFormat
+    {
+        internal FileFormat(NativeFormatDescription row)
+        {
+            Name = row.name;
+            Number = row.format;
+            Extensions = row.extensions.Split(new[] { ' ' }, StringSplitOptions.RemoveEmptyEntries);
+            Text = row.text;
+            ReadsMesh = (row.directions & CleftIoNative.CLEFT_IO_READS_MESH) != 0;
+            WritesMesh = (row.directions & CleftIoNative.CLEFT_IO_WRITES_MESH) != 0;
+            ReadsVolume = (row.directions & CleftIoNative.CLEFT_IO_READS_VOLUME) != 0;
+            WritesSizing = (row.directions & CleftIoNative.CLEFT_IO_WRITES_SIZING) != 0;
+        }
+
+        internal int Number { get; }
+        /// <summary>As in "msh22", to write a mesh in it.</summary>
+        public string Name { get; }
+        /// <summary>As in ".nii.gz".</summary>
+        public IReadOnlyList<string> Extensions { get; }
+        /// <summary>What it holds.</summary>
+        public string Text { get; }
+        /// <summary>Are meshes read?</summary>
+        public bool ReadsMesh { get; }
+        /// <summary>Are meshes written?</summary>
+        public bool WritesMesh { get; }
+        /// <summary>Are volumes read?</summary>
+        public bool ReadsVolume { get; }
+        /// <summary>Are sizing fields written?</summary>
+        public bool WritesSizing { get; }
+    }
+
+    /// <summary>Reads and writes files. The native part is loaded when it is first used; it needs ITK.</summary>
+    public static class MeshFiles
+    {
+        /// <summary>The formats that are read and written.</summary>
+        public static IReadOnlyList<FileFormat> Formats()
+        {
+            var formats = new List<FileFormat>();
+            for (int index = 0; index < CleftIoNative.cleft_io_format_count(); ++index)
+                using (var row = new NativeFormatDescription()) {
+                    CleftException.Check(CleftIoNative.cleft_io_format_info(index, row));
+                    formats.Add(new FileFormat(row));
+                }
+            return formats;
+        }
+
+        /// <summary>What a file most likely holds.</summary>
+        public static Content Guess(string path)
+        {
+            return (Content)CleftIoNative.cleft_io_guess(Utf8.Write(path, nameof(path)));
+        }
+
+        /// <summary>Reads a volume as its file says: NIfTI, NRRD, MetaImage, TIFF, a folder with a DICOM series ...</summary>
+        public static Volume ReadVolume(Mesher mesher, string path, Options options = null, Reading reading = null)
+        {
+            return ReadVolume(mesher, new[] { path }, options, reading);
+        }
+
+        /// <summary>Reads a volume from one file, or from one a material: indicator functions.</summary>
+        public static Volume ReadVolume(Mesher mesher, string[] paths, Options options = null, Reading reading = null)
+        {
+            NativeHandle how = NativeObject.HandleOf(options);
+            using (NativeReading native = (reading ?? new Reading()).ToNative())
+                return WithPaths(paths, names => new Volume(Checked(mesher).Make((NativeHandle context, out IntPtr made) =>
+                    CleftIoNative.cleft_io_read_volume(context, how, names, names.Length, native, out made))));
+        }
+
+        /// <summary>Reads voxels without a header from one file, or from one a material.</summary>
+        public static Volume ReadRaw(Mesher mesher, RawVoxels raw, Options options, params string[] paths)
+        {
+            if (raw == null)
+                throw new ArgumentNullException(nameof(raw));
+            NativeHandle how = NativeObject.HandleOf(options);
+            using (NativeRaw native = raw.ToNative())
+                return WithPaths(paths, names => new Volume(Checked(mesher).Make((NativeHandle context, out IntPtr made) =>
+                    CleftIoNative.cleft_io_read_raw(context, how, names, names.Length, native, out made))));
+        }
+
+        /// <summary>Reads a field of one number a voxel, x fastest; <paramref name="grid"/>: where the voxels lie.</summary>
+        public static double[] ReadField(Mesher mesher, string path, out Grid grid, Reading reading = null)
+        {
+            byte[] name = Utf8.Write(path, nameof(path));
+            long[] dims = new long[3];
+            double[] affine = new double[12];
+            IntPtr values;
+            using (NativeReading native = (reading ?? new Reading()).ToNative())
+                values = Checked(mesher).Make((NativeHandle context, out IntPtr made) =>
+                    CleftIoNative.cleft_io_read_field(context, name, native, dims, affine, out made));
+            try {
+                grid = new Grid(dims[0], dims[1], dims[2]).WithAffine(affine);
+                double[] copy = new double[grid.Voxels];
+                Marshal.Copy(values, copy, 0, copy.Length);
+                return copy;
+            } finally {
+                CleftIoNative.cleft_io_free(values);
+            }
+        }
+
+        /// <summary>Reads a sizing field of your own, from a file with the same voxels as the volume.</summary>
+        public static Sizing ReadSizing(Mesher mesher, Volume volume, string path, bool combine = false,
+                                        Options options = null, Reading reading = null)
+        {
+            byte[] name = Utf8.Write(path, nameof(path));
+            NativeHandle of = NativeObject.Required(volume, nameof(volume)), how = NativeObject.HandleOf(options);
+            using (NativeReading native = (reading ?? new Reading()).ToNative())
+                return new Sizing(Checked(mesher).Make((NativeHandle context, out IntPtr made) =>
+                    CleftIoNative.cleft_io_read_sizing(context, of, name, native, combine ? 1 : 0, how, out made)));
+        }
+
+        /// <summary>Writes a sizing field as a volume of numbers, to look at.</summary>
+        public static void WriteSizing(Mesher mesher, Sizing sizing, string path, World world = World.Lps)
+        {
+            byte[] name = Utf8.Write(path, nameof(path));
+            NativeHandle of = NativeObject.Required(sizing, nameof(sizing));
+            Checked(mesher).Run(context => CleftIoNative.cleft_io_write_sizing(context, of, name, (int)world));
+        }
+
+        /// <summary>Reads a mesh of tetrahedra: .vtu, .vtk, .mesh, .msh, .node with .ele.</summary>
+        public static Mesh ReadMesh(Mesher mesher, string path)
+        {
+            byte[] name = Utf8.Write(path, nameof(path));
+            return new Mesh(Checked(mesher).Make((NativeHandle context, out IntPtr made) =>
+                CleftIoNative.cleft_io_read_mesh(context, name, out made)));
+        }
+
+        /// <summary>
+        /// Writes a mesh, all or nothing, in the format of that name (see Formats()), or of the extension of the path.
+        /// </summary>
+        public static void WriteMesh(Mesher mesher, Mesh mesh, string path, string format = null)
+        {
+            byte[] name = Utf8.Write(path, nameof(path));
+            NativeHandle of = NativeObject.Required(mesh, nameof(mesh));
+            int number = CleftIoNative.CLEFT_FORMAT_BY_NAME;
+            foreach (FileFormat row in Formats())
+                if (row.Name == format && row.WritesMesh)
+                    number = row.Number;
+            if (format != null && number == CleftIoNative.CLEFT_FORMAT_BY_NAME)
+                throw new ArgumentException("there is no format of meshes " + format, nameof(format));
+            Checked(mesher).Run(context => CleftIoNative.cleft_io_write_mesh(context, of, name, number));
+        }
+
+        private static Mesher Checked(Mesher mesher) { return mesher ?? throw new ArgumentNullException(nameof(mesher)); }
+
+        /// <summary>Runs something with texts that lie outside the heap for the while.</summary>
+        private static T WithPaths<T>(string[] paths, Func<IntPtr[], T> use)
+        {
+            if (paths == null)
+                throw new ArgumentNullException(nameof(paths));
+            IntPtr[] names = new IntPtr[paths.Length];
+            try {
+                for (int i = 0; i < paths.Length; ++i) {
+                    byte[] bytes = Utf8.Write(paths[i], nameof(paths));
+                    names[i] = Marshal.AllocHGlobal(bytes.Length);
+                    Marshal.Copy(bytes, 0, names[i], bytes.Length);
+                }
+                return use(names);
+            } finally {
+                foreach (IntPtr name in names)
+                    Marshal.FreeHGlobal(name);
+            }
+        }
+    }
+}

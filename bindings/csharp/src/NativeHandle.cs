@@ -1,0 +1,71 @@
+using System;
+using System.Runtime.InteropServices;
+
+namespace Cleft
+{
+    /// <summary>
+    /// The address of an object of the library. The runtime counts who needs it (calls while they run, views until they are
+    /// collected), and destroys the object when its owner is disposed of or collected and nobody needs it any more.
+    /// </summary>
+    internal sealed class NativeHandle : SafeHandle
+    {
+        /// <summary>Stands for null.</summary>
+        internal static readonly NativeHandle None = new NativeHandle(IntPtr.Zero, address => { });
+
+        private readonly Action<IntPtr> destroy;
+
+        internal NativeHandle(IntPtr address, Action<IntPtr> destroy) : base(IntPtr.Zero, true)
+        {
+            this.destroy = destroy;
+            SetHandle(address);
+        }
+
+        public override bool IsInvalid => handle == IntPtr.Zero;
+
+        protected override bool ReleaseHandle()
+        {
+            destroy(handle);
+            return true;
+        }
+    }
+
+    /// <summary>
+    /// What owns memory of the library. It is freed by <see cref="Dispose"/>, or when the object is collected; but not before
+    /// the last view of it is collected too, and the last call that uses it is over.
+    /// </summary>
+    public abstract class NativeObject : IDisposable
+    {
+        private readonly NativeHandle handle;
+
+        internal NativeObject(NativeHandle handle) { this.handle = handle; }
+
+        /// <summary>Was <see cref="Dispose"/> called?</summary>
+        public bool IsDisposed => handle.IsClosed;
+
+        /// <summary>Gives the object up. Again does nothing; views that are still held stay good.</summary>
+        public void Dispose() { handle.Dispose(); }
+
+        internal NativeHandle Handle
+        {
+            get {
+                if (handle.IsClosed)
+                    throw new ObjectDisposedException(GetType().Name);
+                return handle;
+            }
+        }
+
+        /// <summary>The handle of an argument that may be null.</summary>
+        internal static NativeHandle HandleOf(NativeObject argument)
+        {
+            return argument == null ? NativeHandle.None : argument.Handle;
+        }
+
+        /// <summary>The handle of an argument that must not be null.</summary>
+        internal static NativeHandle Required(NativeObject argument, string name)
+        {
+            if (argument == null)
+                throw new ArgumentNullException(name);
+            return argument.Handle;
+        }
+    }
+}

@@ -1,0 +1,94 @@
+using System;
+using System.Collections.Generic;
+
+namespace Cleft
+{
+    /// <summary>
+    /// A labelled volume, or indicator functions; made by a Mesher or read by MeshFiles. It never changes, and may be used by
+    /// many threads.
+    /// </summary>
+    public sealed class Volume : NativeObject
+    {
+        internal Volume(IntPtr address) : base(new NativeHandle(address, CleftNative.cleft_volume_destroy)) { }
+
+        /// <summary>Voxels, and where they lie.</summary>
+        public Grid Grid
+        {
+            get {
+                long[] dims = new long[3];
+                double[] affine = new double[12];
+                CleftException.Check(CleftNative.cleft_volume_dims(Handle, dims));
+                CleftException.Check(CleftNative.cleft_volume_affine(Handle, affine));
+                return new Grid(dims[0], dims[1], dims[2]).WithAffine(affine);
+            }
+        }
+
+        /// <summary>The label of each material; a view.</summary>
+        public ArrayView<int> Labels =>
+            new IntView(Handle, CleftNative.cleft_volume_labels, CleftNative.cleft_volume_label_count);
+
+        /// <summary>How many voxels each label has.</summary>
+        public IReadOnlyDictionary<int, long> VoxelCounts
+        {
+            get {
+                int[] labels = Labels.ToArray();
+                long[] counts = new long[labels.Length];
+                CleftException.Check(CleftNative.cleft_volume_copy_voxel_counts(Handle, counts, counts.Length));
+                var map = new Dictionary<int, long>();
+                for (int i = 0; i < labels.Length; ++i)
+                    map[labels[i]] = counts[i];
+                return map;
+            }
+        }
+
+        /// <summary>The labels at points of the world (x y z of each), as the mesh sees them.</summary>
+        public int[] Sample(params double[] points)
+        {
+            if (points == null)
+                throw new ArgumentNullException(nameof(points));
+            if (points.Length % 3 != 0)
+                throw new ArgumentException("there must be 3 numbers a point", nameof(points));
+            int[] labels = new int[points.Length / 3];
+            CleftException.Check(CleftNative.cleft_volume_sample(Handle, points, labels.Length, labels));
+            return labels;
+        }
+    }
+
+    /// <summary>The wanted edge length at each point; made by a Mesher or read by MeshFiles. It never changes.</summary>
+    public sealed class Sizing : NativeObject
+    {
+        internal Sizing(IntPtr address) : base(new NativeHandle(address, CleftNative.cleft_sizing_destroy)) { }
+
+        /// <summary>Values, and where they lie.</summary>
+        public Grid Grid
+        {
+            get {
+                long[] dims = new long[3];
+                double[] affine = new double[12];
+                CleftException.Check(CleftNative.cleft_sizing_dims(Handle, dims));
+                CleftException.Check(CleftNative.cleft_sizing_affine(Handle, affine));
+                return new Grid(dims[0], dims[1], dims[2]).WithAffine(affine);
+            }
+        }
+
+        /// <summary>The values, x fastest; a view.</summary>
+        public ArrayView<float> Values
+        {
+            get {
+                long count = Grid.Voxels;
+                return new FloatView(Handle, CleftNative.cleft_sizing_values, handle => count);
+            }
+        }
+
+        /// <summary>Tetrahedra that a background of this field will have, within some 10 %.</summary>
+        public double ExpectedTets => CleftNative.cleft_sizing_expected_tets(Handle);
+
+        /// <summary>The field at a point of the world.</summary>
+        public double At(double x, double y, double z)
+        {
+            double[] size = new double[1];
+            CleftException.Check(CleftNative.cleft_sizing_at(Handle, new[] { x, y, z }, size));
+            return size[0];
+        }
+    }
+}

@@ -1,0 +1,101 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using Cleft;
+
+/// <summary>Progress, log and cancelling.</summary>
+sealed class CallbacksTest
+{
+    readonly Mesher mesher = new Mesher();
+
+    sealed class OwnException : Exception { }
+
+    void TestProgress()
+    {
+        var fractions = new List<double>();
+        Thread caller = Thread.CurrentThread;
+        Volume volume = Checks.BallVolume(mesher);
+        mesher.Threads = 2;
+        mesher.Progress = (fraction, stage) => {
+            GC.Collect();  // which would take delegates that nobody holds
+            fractions.Add(fraction);
+            Checks.Check(Thread.CurrentThread == caller && stage.Length > 0, "wrong thread or no stage");
+            return true;
+        };
+        mesher.Mesh(volume, Checks.Quick());
+        Checks.Check(fractions.Count > 3, "no progress");
+        Checks.Check(fractions.SequenceEqual(fractions.OrderBy(fraction => fraction)), "backwards");
+    }
+
+    void TestFalseCancels()
+    {
+        mesher.Progress = (fraction, stage) => false;
+        Checks.Thrown<CancelledException>(() => Checks.BallMesh(mesher));
+        mesher.Progress = null;
+        Checks.Check(Checks.BallMesh(mesher).TetCount > 0, "no mesh");
+    }
+
+    void TestExceptionsComeOut()
+    {
+        mesher.Progress = (fraction, stage) => throw new OwnException();
+        Checks.Thrown<OwnException>(() => Checks.BallMesh(mesher));
+        mesher.Progress = null;
+        Checks.BallMesh(mesher).Dispose();
+    }
+
+    void TestLog()
+    {
+        var levels = new List<LogLevel>();
+        var tooFew = new Options { Background = Background.Lattice, Tets = 1 };  // cannot be met, which is warned of
+        Volume volume = Checks.BallVolume(mesher);
+        mesher.Log = (level, sentence) => levels.Add(level);
+        mesher.Mesh(volume, tooFew);
+        Checks.Check(levels.Contains(LogLevel.Warning), "no warning");
+        mesher.Log = (level, sentence) => throw new OwnException();
+        Checks.Thrown<OwnException>(() => mesher.Mesh(volume, tooFew));
+    }
+
+    void TestCancelFromAnotherThread()
+    {
+        var started = new ManualResetEvent(false);
+        Volume volume = Checks.SlowVolume(mesher);
+        mesher.Progress = (fraction, stage) => started.Set();
+        var thread = new Thread(() => {
+            started.WaitOne();
+            mesher.Cancel();
+        });
+        thread.Start();
+        Checks.Thrown<CancelledException>(() => mesher.Mesh(volume));
+        thread.Join();
+    }
+
+    void TestCancellationToken()
+    {
+        var source = new CancellationTokenSource();
+        Volume volume = Checks.SlowVolume(mesher);
+        mesher.Cancellation = source.Token;
+        mesher.Progress = (fraction, stage) => {
+            source.Cancel();
+            return true;
+        };
+        Checks.Thrown<CancelledException>(() => mesher.Mesh(volume));
+    }
+
+    void TestOneCallAtATime()
+    {
+        mesher.Progress = (fraction, stage) => mesher.Metrics().Count >= 0;
+        Checks.Thrown<InvalidOperationException>(() => Checks.BallMesh(mesher));
+    }
+
+    void TestCallbacksMayMeshElsewhere()
+    {
+        long tets = 0;
+        mesher.Progress = (fraction, stage) => {
+            if (tets == 0)
+                tets = Checks.BallMesh(new Mesher()).TetCount;
+            return true;
+        };
+        Checks.Equal(Checks.BallMesh(mesher).TetCount, tets);
+    }
+}

@@ -1,0 +1,105 @@
+using System;
+using System.IO;
+using System.Linq;
+using Cleft;
+
+/// <summary>Reading and writing.</summary>
+sealed class FilesTest
+{
+    static readonly string Data = Environment.GetEnvironmentVariable("TEST_DATA");
+    readonly Mesher mesher = new Mesher();
+
+    static void InFolder(Action<Func<string, string>> use)
+    {
+        string folder = Path.Combine(Path.GetTempPath(), "cleft-test-" + Guid.NewGuid());
+        Directory.CreateDirectory(folder);
+        try {
+            use(name => Path.Combine(folder, name));
+        } finally {
+            Directory.Delete(folder, true);
+        }
+    }
+
+    void TestMeshes()
+    {
+        InFolder(path => {
+            Mesh mesh = Checks.BallMesh(mesher);
+            foreach (string name in new[] { "ä b.vtu", "a.msh", "a.mesh" }) {
+                MeshFiles.WriteMesh(mesher, mesh, path(name));
+                Checks.Check(File.Exists(path(name)), name);
+                Checks.Equal(Content.Mesh, MeshFiles.Guess(path(name)));
+                Checks.Equal(mesh.TetCount, MeshFiles.ReadMesh(mesher, path(name)).TetCount);
+            }
+            MeshFiles.WriteMesh(mesher, mesh, path("b.dat"), "msh22");
+            Checks.Check(File.ReadAllText(path("b.dat")).Contains("2.2"), "no msh 2.2");
+            Checks.Thrown<ArgumentException>(() => MeshFiles.WriteMesh(mesher, mesh, path("b"), "jpeg"));
+            Checks.Thrown<FileFailureException>(() => MeshFiles.WriteMesh(mesher, mesh, path("none/a.vtu")));
+        });
+    }
+
+    void TestVolumes()
+    {
+        string path = Path.Combine(Data, "mickey.nrrd");
+        Volume volume = MeshFiles.ReadVolume(mesher, path);
+        Checks.Check(volume.Labels.Count > 1, "no labels");
+        Checks.Equal(Content.Volume, MeshFiles.Guess(path));
+        var reading = new Reading { World = World.Ras, Kind = VoxelKind.Labels, Spacing = new double[] { 0, 0, 9 } };
+        Volume other = MeshFiles.ReadVolume(mesher, new[] { path }, null, reading);
+        Checks.Near(-volume.Grid.Affine[0], other.Grid.Affine[0], 1e-12);
+        Checks.Near(9, Math.Abs(other.Grid.Affine[10]), 1e-12);
+    }
+
+    void TestRaw()
+    {
+        InFolder(path => {
+            byte[] labels = Checks.BallLabels();
+            byte[] shorts = new byte[4 + 2 * labels.Length];
+            for (int i = 0; i < labels.Length; ++i)
+                shorts[5 + 2 * i] = labels[i];
+            File.WriteAllBytes(path("labels.raw"), shorts);
+            var raw = new RawVoxels { Type = VoxelType.Int16, BigEndian = true, Skip = 4, Dims = new long[] { 12, 13, 14 },
+                                      Spacing = new double[] { 1, 1, 1 } };
+            Volume volume = MeshFiles.ReadRaw(mesher, raw, null, path("labels.raw"));
+            Checks.Check(Checks.Same(Checks.BallMesh(mesher), mesher.Mesh(volume, Checks.Quick())), "another mesh");
+            raw.Skip = 0;
+            Checks.Thrown<CleftException>(() => MeshFiles.ReadRaw(mesher, raw, null, path("labels.raw")));
+            raw.Dims = new long[2];
+            Checks.Thrown<ArgumentException>(() => MeshFiles.ReadRaw(mesher, raw, null, path("labels.raw")));
+        });
+    }
+
+    void TestSizing()
+    {
+        InFolder(path => {
+            Volume volume = Checks.BallVolume(mesher);
+            Sizing sizing = mesher.Sizing(volume, new Options { Size = 2.5 });
+            MeshFiles.WriteSizing(mesher, sizing, path("sizes.nrrd"));
+            Sizing again = MeshFiles.ReadSizing(mesher, volume, path("sizes.nrrd"));
+            Checks.Equal(sizing.Values.ToArray(), again.Values.ToArray());
+            double[] values = MeshFiles.ReadField(mesher, path("sizes.nrrd"), out Grid grid);
+            Checks.Equal(volume.Grid.Dims, grid.Dims);
+            Checks.Check(values.SequenceEqual(sizing.Values.Select(value => (double)value)), "values");
+        });
+    }
+
+    void TestFormats()
+    {
+        Checks.Check(MeshFiles.Formats().Any(row => row.Name == "vtu" && row.ReadsMesh && row.WritesMesh
+            && row.Extensions.Contains(".vtu")), "no vtu");
+        Checks.Check(MeshFiles.Formats().Any(row => row.ReadsVolume), "no volumes");
+    }
+
+    void TestFailures()
+    {
+        InFolder(path => {
+            File.WriteAllText(path("broken.vtu"), "not XML");
+            Checks.Thrown<InvalidFormatException>(() => MeshFiles.ReadMesh(mesher, path("broken.vtu")));
+            Checks.Thrown<FileFailureException>(() => MeshFiles.ReadMesh(mesher, path("a.vtu")));
+            Checks.Thrown<FileFailureException>(() => MeshFiles.ReadVolume(mesher, path("a.nii")));
+            Checks.Thrown<InvalidArgumentException>(() => MeshFiles.ReadVolume(mesher, new string[0]));
+            Checks.Thrown<ArgumentException>(() => MeshFiles.ReadMesh(mesher, "a\0b.vtu"));
+            Checks.Thrown<ArgumentException>(() => MeshFiles.ReadVolume(
+                mesher, path("a.nii"), null, new Reading { Spacing = new double[2] }));
+        });
+    }
+}

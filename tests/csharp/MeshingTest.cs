@@ -1,0 +1,169 @@
+using System;
+using System.Linq;
+using System.Runtime.InteropServices;
+using System.Threading;
+using Cleft;
+
+/// <summary>The stages and what can be asked of their results.</summary>
+sealed class MeshingTest
+{
+    readonly Mesher mesher = new Mesher();
+
+    void TestMeshIsSound()
+    {
+        Mesh mesh = Checks.BallMesh(mesher);
+        Validation found = mesher.Validate(mesh, true);
+        Checks.Check(found.IsValid && found.FirstFault == "", found.FirstFault);
+        Checks.Equal(new[] { 0, 1, 7 }, mesh.Labels.ToArray());
+        Checks.Near(12 * 13 * 14, mesher.Quality(mesh).TotalVolume, 1e-12);
+        Checks.Equal(mesh.Points.ToArray(), mesh.CopyPoints());
+        Checks.Equal(mesh.Tets.ToArray(), mesh.CopyTets());
+        Checks.Equal(mesh.TetLabels.ToArray(), mesh.CopyTetLabels());
+        Checks.Check(mesh.Tets.All(point => point >= 0 && point < mesh.PointCount), "corners");
+    }
+
+    void TestVoxelsOfAnyType()
+    {
+        byte[] labels = Checks.BallLabels();
+        Mesh wanted = Checks.BallMesh(mesher);
+        IntPtr memory = Marshal.AllocHGlobal(labels.Length);
+        Marshal.Copy(labels, 0, memory, labels.Length);
+        foreach (Volume volume in new[] {
+            mesher.Labels(Array.ConvertAll(labels, label => (short)label), Checks.Grid),
+            mesher.Labels(Array.ConvertAll(labels, label => (ushort)label), Checks.Grid),
+            mesher.Labels(Array.ConvertAll(labels, label => (int)label), Checks.Grid),
+            mesher.Labels(Array.ConvertAll(labels, label => (uint)label), Checks.Grid),
+            mesher.Labels(memory, VoxelType.UInt8, Checks.Grid)
+        })
+            Checks.Check(Checks.Same(wanted, mesher.Mesh(volume, Checks.Quick())), "another mesh");
+        Marshal.FreeHGlobal(memory);
+        int[] extremes = Array.ConvertAll(labels, label => label == 7 ? int.MinValue : int.MaxValue);
+        Checks.Equal(new[] { int.MinValue, int.MaxValue }, mesher.Labels(extremes, Checks.Grid).Labels.ToArray());
+    }
+
+    void TestWorld()
+    {
+        Grid grid = Checks.Grid.WithSpacing(0.5, 1, 2).WithOrigin(10, 20, 30);
+        Volume volume = mesher.Labels(Checks.BallLabels(), grid);
+        Checks.Equal(grid.Affine, volume.Grid.Affine);
+        Checks.Equal(new long[] { 12, 13, 14 }, volume.Grid.Dims);
+        Checks.Equal(new[] { 7, 1 }, volume.Sample(10 + 0.5 * 11, 20, 30, 10 + 0.5 * 5, 26, 30 + 2 * 7));
+        Checks.Equal(new[] { 1, 0, 0, 0.5, 0, 1, 0, 0.5, 0, 0, 1, 0.5 }, Checks.BallVolume(mesher).Grid.Affine);
+        double[] affine = { 0, -2, 0, 5, 1, 0, 0, 6, 0, 0, 3, 7 };
+        Checks.Equal(affine, mesher.Labels(Checks.BallLabels(), Checks.Grid.WithAffine(affine)).Grid.Affine);
+    }
+
+    void TestStagesByHand()
+    {
+        Volume volume = Checks.BallVolume(mesher);
+        Options options = Checks.Quick();
+        Sizing sizing = mesher.Sizing(volume, options);
+        Mesh background = mesher.BackgroundMesh(sizing, options);
+        Checks.Equal(new[] { 0 }, background.Labels.ToArray());
+        Mesh improved = mesher.Improve(volume, mesher.Cleave(volume, background, options), options);
+        Checks.Check(mesher.Validate(improved, true).IsValid, "not valid");
+        Checks.Equal(improved.TetCount, mesher.Mesh(volume, sizing, background, options).TetCount);
+        Checks.Equal(new[] { 1, 7 }, mesher.Strip(improved, new Options { Strip = new[] { 0 } }).Labels.ToArray());
+        Checks.Equal(new[] { 1 }, mesher.Strip(improved, new Options { Only = new[] { 1 } }).Labels.ToArray());
+    }
+
+    void TestSizing()
+    {
+        Volume volume = Checks.BallVolume(mesher);
+        Checks.Near(2.5, mesher.ConstantSizing(volume, 2.5).At(6, 6, 6), 1e-6);
+        float[] wanted = Enumerable.Range(0, 12 * 13 * 14).Select(i => i < 1000 ? 1.5f : 3).ToArray();
+        Sizing sizing = mesher.Sizing(volume, wanted);
+        Checks.Equal(wanted, sizing.Values.ToArray());
+        double[] doubles = Array.ConvertAll(wanted, value => (double)value);
+        Checks.Equal(wanted, mesher.Sizing(volume, doubles).Values.ToArray());
+        Checks.Equal(volume.Grid.Affine, sizing.Grid.Affine);
+        Checks.Check(sizing.ExpectedTets > 100, "expected");
+        Sizing both = mesher.Sizing(volume, wanted, true, new Options { Size = 2 });
+        Checks.Check(both.Values.All(value => value <= 2), "combined");
+    }
+
+    void TestIndicators()
+    {
+        double[] inside = Enumerable.Range(0, 12 * 13 * 14).Select(i => 5.5 - i % 12).ToArray();
+        double[] outside = Array.ConvertAll(inside, value => -value);
+        float[] single = Array.ConvertAll(inside, value => (float)value);
+        Checks.Equal(new[] { 0, 1 }, mesher.Indicators(new[] { single }, Checks.Grid).Labels.ToArray());
+        Volume volume = mesher.Indicators(new[] { inside, outside }, Checks.Grid, new[] { 40, -3 });
+        Checks.Equal(new[] { -3, 40 }, mesher.Mesh(volume, Checks.Quick()).Labels.ToArray());
+    }
+
+    void TestReport()
+    {
+        Volume volume = Checks.BallVolume(mesher);
+        var rows = mesher.Report(volume, mesher.Mesh(volume, Checks.Quick()));
+        Checks.Equal(new[] { 0, 1, 7 }, rows.Select(row => row.Label).ToArray());
+        Checks.Check(rows.All(row => !row.Lost && volume.VoxelCounts[row.Label] == row.Voxels), "rows");
+        Checks.Near(12 * 13 * 14, rows.Sum(row => row.MeshVolume), 1e-12);
+    }
+
+    void TestQuality()
+    {
+        Mesh mesh = Checks.BallMesh(mesher);
+        Quality quality = mesher.Quality(mesh);
+        Checks.Equal(mesh.TetCount, quality.TetCount);
+        Checks.Equal(6 * mesh.TetCount, quality.DihedralHistogram.Sum());
+        Checks.Check(0 < quality.MinDihedral && quality.MinDihedral < 60 && quality.MaxDihedral < 180, "angles");
+    }
+
+    void TestSurface()
+    {
+        Mesh mesh = Checks.BallMesh(mesher);
+        Surface surface = mesher.Surface(mesh);
+        mesh.Dispose();
+        Checks.Equal(surface.InterfaceTriangles.Count / 3, surface.InterfaceLabels.Count / 2);
+        Checks.Equal(surface.HullTriangles.Count / 3, surface.HullLabels.Count);
+        Checks.Equal(6, surface.HullSides.Select(side => (Side)side).Distinct().Count());
+    }
+
+    void TestArraysThereAndBack()
+    {
+        Mesh mesh = Checks.BallMesh(mesher);
+        Mesh again = mesher.MeshOf(mesh.CopyPoints(), mesh.CopyTets(1), mesh.CopyTetLabels(), 1);
+        Checks.Check(Checks.Same(mesh, again), "another mesh");
+        Checks.Equal(new[] { 0 }, mesher.MeshOf(mesh.CopyPoints(), mesh.CopyTets()).Labels.ToArray());
+        Validation found = mesher.Validate(
+            mesher.MeshOf(new double[] { 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1 }, new[] { 1, 0, 2, 3 }));
+        Checks.Check(!found.IsValid && found.NegativeTets == 1 && found.FirstFault != "", found.FirstFault);
+    }
+
+    void TestQuadratic()
+    {
+        Mesh mesh = Checks.BallMesh(mesher);
+        double[] points = mesh.CopyQuadratic(out int[] tets);
+        Checks.Equal(10 * mesh.TetCount, (long)tets.Length);
+        Checks.Near((points[3 * tets[0]] + points[3 * tets[1]]) / 2 + 1, points[3 * tets[4]] + 1, 1e-12);
+        mesh.CopyQuadratic(out int[] fromOne, 1);
+        Checks.Equal(tets[0] + 1, fromOne[0]);
+    }
+
+    void TestThreads()
+    {
+        Volume volume = Checks.BallVolume(mesher);
+        Mesh one = mesher.Mesh(volume, Checks.Quick());
+        mesher.Threads = 2;
+        Checks.Equal(2, mesher.Threads);
+        Checks.Check(Checks.Same(one, mesher.Mesh(volume, Checks.Quick())), "another mesh");
+        bool[] same = new bool[4];
+        Thread[] threads = Enumerable.Range(0, 4).Select(n => new Thread(() =>
+            same[n] = Checks.Same(one, new Mesher().Mesh(volume, Checks.Quick())))).ToArray();
+        foreach (Thread thread in threads)
+            thread.Start();
+        foreach (Thread thread in threads)
+            thread.Join();
+        Checks.Check(same.All(yes => yes), "another mesh in a thread");
+    }
+
+    void TestMetricsAndVersion()
+    {
+        Checks.BallMesh(mesher).Dispose();
+        Checks.Check(mesher.Metrics().Count > 3, "no figures");
+        mesher.ClearMetrics();
+        Checks.Equal(0, mesher.Metrics().Count);
+        Checks.Equal(3, Library.Version.Split('.').Length);
+    }
+}
