@@ -77,6 +77,13 @@ namespace Cleft
             set { Set(CleftNative.CLEFT_OPTION_TETS, value); }
         }
 
+        /// <summary>The greatest number of tetrahedra: coarser than the sizes say if need be; 0: none.</summary>
+        public long MaxTets
+        {
+            get { return Integer(CleftNative.CLEFT_OPTION_MAX_TETS); }
+            set { Set(CleftNative.CLEFT_OPTION_MAX_TETS, value); }
+        }
+
         /// <summary>The width in voxels of the kernel that smooths label maps.</summary>
         public int Smooth
         {

@@ -24,6 +24,7 @@ class OptionKeywords(TypedDict, total=False):
     gradation: float
     interface_size: float
     tets: int
+    max_tets: int
     smooth: int
     snap: str
     improve: str

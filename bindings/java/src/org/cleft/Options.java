@@ -173,6 +173,25 @@ public final class Options extends NativeObject {
     }
 
     /**
+     * Sets the greatest number of tetrahedra: coarser than the sizes say if need be; 0: none.
+     *
+     * @param value the new value
+     * @return these options
+     */
+    public Options maxTets(long value) {
+        return set(CleftNative.CLEFT_OPTION_MAX_TETS, value);
+    }
+
+    /**
+     * The greatest number of tetrahedra; 0: none.
+     *
+     * @return the value
+     */
+    public long maxTets() {
+        return integer(CleftNative.CLEFT_OPTION_MAX_TETS);
+    }
+
+    /**
      * Sets the width in voxels of the kernel that smooths label maps.
      *
      * @param value the new value
