@@ -77,7 +77,7 @@ namespace Cleft
             set { Set(CleftNative.CLEFT_OPTION_TETS, value); }
         }
 
-        /// <summary>The greatest number of tetrahedra: coarser than the sizes say if need be; 0: none.</summary>
+        /// <summary>About how many tetrahedra there may be: where SizeMin is 0, the least edge is raised for it; 0: no limit.</summary>
         public long MaxTets
         {
             get { return Integer(CleftNative.CLEFT_OPTION_MAX_TETS); }

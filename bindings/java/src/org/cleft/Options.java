@@ -173,7 +173,7 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets the greatest number of tetrahedra: coarser than the sizes say if need be; 0: none.
+     * Sets about how many tetrahedra there may be: where sizeMin is 0, the least edge length is raised for it; 0: no limit.
      *
      * @param value the new value
      * @return these options
@@ -183,7 +183,7 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * The greatest number of tetrahedra; 0: none.
+     * About how many tetrahedra there may be; 0: no limit.
      *
      * @return the value
      */
