@@ -51,7 +51,8 @@ module cleft_c
     CLEFT_OPTION_STEPS = 12, &
     CLEFT_OPTION_SEED = 13, &
     CLEFT_OPTION_STRICT = 14, &
-    CLEFT_OPTION_REPAIR = 15
+    CLEFT_OPTION_REPAIR = 15, &
+    CLEFT_OPTION_MAX_TETS = 16
 
   integer(c_int32_t), parameter :: &
     CLEFT_BACKGROUND_PARTICLES = 0, &
