@@ -11,9 +11,9 @@ namespace cleft
 namespace
 {
 
-constexpr double kReach = 0.5;       // how far a cut may be to be snapped to, in shortest edges at the vertex
-constexpr double kStay = 0.1;        // how close a cut must be to be taken over in place, in its edge
-constexpr double kLeastSine = 0.34;  // 20 degrees: the background is not warped below, unless it gets better
+constexpr double kReach = 0.5;      // how far a cut may be to be snapped to, in shortest edges at the vertex
+constexpr double kStay = 0.2;       // how close a cut must be to be taken over in place, in its edge
+constexpr double kLeastSine = 0.2;  // 11.5 degrees: the background is not warped below, unless it gets better
 constexpr int kPasses = 3;
 constexpr size_t kMostCuts = 6;     // at one vertex, nearest first
 constexpr int kMostMaterials = 10;  // at one vertex

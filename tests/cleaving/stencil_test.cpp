@@ -1,5 +1,5 @@
 // The lemmas of cleaving/stencil.hpp, proved by going through all cases.
-#include "cleaving/stencil.hpp"
+#include "cleaving/stencil_table.hpp"
 
 #include "mesh/quality.hpp"
 #include "support/cmocka.hpp"
@@ -111,6 +111,51 @@ void every_pattern_and_order_fans_with_positive_volumes(void**)
         }
 }
 
+// The closed simplex has its boundary too: half of the time a share is nothing.
+Points points_of_closed_simplices(Random& random)
+{
+    Points x = random_points(random);
+    for (size_t p = 4; p < kStencilPoints; ++p) {
+        Vec3 at(0, 0, 0);
+        double sum = 0;
+        while (sum == 0)
+            for (size_t i = 0; i < 4; ++i)
+                if (kCarrier[p] >> i & 1u && random.below(2)) {
+                    const double weight = random.between(0, 1);
+                    at += weight * x[i];
+                    sum += weight;
+                }
+        x[p] = at / sum;
+    }
+    return x;
+}
+
+// What lies beneath both lemmas: with one point in each closed simplex, the 24 tetrahedra of a corner, an edge, a face
+// and the whole, each in the next, are never negative and add up. In barycentric coordinates each has the volume
+// (share of j in the edge's point) (of k in the face's) (of l in the tetrahedron's).
+void flags_are_never_negative_and_add_up(void**)
+{
+    Random random(3);
+    const auto point_of = [](unsigned corners) {
+        return static_cast<size_t>(std::find(kCarrier.begin(), kCarrier.end(), corners) - kCarrier.begin());
+    };
+    for (int trial = 0; trial < 20000; ++trial) {
+        const Points x = points_of_closed_simplices(random);
+        const double whole = volume_of(x, {0, 1, 2, 3});
+        std::array<size_t, 4> order = {0, 1, 2, 3};
+        double sum = 0;
+        do {
+            const unsigned edge = 1u << order[0] | 1u << order[1], face = edge | 1u << order[2];
+            const bool even = orient(x[order[0]], x[order[1]], x[order[2]], x[order[3]]) > 0;
+            const double volume =
+                orient(x[order[0]], x[point_of(edge)], x[point_of(face)], x[kQuadruplePoint]) / (even ? 6 : -6);
+            assert_true(volume > -1e-15);
+            sum += volume;
+        } while (std::next_permutation(order.begin(), order.end()));
+        assert_true(std::abs(sum - whole) < 1e-12);
+    }
+}
+
 // Lemma 2 names the apex: the greatest cut, where no face has three cuts.
 void greatest_cut_is_an_apex_without_triple_points(void**)
 {
@@ -153,6 +198,35 @@ void cyclic_diagonals_leave_no_apex(void**)
     }
     surface.first = {0, 3, 6, 9, 12};
     assert_int_equal(apexes(cuts, surface).count, 0);
+}
+
+// The table has the fan of every apex, and no other.
+void table_lists_the_fans_of_all_apexes(void**)
+{
+    const auto in_order = [](const StencilTet* begin, const StencilTet* end) {
+        std::set<StencilTet> tets;
+        for (const StencilTet* t = begin; t != end; ++t)
+            tets.insert(sorted(*t));
+        return tets;
+    };
+    const StencilTable table;
+    for (const CutRanks& ranks : all_ranks())
+        for (CutMask cuts = 0; cuts <= kAllCuts; ++cuts) {
+            const Diagonals choice = diagonals(cuts, ranks);
+            const SplitSurface surface = split_surface(cuts, choice);
+            const Apexes candidates = apexes(cuts, surface);
+            std::set<std::set<StencilTet>> expected, found;
+            for (size_t a = 0; a < static_cast<size_t>(candidates.count); ++a) {
+                std::array<StencilTet, 24> tets;
+                const int count = fan(surface, candidates.point[a], tets);
+                expected.insert(in_order(tets.data(), tets.data() + count));
+            }
+            const StencilTable::Range range = table.stencils(cuts, choice);
+            for (uint16_t s = range.begin; s < range.end; ++s)
+                found.insert(in_order(table.tets(s).begin(), table.tets(s).end()));
+            assert_true(found == expected);
+            assert_int_equal(range.end - range.begin, found.size());
+        }
 }
 
 // What a face splits into depends on the face alone: not on which face of a tetrahedron it is, how its corners are
@@ -207,8 +281,10 @@ int main()
 {
     const CMUnitTest tests[] = {
         cmocka_unit_test(every_pattern_and_order_fans_with_positive_volumes),
+        cmocka_unit_test(flags_are_never_negative_and_add_up),
         cmocka_unit_test(greatest_cut_is_an_apex_without_triple_points),
         cmocka_unit_test(cyclic_diagonals_leave_no_apex),
+        cmocka_unit_test(table_lists_the_fans_of_all_apexes),
         cmocka_unit_test(both_sides_split_a_shared_face_alike),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
