@@ -12,7 +12,8 @@ endif()
 # swig/INTERFACE.i, linked with LIBRARY; what SWIG writes in the language itself goes to FOLDER.
 function(cleft_swig_module target interface library folder)
     set(source ${CMAKE_CURRENT_BINARY_DIR}/${target}.c)
-    file(GLOB interface_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bindings/swig/*.i ${PROJECT_SOURCE_DIR}/include/cleft/*.h)
+    file(GLOB interface_files CONFIGURE_DEPENDS
+        ${PROJECT_SOURCE_DIR}/bindings/swig/*.i ${PROJECT_SOURCE_DIR}/include/cleft/*.h)
     add_custom_command(OUTPUT ${source}
         COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
         COMMAND ${SWIG_EXECUTABLE} ${ARGN} ${cleft_swig_flags} -I${PROJECT_SOURCE_DIR}/include

@@ -45,7 +45,7 @@ final class MemoryTest {
     }
 
     void testAThousandCycles() throws Exception {
-        long before = afterCycles(400);
+        long before = afterCycles(200);
         long after = afterCycles(1000);
         Checks.check(after - before < 8192, "memory grew by " + (after - before) + " kB");
     }
