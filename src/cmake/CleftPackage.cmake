@@ -36,6 +36,9 @@ cleft_package(fortran libcleft-fortran-dev libdevel "Cleft: the Fortran modules"
 cleft_package(java libcleft-java java "Cleft: the Java package" io)
 cleft_package(csharp libcleft-cil cli-mono "Cleft: the .NET assembly" io)
 cleft_package(python python3-cleft python "Cleft: the Python package" io)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3-numpy")
+set(CPACK_DEBIAN_JAVA_PACKAGE_DEPENDS "default-jre-headless (>= 2:1.17) | java17-runtime-headless")
+set(CPACK_DEBIAN_CSHARP_PACKAGE_DEPENDS mono-runtime)
 
 get_cmake_property(CPACK_COMPONENTS_ALL COMPONENTS)
 list(REMOVE_ITEM CPACK_COMPONENTS_ALL Unspecified)
