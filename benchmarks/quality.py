@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Meshes every volume on every background and writes the table of docs/quality.md.
+"""Meshes every volume on every background and writes the table of docs/quality.md. The lattice has one size everywhere:
+it is given as many tetrahedra as the first background made.
 
     benchmarks/quality.py [--cleft build/release/src/cli/cleft] [--data FOLDER] [--only TEXT] [-o docs/quality.md]
 
@@ -22,10 +23,13 @@ COLUMNS = ("tetrahedra", "least angle", "greatest angle", "below 10, 15, 20", "r
            "CPU s")
 
 
-def mesh(cleft, files, background, folder):
+def mesh(cleft, files, background, tets, folder):
     report, surface = folder / "report.json", folder / "surface.ply"
-    done = subprocess.run([cleft, "mesh", *files, "-o", surface, "--background", background, "--json", report,
-                           "--quiet", "--check", "--threads", "1"], capture_output=True, text=True)
+    command = [cleft, "mesh", *files, "-o", surface, "--background", background, "--json", report, "--quiet",
+               "--check", "--threads", "1"]
+    if background == "lattice" and tets:
+        command += ["--tets", str(tets)]
+    done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode != 0:
         return None, done.stderr.strip().splitlines()[-1]
     return json.loads(report.read_text()), surface
@@ -76,9 +80,11 @@ def line(cells):
 def table(cleft, work, backgrounds):
     text = line(("volume", "background") + COLUMNS) + line(["---"] * (2 + len(COLUMNS)))
     for name, (files, spheres) in work.items():
+        tets = 0
         for background in backgrounds:
             with tempfile.TemporaryDirectory() as folder:
-                report, result = mesh(cleft, files, background, pathlib.Path(folder))
+                report, result = mesh(cleft, files, background, tets, pathlib.Path(folder))
+                tets = tets or (report["mesh"]["tets"] if report else 0)
                 cells = row(report, result, spheres) if report else [result] + [""] * (len(COLUMNS) - 1)
             text += line([name, background] + cells)
             print(text.splitlines()[-1], flush=True)
