@@ -22,6 +22,9 @@ constexpr double kReach = 0.3;
 // Steps of the search, in the least voxel spacing: label indicators are flat further away than that.
 constexpr double kStep = 0.4;
 constexpr double kCentroidShare = 0.75;
+// Fields of a user's own say where surfaces are to a small part of a voxel: there points give up so much less of their
+// place, in the least voxel spacing. It costs a ball of 14 voxels 0.2 % of its volume.
+constexpr double kSlackOfFields = 0.011;
 // Smaller moves are not worth their price, in lengths of the root of the area around.
 constexpr double kLeastMove = 2e-3;
 // Later rounds make good at neighbours what a point could not give.
@@ -121,6 +124,7 @@ void find_heights(const LocalMesh& mesh, const Volume& volume, std::vector<Inter
                   const Run& run)
 {
     const double step = kStep * volume.grid().spacing.minCoeff();
+    const double slack = volume.is_label_map() ? 0 : kSlackOfFields * volume.grid().spacing.minCoeff();
     parallel_for(run, static_cast<int64_t>(triangles.size()), kGrain, [&](int64_t begin, int64_t end) {
         Samples samples;
         for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
@@ -129,8 +133,9 @@ void find_heights(const LocalMesh& mesh, const Volume& volume, std::vector<Inter
             const Vec3 normal = (b - a).cross(c - a).normalized();
             const double edge =
                 std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
-            t.height =
+            const double height =
                 kCentroidShare * height_of_tie(volume, (a + b + c) / 3, normal, t.pair, kReach * edge, step, samples);
+            t.height = std::copysign(std::max(0.0, std::abs(height) - slack), height);
         }
     });
 }
