@@ -2,7 +2,9 @@
 
 #include "capi/firewall.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
@@ -19,12 +21,20 @@ const OptionRow& checked_row(int row, const std::string& what)
     return kOptionTable[row];
 }
 
+std::string text_of(double value)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.10g", value);
+    return text.data();
+}
+
 void assign(cleft_options& options, const OptionRow& row, double value)
 {
     if (!std::isfinite(value))
         throw Error(CLEFT_ERROR_NOT_FINITE, std::string(row.name) + " is NaN or infinite");
     if (value < row.least || value > row.greatest)
-        throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is out of its range");
+        throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is " + text_of(value) + ", which is not within " +
+                                            text_of(row.least) + " to " + text_of(row.greatest));
     options.values[static_cast<size_t>(&row - kOptionTable)] = value;
 }
 
