@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "base/stage_timer.hpp"
+#include "improving/material_offsets.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/smoothing.hpp"
 
@@ -34,6 +35,8 @@ constexpr int kRounds = 3;
 constexpr double kLeastShare = 0.2;
 // A point that cannot go further than this share of its way stays.
 constexpr double kLeastGrant = 0.1;
+// Interfaces of label maps go no further beyond the tie than this, in the least voxel spacing.
+constexpr double kMostOffset = 0.2;
 constexpr int64_t kGrain = 2048;
 constexpr int32_t kTetsACheck = 1 << 16;
 constexpr size_t kPointsACheck = 1 << 12;  // between two looks for a cancel
@@ -87,6 +90,7 @@ struct InterfaceTriangle {
     std::array<int32_t, 3> corners;
     std::array<Material, 2> pair;  // ascending
     double height = 0;             // mean height of the tie above the triangle as it was found
+    double offset = 0;             // beyond the tie, for the volumes of the labels
 };
 
 // Only tetrahedra with three points of interfaces can have a triangle in one.
@@ -182,7 +186,7 @@ std::vector<Wish> wishes(const LocalMesh& mesh, const std::vector<InterfaceTrian
         const Vec3 twice = (place(t.corners[1]) - a).cross(place(t.corners[2]) - a);
         const double area = 0.5 * twice.norm();
         const Vec3 normal = twice.normalized();
-        double height = t.height;
+        double height = t.height + t.offset;
         for (const int32_t v : t.corners)
             height -= points[static_cast<size_t>(v)].moved.dot(normal) / 3;
         for (const int32_t v : t.corners) {
@@ -193,6 +197,49 @@ std::vector<Wish> wishes(const LocalMesh& mesh, const std::vector<InterfaceTrian
         }
     }
     return out;
+}
+
+std::vector<double> material_volumes(const LocalMesh& mesh, size_t materials)
+{
+    std::vector<double> volumes(materials, 0);
+    for (int32_t t = 0; t < mesh.slot_count(); ++t) {
+        const Tet& c = mesh.tet(t);
+        const Vec3& a = mesh.point(c[0]);
+        const Vec3 ab = mesh.point(c[1]) - a, ac = mesh.point(c[2]) - a, ad = mesh.point(c[3]) - a;
+        volumes[static_cast<size_t>(mesh.material(t))] += ab.cross(ac).dot(ad) / 6;
+    }
+    return volumes;
+}
+
+// Adds to the offsets of the triangles what the labels miss. The heights are counted as granted in the first round;
+// later, what has not been granted will hardly be.
+void add_offsets(const LocalMesh& mesh, const Volume& volume, const std::vector<InterfacePoint>& points, bool first,
+                 std::vector<InterfaceTriangle>& triangles)
+{
+    const std::vector<int64_t> voxels = volume.voxel_counts();
+    const Vec3& spacing = volume.grid().spacing;
+    const std::vector<double> volumes = material_volumes(mesh, voxels.size());
+    std::vector<double> missing(voxels.size());
+    for (size_t m = 0; m < voxels.size(); ++m)
+        missing[m] = static_cast<double>(voxels[m]) * spacing.prod() - volumes[m];
+    std::vector<Contact> contacts;
+    contacts.reserve(triangles.size());
+    const auto place = [&](int32_t i) -> const Vec3& { return mesh.point(points[static_cast<size_t>(i)].number); };
+    for (const InterfaceTriangle& t : triangles) {
+        const Vec3& a = place(t.corners[0]);
+        const double area = 0.5 * (place(t.corners[1]) - a).cross(place(t.corners[2]) - a).norm();
+        contacts.push_back({t.pair[0], t.pair[1], area});
+        if (first) {
+            missing[static_cast<size_t>(t.pair[0])] -= area * t.height;
+            missing[static_cast<size_t>(t.pair[1])] += area * t.height;
+        }
+    }
+    const std::vector<double> offsets = material_offsets(contacts, missing);
+    const double most = kMostOffset * spacing.minCoeff();
+    for (InterfaceTriangle& t : triangles) {
+        const double more = offsets[static_cast<size_t>(t.pair[0])] - offsets[static_cast<size_t>(t.pair[1])];
+        t.offset = std::clamp(t.offset + more, -most, most);
+    }
 }
 
 // Where a point is to go, and along which directions it may slide without breaking the wish.
@@ -300,6 +347,8 @@ void fit_volumes(LabelledMesh& mesh, const Volume& volume, double least_angle, c
     Granter granter(local, std::sin(least_angle * M_PI / 180));
     for (int round = 0; round < kRounds; ++round) {
         run.report(0.6 + 0.4 * round / kRounds, "fitting volumes");
+        if (volume.is_label_map())
+            add_offsets(local, volume, points, round == 0, triangles);
         const int64_t held = granter.grant(wishes(local, triangles, points), points, run);
         run.note("fitting.held", static_cast<double>(held));
     }

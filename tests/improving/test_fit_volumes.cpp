@@ -4,9 +4,11 @@
 #include "background/lattice.hpp"
 #include "cleaving/cleave.hpp"
 #include "improving/fit_volumes.hpp"
+#include "improving/material_offsets.hpp"
 #include "mesh/finish.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/validate.hpp"
+#include "support/volumes.hpp"
 
 #include <cmath>
 
@@ -97,6 +99,47 @@ void halves_of_a_ball_keep_their_volumes(void**)
     assert_string_equal(validate(mesh, true, Run()).first_fault.c_str(), "");
 }
 
+// Three materials in a row, and one that touches nothing.
+void offsets_give_what_is_missing(void**)
+{
+    const std::vector<Contact> contacts{{0, 1, 2.0}, {1, 2, 0.5}, {0, 1, 1.0}};
+    const std::vector<double> missing{3, -2, -1, 0};
+    const std::vector<double> offsets = material_offsets(contacts, missing);
+    std::vector<double> gained(4, 0);
+    for (const Contact& c : contacts) {
+        const auto a = static_cast<size_t>(c.first), b = static_cast<size_t>(c.second);
+        gained[a] += c.area * (offsets[a] - offsets[b]);
+        gained[b] -= c.area * (offsets[a] - offsets[b]);
+    }
+    for (size_t m = 0; m < 4; ++m)
+        assert_true(std::abs(gained[m] - missing[m]) < 1e-5);
+    for (const double offset : material_offsets(contacts, {0, 0, 0, 0}))
+        assert_true(offset == 0);
+}
+
+void grains_have_the_volume_of_their_voxels(void**)
+{
+    const auto grains = cleft_test::voronoi_grains({28, 26, 24}, 40, 3);
+    const Grid grid{{28, 26, 24}, Vec3(1, 1.2, 0.9)};
+    const Volume volume = Volume::from_labels(VoxelType::uint8, grains.voxels.data(), grid, 5, Run());
+    LabelledMesh mesh = cleave(volume, lattice_background(grid, 2.2, Run()), CleaveOptions(), Run());
+    const std::vector<int64_t> voxels = volume.voxel_counts();
+    const auto worst = [&] {
+        const std::vector<double> volumes = material_volumes(mesh, static_cast<Material>(voxels.size()));
+        double most = 0;
+        for (size_t m = 0; m < voxels.size(); ++m)
+            if (voxels[m] > 100)
+                most =
+                    std::max(most, std::abs(volumes[m] / (static_cast<double>(voxels[m]) * grid.spacing.prod()) - 1));
+        return most;
+    };
+    const double before = worst();
+    fit_volumes(mesh, volume, 20, Run());
+    assert_true(before > 0.02);
+    assert_true(worst() < 0.01);
+    assert_string_equal(validate(mesh, true, Run()).first_fault.c_str(), "");
+}
+
 void a_flat_interface_stays_flat(void**)
 {
     const Grid grid{{16, 16, 16}, Vec3(1, 1, 1)};
@@ -121,6 +164,8 @@ int main()
         cmocka_unit_test(a_coarse_ball_keeps_its_volume),
         cmocka_unit_test(half_a_ball_at_a_wall_keeps_its_volume),
         cmocka_unit_test(halves_of_a_ball_keep_their_volumes),
+        cmocka_unit_test(offsets_give_what_is_missing),
+        cmocka_unit_test(grains_have_the_volume_of_their_voxels),
         cmocka_unit_test(a_flat_interface_stays_flat),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -1,0 +1,23 @@
+// What is left to do for volumes after the chords: smooth interfaces of a label map hold not quite as much as its
+// voxels.
+#pragma once
+
+#include "volume/volume.hpp"
+
+#include <vector>
+
+namespace cleft
+{
+
+// A piece of interface.
+struct Contact {
+    Material first, second;
+    double area;
+};
+
+// An offset for each material, such that each gains the volume it is missing when every interface moves towards its
+// second material by the offset of the first less that of the second: as pressures move the films of a foam. The least
+// such offsets; `missing` should add up to zero.
+std::vector<double> material_offsets(const std::vector<Contact>& contacts, const std::vector<double>& missing);
+
+}  // namespace cleft
