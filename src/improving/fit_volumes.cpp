@@ -24,8 +24,9 @@ constexpr double kReach = 0.3;
 constexpr double kStep = 0.4;
 constexpr double kCentroidShare = 0.75;
 // Fields of a user's own say where surfaces are to a small part of a voxel: there points give up so much less of their
-// place, in the least voxel spacing. It costs a ball of 14 voxels 0.2 % of its volume.
+// place, in the least voxel spacing, but keep no more than this share of a height, which vanishes with the edge length.
 constexpr double kSlackOfFields = 0.011;
+constexpr double kSlackShare = 0.4;
 // Smaller moves are not worth their price, in lengths of the root of the area around.
 constexpr double kLeastMove = 2e-3;
 // Later rounds make good at neighbours what a point could not give.
@@ -139,7 +140,7 @@ void find_heights(const LocalMesh& mesh, const Volume& volume, std::vector<Inter
                 std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
             const double height =
                 kCentroidShare * height_of_tie(volume, (a + b + c) / 3, normal, t.pair, kReach * edge, step, samples);
-            t.height = std::copysign(std::max(0.0, std::abs(height) - slack), height);
+            t.height = height - std::copysign(std::min(slack, kSlackShare * std::abs(height)), height);
         }
     });
 }
