@@ -214,11 +214,9 @@ std::vector<double> material_volumes(const LocalMesh& mesh, size_t materials)
 
 // Adds to the offsets of the triangles what the labels miss. The heights are counted as granted in the first round;
 // later, what has not been granted will hardly be.
-void add_offsets(const LocalMesh& mesh, const Volume& volume, const std::vector<InterfacePoint>& points, bool first,
-                 std::vector<InterfaceTriangle>& triangles)
+void add_offsets(const LocalMesh& mesh, const std::vector<int64_t>& voxels, const Vec3& spacing,
+                 const std::vector<InterfacePoint>& points, bool first, std::vector<InterfaceTriangle>& triangles)
 {
-    const std::vector<int64_t> voxels = volume.voxel_counts();
-    const Vec3& spacing = volume.grid().spacing;
     const std::vector<double> volumes = material_volumes(mesh, voxels.size());
     std::vector<double> missing(voxels.size());
     for (size_t m = 0; m < voxels.size(); ++m)
@@ -346,10 +344,11 @@ void fit_volumes(LabelledMesh& mesh, const Volume& volume, double least_angle, c
     find_heights(local, volume, triangles, run);
     std::vector<InterfacePoint> points = find_points(local, triangles);
     Granter granter(local, std::sin(least_angle * M_PI / 180));
+    const std::vector<int64_t> voxels = volume.is_label_map() ? volume.voxel_counts() : std::vector<int64_t>();
     for (int round = 0; round < kRounds; ++round) {
         run.report(0.6 + 0.4 * round / kRounds, "fitting volumes");
         if (volume.is_label_map())
-            add_offsets(local, volume, points, round == 0, triangles);
+            add_offsets(local, voxels, volume.grid().spacing, points, round == 0, triangles);
         const int64_t held = granter.grant(wishes(local, triangles, points), points, run);
         run.note("fitting.held", static_cast<double>(held));
     }
