@@ -13,7 +13,7 @@ binding_packages="
     mono-devel"
 
 test_packages="
-    clang-format libcmocka-dev python3
+    clang-format libcmocka-dev python3 mypy
     gmsh calculix-ccx
     gfortran make abigail-tools freefem++ man-db
     python3-numpy python3-meshio python3-vtk9 python3-nibabel"

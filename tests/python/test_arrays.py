@@ -55,6 +55,11 @@ class Arrays(unittest.TestCase):
             cleft.Volume(np.full((2, 2, 2), None))
         with self.assertRaises(TypeError):
             cleft.Volume(None, affine=np.eye(4))
+        with self.assertRaises(TypeError):
+            cleft.Volume("labels")
+        with self.assertRaisesRegex(TypeError, "masked"):
+            cleft.Volume(np.ma.masked_equal(self.labels, 7))
+        self.assertTrue(cleft.Volume(np.ma.masked_equal(self.labels, 7).filled(0)))
         for wrong in (np.zeros((3, 3), int), np.zeros((2, 2, 2, 2), int), np.zeros((0, 2, 2), int)):
             with self.assertRaises(ValueError):
                 cleft.Volume(wrong)
@@ -85,6 +90,8 @@ class Arrays(unittest.TestCase):
                       {"affine": np.zeros((3, 4))}, {"affine": np.full((3, 4), np.nan)}, {"affine": 2 * np.eye(4)}):
             with self.assertRaises(ValueError):
                 cleft.Volume(self.labels, **world)
+        with self.assertRaises(cleft.NotFinite):
+            cleft.Volume(self.labels, affine=np.full((4, 4), np.nan))
         for world in ({"spacing": "abc"}, {"affine": np.eye(4), "spacing": (1, 1, 1)}, {"spacing": 1j * np.ones(3)}):
             with self.assertRaises(TypeError):
                 cleft.Volume(self.labels, **world)

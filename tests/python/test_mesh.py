@@ -137,17 +137,6 @@ class Meshes(unittest.TestCase):
         self.assertTrue(np.array_equal(there.cells_dict["tetra"], mesh.tets))
         self.assertTrue(np.array_equal(there.cell_data_dict["material"]["tetra"], mesh.labels))
 
-    def test_plot(self):
-        try:
-            import matplotlib.pyplot as pyplot
-        except ImportError:
-            self.skipTest("matplotlib is not installed")
-        axes = ball_mesh().plot([1, 7], backend="matplotlib")
-        self.assertEqual(len(axes.collections), 1)
-        pyplot.close("all")
-        with self.assertRaises(ValueError):
-            ball_mesh().plot(backend="crayons")
-
     def test_repr(self):
         self.assertIn("3 labels", repr(ball_mesh()))
         self.assertIn("12 x 13 x 14", repr(ball_volume()))

@@ -59,6 +59,8 @@ class OptionsTest(unittest.TestCase):
             cleft.mesh(ball_volume(), colour=1)
         with self.assertRaises(AttributeError):
             cleft.Options().colour
+        with self.assertRaises(AttributeError):
+            cleft.Options().colour = 1
 
     def test_strip_and_only(self):
         self.assertEqual(ball_mesh(strip=[0]).different_labels.tolist(), [1, 7])

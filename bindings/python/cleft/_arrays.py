@@ -1,6 +1,7 @@
 """What comes in: arrays of any order and type, turned into those that the library reads."""
 from __future__ import annotations
 
+import operator
 import os
 from typing import Any, Sequence
 
@@ -65,9 +66,12 @@ def rows(array: np.ndarray[Any, Any], width: int, name: str) -> np.ndarray[Any, 
 
 
 def _volume_shaped(values: Any, name: str) -> np.ndarray[Any, Any]:
+    if np.ma.is_masked(values):
+        raise TypeError(f"{name} is masked; say what the masked voxels are, by {name}.filled()")
     array = np.asarray(values)
-    if array.dtype == object:
-        raise TypeError(f"{name} must be an array of numbers, not of {type(values).__name__}")
+    if array.dtype == object or array.dtype.kind in "USV":
+        found = type(values).__name__ if array.ndim == 0 else f"an array of {array.dtype}"
+        raise TypeError(f"{name} must be an array of numbers, not {found}")
     if array.ndim != 3:
         raise InvalidArgument(f"{name} has {array.ndim} dimensions; it must have three: [i, j, k]")
     if 0 in array.shape:
@@ -101,6 +105,17 @@ def real_voxels(values: Any, name: str) -> np.ndarray[Any, Any]:
     return np.asfortranarray(array, np.float32 if array.dtype.itemsize <= 2 or array.dtype == np.float32 else np.float64)
 
 
+def whole_number(value: Any, name: str, least: int, greatest: int) -> int:
+    """A whole number for the library, which has so many bits for it; OverflowError beyond."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} must be a whole number, not {value!r}") from None
+    if not least <= number <= greatest:
+        raise OverflowError(f"{name} is {number}, which is not within {least} to {greatest}")
+    return number
+
+
 def dims_of(array: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
     """The numbers of voxels, for the library."""
     return np.array(array.shape, np.int64)
@@ -119,6 +134,8 @@ def world_matrix(spacing: Sequence[float] | None, origin: Sequence[float] | None
         matrix = float_array(affine, "affine")
         if matrix.shape not in ((3, 4), (4, 4)):
             raise InvalidArgument(f"affine has the shape {matrix.shape}; it must be (3, 4) or (4, 4)")
+        if not np.isfinite(matrix).all():
+            raise NotFinite("affine must be finite")
         if matrix.shape == (4, 4) and not np.array_equal(matrix[3], (0, 0, 0, 1)):
             raise InvalidArgument("the last row of affine must be 0 0 0 1")
         return np.ascontiguousarray(matrix[:3])

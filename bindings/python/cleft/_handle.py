@@ -54,7 +54,7 @@ class Owner:
         self.close()
 
 
-def native_of(owner: Owner | None, kind: type, name: str) -> Handle | None:
+def native_of(owner: Owner | None, kind: type[Owner], name: str) -> Handle | None:
     """The handle of an argument, or None for None; TypeError if it is something else."""
     if owner is None:
         return None
@@ -63,7 +63,7 @@ def native_of(owner: Owner | None, kind: type, name: str) -> Handle | None:
     return owner._native
 
 
-def required(owner: Owner, kind: type, name: str) -> Handle:
+def required(owner: Owner, kind: type[Owner], name: str) -> Handle:
     """The handle of an argument that must be there."""
     handle = native_of(owner, kind, name)
     if handle is None:

@@ -6,6 +6,7 @@ import threading
 from typing import Any, Callable, Iterator, Optional, Union
 
 from . import native
+from ._arrays import whole_number
 from ._handle import Handle
 from .errors import Closed, CleftError, raise_for
 
@@ -49,8 +50,9 @@ class Mesher:
 
     @threads.setter
     def threads(self, value: int) -> None:
+        count = whole_number(value, "threads", -2**31, 2**31 - 1)
         with self._running():
-            self._check(native.cleft_context_set_threads(self._native, value))
+            self._check(native.cleft_context_set_threads(self._native, count))
 
     def cancel(self) -> None:
         """Asks the call that runs on this mesher to stop soon with Cancelled; from any thread."""

@@ -161,12 +161,12 @@ def make_background(sizing: Sizing, *, mesher: Mesher | None = None, options: Op
         native.cleft_background_create, required(sizing, Sizing, "sizing"), chosen._native if chosen else None))
 
 
-def cleave(volume: Volume, background: Mesh, *, mesher: Mesher | None = None, options: Options | None = None,
+def cleave(volume: Volume, background_mesh: Mesh, *, mesher: Mesher | None = None, options: Options | None = None,
            **keywords: Unpack[OptionKeywords]) -> Mesh:
     """Cleaves a background mesh along the interfaces of a volume."""
     chosen = options_of(options, keywords)
     return Mesh._adopt(mesher_or_plain(mesher)._call(
-        native.cleft_mesh_cleave, required(volume, Volume, "volume"), required(background, Mesh, "background"),
+        native.cleft_mesh_cleave, required(volume, Volume, "volume"), required(background_mesh, Mesh, "background_mesh"),
         chosen._native if chosen else None))
 
 

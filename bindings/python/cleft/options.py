@@ -3,12 +3,12 @@ from __future__ import annotations
 
 import operator
 from dataclasses import dataclass
-from typing import Any, Iterable, Mapping, TypedDict
+from typing import Any, Iterable, Mapping, TypedDict, Unpack
 
 import numpy as np
 
 from . import native
-from ._arrays import int32_array
+from ._arrays import int32_array, whole_number
 from ._handle import Handle, Owner
 from .errors import raise_for
 
@@ -85,14 +85,14 @@ class Options(Owner):
     raises OptionError, which is a ValueError; a name that is no option raises TypeError.
     """
 
-    def __init__(self, **values: Any) -> None:
+    def __init__(self, **values: Unpack[OptionKeywords]) -> None:
         object.__setattr__(self, "_lists", {"label_sizes": {}, "strip": (), "only": ()})
         status, address = native.cleft_options_create()
         raise_for(status, "options could not be made")
         self._handle = Handle(address, native.cleft_options_destroy)
         for name, value in values.items():
             if name not in _TABLE and name not in _LISTS:
-                raise TypeError(f"{name!r} is not an option; the options are {', '.join((*_TABLE, *_LISTS))}")
+                raise TypeError(f"{name!r} is not an option; {_names()}")
             setattr(self, name, value)
 
     def __setattr__(self, name: str, value: Any) -> None:
@@ -102,8 +102,10 @@ class Options(Owner):
             self._set_label_sizes(value)
         elif name in _LISTS:
             self._set_list(name, value)
-        else:
+        elif name.startswith("_"):
             super().__setattr__(name, value)
+        else:
+            raise AttributeError(f"{name!r} is not an option; {_names()}")
 
     def __getattr__(self, name: str) -> Any:
         if name in _LISTS:
@@ -143,7 +145,8 @@ class Options(Owner):
         elif row.type == "choice":
             self.set_text(row.name, value)
         else:
-            number = int(value) if isinstance(value, float) and value.is_integer() else operator.index(value)
+            whole = int(value) if isinstance(value, float) and value.is_integer() else value
+            number = whole_number(whole, row.name, -2**63, 2**63 - 1)
             self._check(native.cleft_options_set_integer(self._native, row.key, number))
 
     def _set_label_sizes(self, sizes: Mapping[int, float]) -> None:
@@ -155,11 +158,18 @@ class Options(Owner):
             self._lists["label_sizes"][operator.index(label)] = float(size)
 
     def _set_list(self, name: str, labels: Iterable[int]) -> None:
-        values = tuple(operator.index(label) for label in labels)
+        try:
+            values = tuple(operator.index(label) for label in labels)
+        except TypeError:
+            raise TypeError(f"{name} must be a list of labels, not {labels!r}") from None
         array = int32_array(values, name)
         set_list = native.cleft_options_set_strip if name == "strip" else native.cleft_options_set_only
         self._check(set_list(self._native, array, len(array)))
         self._lists[name] = values
+
+
+def _names() -> str:
+    return "the options are " + ", ".join((*_TABLE, *_LISTS))
 
 
 def _text(value: str) -> str:
