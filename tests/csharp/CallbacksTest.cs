@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Threading;
+using System.Threading.Tasks;
 using Cleft;
 
 /// <summary>Progress, log and cancelling.</summary>
@@ -79,7 +80,22 @@ sealed class CallbacksTest
             source.Cancel();
             return true;
         };
-        Checks.Thrown<CancelledException>(() => mesher.Mesh(volume));
+        var cancelled = Checks.Thrown<OperationCanceledException>(() => mesher.Mesh(volume));
+        Checks.Check(cancelled is CancelledException && cancelled.CancellationToken == source.Token, "not of the token");
+    }
+
+    void TestCancelledTask()
+    {
+        var source = new CancellationTokenSource();
+        Volume volume = Checks.SlowVolume(mesher);
+        mesher.Cancellation = source.Token;
+        mesher.Progress = (fraction, stage) => {
+            source.Cancel();
+            return true;
+        };
+        Task task = Task.Run(() => mesher.Mesh(volume), source.Token);
+        Checks.Thrown<AggregateException>(task.Wait);
+        Checks.Check(task.IsCanceled && !task.IsFaulted, "the task has failed, not been cancelled");
     }
 
     void TestOneCallAtATime()

@@ -22,6 +22,20 @@ sealed class MeshingTest
         Checks.Check(mesh.Tets.All(point => point >= 0 && point < mesh.PointCount), "corners");
     }
 
+    void TestWords()
+    {
+        Volume volume = Checks.BallVolume(mesher);
+        Mesh mesh = Checks.BallMesh(mesher);
+        Checks.Equal("Volume of 12 x 13 x 14 voxels, 3 labels", volume.ToString());
+        Checks.Equal("Grid of 12 x 13 x 14 voxels", volume.Grid.ToString());
+        Checks.Equal($"Mesh of {mesh.PointCount} points, {mesh.TetCount} tetrahedra, 3 labels", mesh.ToString());
+        Checks.Equal("Mesher of 1 threads", mesher.ToString());
+        Checks.Equal("Validation: nothing is wrong", mesher.Validate(mesh).ToString());
+        foreach (object thing in new object[] {
+            mesher.Sizing(volume), mesher.Surface(mesh), mesher.Quality(mesh), mesher.Report(volume, mesh)[0] })
+            Checks.Check(thing.ToString().StartsWith(thing.GetType().Name + " of "), thing.ToString());
+    }
+
     void TestVoxelsOfAnyType()
     {
         byte[] labels = Checks.BallLabels();

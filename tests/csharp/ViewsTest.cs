@@ -24,6 +24,17 @@ sealed class ViewsTest
         Checks.Equal(mesh.Points.LongCount, (long)mesh.Points.Count);
     }
 
+    void TestDisposedWhileViewsAreHeld()
+    {
+        Mesh mesh = Checks.BallMesh(mesher);
+        ArrayView<double> points = mesh.Points;
+        mesh.Dispose();
+        Checks.Check(mesh.IsDisposed && mesh.ToString() == "Mesh (disposed)", "a view keeps the mesh");
+        Checks.Thrown<ObjectDisposedException>(() => mesh.CopyPoints());
+        Checks.Thrown<ObjectDisposedException>(() => mesher.Quality(mesh));
+        Checks.Check(points.Count > 0 && points.Sum() > 0, "the view is gone");
+    }
+
     void TestEmptyMesh()
     {
         Mesh empty = mesher.MeshOf(new double[0], new int[0]);

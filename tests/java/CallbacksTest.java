@@ -41,7 +41,16 @@ final class CallbacksTest {
         Checks.check(Checks.thrown(Error.class, () -> Checks.ballMesh(mesher.progress((fraction, stage) -> {
             throw error;
         }))) == error, "another error");
+        Exception checked = new java.io.IOException("as Kotlin throws it");
+        Checks.check(Checks.thrown(Exception.class, () -> Checks.ballMesh(mesher.progress((fraction, stage) -> {
+            throw CallbacksTest.<RuntimeException>asIfUnchecked(checked);
+        }))) == checked, "another checked exception");
         Checks.ballMesh(mesher.progress(null));
+    }
+
+    @SuppressWarnings("unchecked")
+    private static <T extends Exception> T asIfUnchecked(Exception exception) throws T {
+        throw (T) exception;
     }
 
     void testLog() {

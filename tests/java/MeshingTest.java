@@ -24,6 +24,18 @@ final class MeshingTest {
         Checks.check(Arrays.stream(mesh.tets()).allMatch(point -> point >= 0 && point < mesh.pointCount()), "corners");
     }
 
+    void testWords() {
+        Volume volume = Checks.ballVolume(mesher);
+        Mesh mesh = Checks.ballMesh(mesher);
+        Checks.equal("Volume of 12 x 13 x 14 voxels, 3 labels", volume.toString());
+        Checks.equal("Mesh of " + mesh.pointCount() + " points, " + mesh.tetCount() + " tetrahedra, 3 labels", mesh.toString());
+        Checks.equal("Mesher of 1 threads", mesher.toString());
+        for (NativeObject thing : new NativeObject[] {mesher.sizing(volume, null), mesher.surface(mesh)})
+            Checks.check(thing.toString().startsWith(thing.getClass().getSimpleName() + " of "), thing.toString());
+        mesh.close();
+        Checks.equal("Mesh (closed)", mesh.toString());
+    }
+
     void testVoxelsOfAnyType() {
         byte[] labels = Checks.ballLabels();
         short[] shorts = new short[labels.length];

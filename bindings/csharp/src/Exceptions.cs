@@ -1,4 +1,5 @@
 using System;
+using System.Threading;
 
 namespace Cleft
 {
@@ -17,11 +18,10 @@ namespace Cleft
                 throw Of(status, string.IsNullOrEmpty(sentence) ? CleftNative.cleft_status_string(status) : sentence);
         }
 
-        private static CleftException Of(int status, string sentence)
+        private static Exception Of(int status, string sentence)
         {
             switch (status) {
             case CleftNative.CLEFT_ERROR_OUT_OF_MEMORY: return new NativeMemoryException(status, sentence);
-            case CleftNative.CLEFT_ERROR_CANCELLED: return new CancelledException(status, sentence);
             case CleftNative.CLEFT_ERROR_NULL:
             case CleftNative.CLEFT_ERROR_ARGUMENT:
             case CleftNative.CLEFT_ERROR_BUFFER: return new InvalidArgumentException(status, sentence);
@@ -33,6 +33,7 @@ namespace Cleft
             case CleftNative.CLEFT_ERROR_LABEL_LOST: return new LabelLostException(status, sentence);
             case CleftNative.CLEFT_ERROR_FILE: return new FileFailureException(status, sentence);
             case CleftNative.CLEFT_ERROR_FORMAT: return new InvalidFormatException(status, sentence);
+            case CleftNative.CLEFT_ERROR_CANCELLED: return new CancelledException(sentence, CancellationToken.None);
             default: return new CleftException(status, sentence);
             }
         }
@@ -44,10 +45,13 @@ namespace Cleft
         internal NativeMemoryException(int status, string sentence) : base(status, sentence) { }
     }
 
-    /// <summary>The progress function answered false, or the call was cancelled from outside.</summary>
-    public sealed class CancelledException : CleftException
+    /// <summary>
+    /// The progress function answered false, or the call was cancelled from outside: as everywhere in .NET, not a failure but
+    /// an OperationCanceledException. Its token is that of the Mesher if it was the one that cancelled.
+    /// </summary>
+    public sealed class CancelledException : OperationCanceledException
     {
-        internal CancelledException(int status, string sentence) : base(status, sentence) { }
+        internal CancelledException(string sentence, CancellationToken token) : base(sentence, token) { }
     }
 
     /// <summary>An argument is out of its range.</summary>

@@ -82,6 +82,11 @@ namespace Cleft
             }
         }
 
+        /// <summary>What this is, in a few words.</summary>
+        public override string ToString() { return "Grid of " + Size + " voxels"; }
+
+        internal string Size => string.Join(" x ", dims);
+
         internal void CheckLength(Array array, string name)
         {
             if (array == null)

@@ -73,6 +73,9 @@ namespace Cleft
             return points;
         }
 
+        internal override string Description =>
+            " of " + PointCount + " points, " + TetCount + " tetrahedra, " + Labels.Count + " labels";
+
         private static void CheckBase(int indexBase)
         {
             if (indexBase != 0 && indexBase != 1)
@@ -107,5 +110,8 @@ namespace Cleft
         /// <summary>The side of each triangle of the hull, as the number of a <see cref="Side"/>.</summary>
         public ArrayView<int> HullSides =>
             new IntView(Handle, CleftNative.cleft_surface_hull_sides, CleftNative.cleft_surface_hull_count);
+
+        internal override string Description => " of " + CleftNative.cleft_surface_interface_count(Handle)
+            + " triangles between labels, " + CleftNative.cleft_surface_hull_count(Handle) + " of the hull";
     }
 }

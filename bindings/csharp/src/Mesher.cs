@@ -322,6 +322,8 @@ namespace Cleft
 
         // ------------------------------------------------------------------------------------------------ calls
 
+        internal override string Description => " of " + Threads + " threads";
+
         internal delegate int Maker(NativeHandle context, out IntPtr made);
 
         /// <summary>Runs a call that makes something, and answers its address.</summary>
@@ -345,6 +347,8 @@ namespace Cleft
                     context.DangerousAddRef(ref held);  // also while the sentence of a failure is read
                     int status = call(context);
                     thrown?.Throw();
+                    if (status == CleftNative.CLEFT_ERROR_CANCELLED && Cancellation.IsCancellationRequested)
+                        throw new CancelledException(Sentence(context), Cancellation);
                     if (status != CleftNative.CLEFT_OK)
                         CleftException.Check(status, Sentence(context));
                 } finally {

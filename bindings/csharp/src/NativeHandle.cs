@@ -36,19 +36,33 @@ namespace Cleft
     public abstract class NativeObject : IDisposable
     {
         private readonly NativeHandle handle;
+        private volatile bool disposed;  // the handle itself is not closed before its last view is gone
 
         internal NativeObject(NativeHandle handle) { this.handle = handle; }
 
         /// <summary>Was <see cref="Dispose"/> called?</summary>
-        public bool IsDisposed => handle.IsClosed;
+        public bool IsDisposed => disposed;
 
         /// <summary>Gives the object up. Again does nothing; views that are still held stay good.</summary>
-        public void Dispose() { handle.Dispose(); }
+        public void Dispose()
+        {
+            disposed = true;
+            handle.Dispose();
+        }
+
+        /// <summary>What this is, in a few words.</summary>
+        public sealed override string ToString()
+        {
+            return GetType().Name + (disposed ? " (disposed)" : Description);
+        }
+
+        /// <summary>What follows the name of the class in ToString().</summary>
+        internal virtual string Description => "";
 
         internal NativeHandle Handle
         {
             get {
-                if (handle.IsClosed)
+                if (disposed)
                     throw new ObjectDisposedException(GetType().Name);
                 return handle;
             }

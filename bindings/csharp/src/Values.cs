@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 
 namespace Cleft
@@ -148,6 +149,13 @@ namespace Cleft
         public double TotalVolume { get; }
         /// <summary>All angles, in 36 bins of 5 degrees.</summary>
         public IReadOnlyList<long> DihedralHistogram { get; }
+
+        /// <summary>What this is, in a few words.</summary>
+        public override string ToString()
+        {
+            return FormattableString.Invariant(
+                $"Quality of {TetCount} tetrahedra: dihedral angles {MinDihedral:0.0} to {MaxDihedral:0.0} degrees");
+        }
     }
 
     /// <summary>What is wrong with a mesh; all counts are 0 for a sound one.</summary>
@@ -202,6 +210,9 @@ namespace Cleft
         public double BoxArea { get; }
         /// <summary>The first fault and its place, "" if there is none.</summary>
         public string FirstFault { get; }
+
+        /// <summary>What this is, in a few words.</summary>
+        public override string ToString() { return IsValid ? "Validation: nothing is wrong" : "Validation: " + FirstFault; }
     }
 
     /// <summary>What became of one label. Volumes are in world units cubed.</summary>
@@ -241,6 +252,13 @@ namespace Cleft
         public long LargeComponentsLost { get; }
         /// <summary>Has the label voxels, but no tetrahedron?</summary>
         public bool Lost { get; }
+
+        /// <summary>What this is, in a few words.</summary>
+        public override string ToString()
+        {
+            return FormattableString.Invariant(
+                $"LabelReport of {Label}: {Voxels} voxels of volume {VoxelVolume}, {Tets} tetrahedra of {MeshVolume}");
+        }
     }
 
     /// <summary>What values an option takes.</summary>

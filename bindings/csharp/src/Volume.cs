@@ -52,6 +52,8 @@ namespace Cleft
             CleftException.Check(CleftNative.cleft_volume_sample(Handle, points, labels.Length, labels));
             return labels;
         }
+
+        internal override string Description => " of " + Grid.Size + " voxels, " + Labels.Count + " labels";
     }
 
     /// <summary>The wanted edge length at each point; made by a Mesher or read by MeshFiles. It never changes.</summary>
@@ -90,5 +92,7 @@ namespace Cleft
             CleftException.Check(CleftNative.cleft_sizing_at(Handle, new[] { x, y, z }, size));
             return size[0];
         }
+
+        internal override string Description => FormattableString.Invariant($" of about {ExpectedTets:0} tetrahedra");
     }
 }

@@ -28,10 +28,14 @@ final class Callbacks {
             CURRENT.remove();
         else
             CURRENT.set(outer);
-        if (thrown instanceof Error error)
-            throw error;
-        if (thrown instanceof RuntimeException exception)
-            throw exception;
+        if (thrown != null)
+            throw Callbacks.<RuntimeException>unchecked(thrown);
+    }
+
+    /** Also of the checked kind, which languages without checked exceptions throw from anywhere. */
+    @SuppressWarnings("unchecked")
+    private static <T extends Throwable> T unchecked(Throwable thrown) throws T {
+        throw (T) thrown;
     }
 
     /** From the library: whether to cancel. */
@@ -45,7 +49,7 @@ final class Callbacks {
             return false;
         try {
             return !current.progress.update(fraction, stage);
-        } catch (RuntimeException | Error failure) {
+        } catch (Throwable failure) {
             current.thrown = failure;
             return true;
         }
@@ -58,7 +62,7 @@ final class Callbacks {
             return;
         try {
             current.log.write(Log.Level.of(level), sentence);
-        } catch (RuntimeException | Error failure) {
+        } catch (Throwable failure) {
             current.thrown = failure;
         }
     }

@@ -122,7 +122,11 @@ public final class Grid {
 
     @Override
     public String toString() {
-        return "Grid of " + dims[0] + " x " + dims[1] + " x " + dims[2] + " voxels";
+        return "Grid of " + size() + " voxels";
+    }
+
+    String size() {
+        return dims[0] + " x " + dims[1] + " x " + dims[2];
     }
 
     @Override

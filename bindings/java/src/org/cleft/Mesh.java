@@ -144,6 +144,11 @@ public final class Mesh extends NativeObject {
         return new Quadratic(points, tets);
     }
 
+    @Override
+    String description() {
+        return " of " + pointCount() + " points, " + tetCount() + " tetrahedra, " + labels().length + " labels";
+    }
+
     private static void checkBase(int indexBase) {
         if (indexBase != 0 && indexBase != 1)
             throw new IllegalArgumentException("indexBase must be 0 or 1, not " + indexBase);

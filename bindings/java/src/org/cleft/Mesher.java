@@ -7,7 +7,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
  * Makes volumes, sizing fields and meshes, and tells how they are made: with how many threads, with what progress.
@@ -26,15 +25,9 @@ import java.util.concurrent.atomic.AtomicBoolean;
  * defaults.
  */
 public final class Mesher extends NativeObject {
-    private final AtomicBoolean busy = new AtomicBoolean();
+    private final Calls calls = new Calls(handle());
     private Progress progress;
     private Log log;
-
-    /** A function of the library: the context, the addresses of the arguments (0 for null), where a new handle goes. */
-    @FunctionalInterface
-    interface Call {
-        int run(long context, long[] arguments, long[] out);
-    }
 
     /** A mesher with one thread. */
     public Mesher() {
@@ -471,53 +464,18 @@ public final class Mesher extends NativeObject {
         }
     }
 
-    // ---------------------------------------------------------------------------------------------------- calls
-
     /** Runs a call that makes something, and answers its address. */
-    long make(Call call, NativeObject... arguments) {
+    long make(Calls.Call call, NativeObject... arguments) {
         return run(call, arguments)[0];
     }
 
     /** Runs a call on this context, while the arguments cannot go away. */
-    long[] run(Call call, NativeObject... arguments) {
-        if (!busy.compareAndSet(false, true))
-            throw new IllegalStateException("this Mesher is running another call; use one Mesher a thread");
-        List<NativeHandle> leased = new ArrayList<>();
-        try {
-            long context = lease(this, leased);
-            long[] addresses = new long[arguments.length];
-            for (int i = 0; i < arguments.length; ++i)
-                addresses[i] = arguments[i] == null ? 0 : lease(arguments[i], leased);
-            return run(call, context, addresses);
-        } finally {
-            leased.forEach(NativeHandle::release);
-            busy.set(false);
-        }
+    long[] run(Calls.Call call, NativeObject... arguments) {
+        return calls.run(new Callbacks(progress, log), call, arguments);
     }
 
-    private long[] run(Call call, long context, long[] arguments) {
-        long[] out = out();
-        Callbacks callbacks = new Callbacks(progress, log);
-        int status;
-        callbacks.begin();
-        try {
-            status = call.run(context, arguments, out);
-        } finally {
-            callbacks.end();
-        }
-        if (status != CleftNative.CLEFT_OK)
-            throw CleftException.of(status, sentence(context, status));
-        return out;
-    }
-
-    private static String sentence(long context, int status) {
-        String sentence = CleftNative.cleft_context_last_error(context);
-        return sentence.isEmpty() ? CleftNative.cleft_status_string(status) : sentence;
-    }
-
-    private static long lease(NativeObject object, List<NativeHandle> leased) {
-        long address = object.handle().lease();
-        leased.add(object.handle());
-        return address;
+    @Override
+    String description() {
+        return " of " + threads() + " threads";
     }
 }

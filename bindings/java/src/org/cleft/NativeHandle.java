@@ -46,6 +46,10 @@ final class NativeHandle {
         release();
     }
 
+    String kind() {
+        return kind;
+    }
+
     synchronized boolean isClosed() {
         return closed;
     }

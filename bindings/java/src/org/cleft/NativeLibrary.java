@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * Loads the native modules: from the folder that the property org.cleft.library.path names; or those in the jar, by way
@@ -58,7 +59,7 @@ final class NativeLibrary {
 
     /** Loads the last of the files, which finds the others beside itself. */
     private static boolean loadFromJar(List<String> files, List<String> failures) {
-        String platform = (System.getProperty("os.name") + "-" + System.getProperty("os.arch")).toLowerCase();
+        String platform = (System.getProperty("os.name") + "-" + System.getProperty("os.arch")).toLowerCase(Locale.ROOT);
         String main = files.get(files.size() - 1);
         if (NativeLibrary.class.getResource(resource(platform, main)) == null) {
             failures.add("the jar has none for " + platform);

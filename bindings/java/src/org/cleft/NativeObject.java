@@ -39,6 +39,17 @@ public abstract sealed class NativeObject implements AutoCloseable
         return handle.isClosed();
     }
 
+    /** What this is, in a few words. */
+    @Override
+    public final String toString() {
+        return handle.kind() + (isClosed() ? " (closed)" : description());
+    }
+
+    /** What follows the kind in toString(). */
+    String description() {
+        return "";
+    }
+
     final NativeHandle handle() {
         return handle;
     }

@@ -74,4 +74,9 @@ public final class Sizing extends NativeObject {
     public double expectedTets() {
         return with(CleftNative::cleft_sizing_expected_tets);
     }
+
+    @Override
+    String description() {
+        return " of about " + Math.round(expectedTets()) + " tetrahedra";
+    }
 }

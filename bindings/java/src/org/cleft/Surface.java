@@ -54,6 +54,12 @@ public final class Surface extends NativeObject {
         return copy(CleftNative::cleft_surface_hull_sides, CleftNative::cleft_surface_hull_count, 1);
     }
 
+    @Override
+    String description() {
+        return " of " + with(CleftNative::cleft_surface_interface_count) + " triangles between labels, "
+                + with(CleftNative::cleft_surface_hull_count) + " of the hull";
+    }
+
     private int[] copy(LongFunction<Long> start, LongFunction<Long> count, int width) {
         IntBuffer view = view(start, address -> 4L * width * count.apply(address)).asIntBuffer();
         int[] values = new int[view.remaining()];

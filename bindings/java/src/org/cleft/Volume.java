@@ -83,4 +83,9 @@ public final class Volume extends NativeObject {
         checked(address -> CleftNative.cleft_volume_sample(address, points, labels.length, labels));
         return labels;
     }
+
+    @Override
+    String description() {
+        return " of " + grid().size() + " voxels, " + labels().length + " labels";
+    }
 }
