@@ -11,20 +11,21 @@ namespace cleft
 namespace
 {
 
-// The most central cut is the greatest: the diagonals that leave from it are the least askew. Ties go by number.
+// The cut whose two pieces of edge have the greatest product is the greatest: long edges come before short ones and
+// central cuts before those near an end, so that the diagonals that leave from it are the least askew. Ties go by
+// number.
 CutRanks rank_cuts(const Centres& c, const MixedTet& m, CutMask cuts)
 {
-    std::array<double, 6> centrality{};
+    std::array<double, 6> pieces{};
     for (size_t e = 0; e < 6; ++e)
         if (cuts >> e & 1u) {
-            const double t = c.edges[static_cast<size_t>(m.edges[e])].t;
-            centrality[e] = t * (1 - t);
+            const CutEdge& edge = c.edges[static_cast<size_t>(m.edges[e])];
+            pieces[e] = edge.t * (1 - edge.t) * (c.point(edge.upper) - c.point(edge.lower)).squaredNorm();
         }
     CutRanks ranks{};
     for (size_t e = 0; e < 6; ++e)
         for (size_t f = 0; f < e; ++f) {
-            const bool e_greater =
-                centrality[e] > centrality[f] || (centrality[e] == centrality[f] && m.edges[e] > m.edges[f]);
+            const bool e_greater = pieces[e] > pieces[f] || (pieces[e] == pieces[f] && m.edges[e] > m.edges[f]);
             ++ranks[e_greater ? e : f];
         }
     return ranks;

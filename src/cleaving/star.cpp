@@ -94,6 +94,24 @@ double Star::least_altitude() const
     return least;
 }
 
+double Star::width_along(const Vec3& direction) const
+{
+    double least = std::numeric_limits<double>::infinity();
+    const Vec3& x = c_.point(vertex_);
+    for (const Part& part : parts_) {
+        const Tet& t = c_.corners(part.tet);
+        const int* others = kFaceCorners[place_in(t, vertex_)];
+        for (int i = 0; i < 3; ++i) {
+            const auto corner = [&](int k) { return c_.point(t[static_cast<size_t>(others[(i + k) % 3])]); };
+            const Vec3 across = (corner(0) - x).cross(corner(2) - corner(1));
+            const double distance = std::abs((corner(1) - x).dot(across)), along = std::abs(direction.dot(across));
+            if (distance < least * along)
+                least = distance / along;
+        }
+    }
+    return least;
+}
+
 // The faces of the star opposite the vertex make a surface of T triangles, E edges and V vertices. Inside the mesh it
 // is a sphere: 2 E = 3 T and V - E + T = 2, so V = T / 2 + 2. On the hull it has h > 0 holes in some pieces, each piece
 // a sphere with holes, and at each hole at least three edges of one triangle only: V is greater.
@@ -175,10 +193,10 @@ void measure_background(const Centres& c, const Star& star, StarShape& shape)
     shape.fans.resize(star.parts().size());
     for (const Star::Part& part : star.parts()) {
         const Tet& t = c.corners(part.tet);
-        const double sine = least_sine(c.point(t[0]), c.point(t[1]), c.point(t[2]), c.point(t[3]));
-        shape.least_background = std::min(shape.least_background, sine);
-        if (!(sine > 0) || part.mixed < 0)
-            shape.cost += shape_cost(sine);
+        const double quality = angle_quality(c.point(t[0]), c.point(t[1]), c.point(t[2]), c.point(t[3]));
+        shape.least_background = std::min(shape.least_background, quality);
+        if (!(quality > 0) || part.mixed < 0)
+            shape.cost += shape_cost(quality);
     }
 }
 

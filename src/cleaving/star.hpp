@@ -43,6 +43,9 @@ public:
     // The altitude of the vertex in one of its tetrahedra that is least.
     double least_altitude() const;
 
+    // How far along a unit direction an edge at the vertex would meet the opposite edge of its tetrahedron, at least.
+    double width_along(const Vec3& direction) const;
+
     // Axes along which the vertex must not move, as frozen_axes of mesh/adjacency.hpp has them, from the star alone.
     unsigned frozen_axes() const;
 
@@ -61,7 +64,7 @@ private:
 // How well shaped the star is, and how its mixed tetrahedra split.
 struct StarShape {
     double cost = 0;              // of the tetrahedra that it splits into, see shape_cost
-    double least_background = 1;  // least sine of the background tetrahedra themselves
+    double least_background = 1;  // least angle_quality of the background tetrahedra themselves
     std::vector<Fan> fans;        // by part; of mixed ones only
 };
 

@@ -120,7 +120,7 @@ static void noise_survives(void**)
         ImproveOptions options;
         options.effort = effort;
         assert_true(improve_keeps_all(c, options, 0.05));
-        assert_true(before.below_10 >= 8);
+        assert_true(before.below_15 >= 8);
         assert_true(quality_of(c.mesh).min_dihedral > 15);
         assert_true(quality_of(c.mesh).max_dihedral < 160);
     }
