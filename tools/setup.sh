@@ -15,7 +15,7 @@ binding_packages="
 test_packages="
     clang-format libcmocka-dev python3 mypy
     gmsh calculix-ccx
-    gfortran make abigail-tools freefem++ man-db
+    gfortran make abigail-tools freefem++ man-db lintian
     python3-numpy python3-meshio python3-vtk9 python3-nibabel"
 
 say() { printf '\n== %s\n' "$*"; }
