@@ -3,6 +3,7 @@ module cleft_meshes
   use, intrinsic :: iso_c_binding
   use cleft_c
   use cleft_support
+  use cleft_handles
   use cleft_contexts
   use cleft_option_sets
   use cleft_volumes
@@ -12,9 +13,7 @@ module cleft_meshes
   public :: cleft_mesh
 
   ! Immutable once made; given back when it goes out of scope. It cannot be copied.
-  type :: cleft_mesh
-    private
-    type(c_ptr) :: handle = c_null_ptr
+  type, extends(cleft_handle) :: cleft_mesh
   contains
     procedure :: create
     procedure :: create_background
@@ -31,12 +30,7 @@ module cleft_meshes
     procedure :: quadratic
     procedure :: quality
     procedure :: validate
-    procedure :: destroy
-    procedure :: c_handle
     procedure :: adopt
-    procedure, private :: refuse_copy
-    generic :: assignment(=) => refuse_copy
-    final :: finalize
   end type
 
   character(len=*), parameter :: closed = 'the mesh is not there: destroyed, or never made'
@@ -74,9 +68,11 @@ contains
     type(cleft_options), intent(inout), optional :: options
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call self%destroy()
-    call context%conclude( &
-      cleft_background_create(context%c_handle(), sizing%c_handle(), c_options(options), self%handle), stat, errmsg)
+    type(c_ptr) :: made
+    integer(c_int32_t) :: status
+    status = cleft_background_create(context%c_handle(), sizing%c_handle(), c_options(options), made)
+    call self%adopt(made)
+    call context%conclude(status, stat, errmsg)
   end subroutine
 
   ! From points(3, n), tets(4, m) counted from 1, and labels(m), 0 if absent.
@@ -88,14 +84,16 @@ contains
     integer(c_int32_t), intent(in), optional :: labels(:)
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    integer(c_int32_t), target :: copy(size(tets, 2))
+    integer(c_int32_t), allocatable, target :: copy(:)
+    type(c_ptr) :: made
+    integer(c_int32_t) :: status
 
     call self%destroy()
     if (size(points, 1) /= 3 .or. size(tets, 1) /= 4) then
       call conclude(CLEFT_ERROR_ARGUMENT, 'points must be shaped (3, n) and tets (4, m)', stat, errmsg)
       return
     end if
-    copy = 0
+    allocate (copy(size(tets, 2)), source=0_c_int32_t)
     if (present(labels)) then
       if (size(labels) /= size(copy)) then
         call conclude(CLEFT_ERROR_ARGUMENT, 'labels must have one value for each tetrahedron', stat, errmsg)
@@ -103,8 +101,10 @@ contains
       end if
       copy = labels
     end if
-    call context%conclude(cleft_mesh_create(context%c_handle(), size(points, 2, c_int64_t), points, &
-      size(tets, 2, c_int64_t), tets, c_loc(copy), 1_c_int32_t, self%handle), stat, errmsg)
+    status = cleft_mesh_create(context%c_handle(), size(points, 2, c_int64_t), points, &
+      size(tets, 2, c_int64_t), tets, c_loc(copy), 1_c_int32_t, made)
+    call self%adopt(made)
+    call context%conclude(status, stat, errmsg)
   end subroutine
 
   ! Cleaves a background along the interfaces of a volume.
@@ -159,13 +159,13 @@ contains
   function point_count(self) result(count)
     class(cleft_mesh), intent(in) :: self
     integer :: count
-    count = int(cleft_mesh_point_count(self%handle))
+    count = int(cleft_mesh_point_count(self%c_handle()))
   end function
 
   function tet_count(self) result(count)
     class(cleft_mesh), intent(in) :: self
     integer :: count
-    count = int(cleft_mesh_tet_count(self%handle))
+    count = int(cleft_mesh_tet_count(self%c_handle()))
   end function
 
   ! points(3, n) in world coordinates.
@@ -175,7 +175,7 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     real(c_double), allocatable :: points(:, :)
     allocate (points(3, self%point_count()))
-    call conclude(cleft_mesh_copy_points(self%handle, points, size(points, kind=c_int64_t)), closed, stat, errmsg)
+    call conclude(cleft_mesh_copy_points(self%c_handle(), points, size(points, kind=c_int64_t)), closed, stat, errmsg)
   end function
 
   ! tets(4, m), counted from 1, positively oriented.
@@ -185,7 +185,7 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     integer(c_int32_t), allocatable :: tets(:, :)
     allocate (tets(4, self%tet_count()))
-    call conclude(cleft_mesh_copy_tets(self%handle, 1_c_int32_t, tets, size(tets, kind=c_int64_t)), &
+    call conclude(cleft_mesh_copy_tets(self%c_handle(), 1_c_int32_t, tets, size(tets, kind=c_int64_t)), &
       closed, stat, errmsg)
   end function
 
@@ -196,7 +196,7 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     integer(c_int32_t), allocatable :: labels(:)
     allocate (labels(self%tet_count()))
-    call conclude(cleft_mesh_copy_tet_labels(self%handle, labels, size(labels, kind=c_int64_t)), closed, stat, errmsg)
+    call conclude(cleft_mesh_copy_tet_labels(self%c_handle(), labels, size(labels, kind=c_int64_t)), closed, stat, errmsg)
   end function
 
   ! The different labels, ascending; none for a mesh that is not there.
@@ -206,10 +206,10 @@ contains
     integer(c_int32_t), pointer :: borrowed(:)
     integer(c_int64_t) :: count
 
-    count = cleft_mesh_label_count(self%handle)
+    count = cleft_mesh_label_count(self%c_handle())
     allocate (labels(count))
     if (count == 0) return
-    call c_f_pointer(cleft_mesh_labels(self%handle), borrowed, [count])
+    call c_f_pointer(cleft_mesh_labels(self%c_handle()), borrowed, [count])
     labels = borrowed
   end function
 
@@ -225,9 +225,9 @@ contains
 
     count = 0
     status = cleft_mesh_copy_quadratic( &
-      self%handle, 1_c_int32_t, c_null_ptr, 0_c_int64_t, c_null_ptr, 0_c_int64_t, count)
+      self%c_handle(), 1_c_int32_t, c_null_ptr, 0_c_int64_t, c_null_ptr, 0_c_int64_t, count)
     allocate (points(3, count), tets(10, self%tet_count()))
-    if (count > 0) status = cleft_mesh_copy_quadratic(self%handle, 1_c_int32_t, &
+    if (count > 0) status = cleft_mesh_copy_quadratic(self%c_handle(), 1_c_int32_t, &
       c_loc(points), size(points, kind=c_int64_t), c_loc(tets), size(tets, kind=c_int64_t), count)
     call conclude(status, closed, stat, errmsg)
   end subroutine
@@ -240,7 +240,7 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     type(cleft_quality) :: figures
     figures%struct_size = int(c_sizeof(figures), c_int32_t)
-    call context%conclude(cleft_mesh_quality(context%c_handle(), self%handle, figures), stat, errmsg)
+    call context%conclude(cleft_mesh_quality(context%c_handle(), self%c_handle(), figures), stat, errmsg)
   end function
 
   ! What is wrong with the mesh: result%valid is 1 if nothing is, else context%last_error() names the first fault.
@@ -256,40 +256,14 @@ contains
     findings%struct_size = int(c_sizeof(findings), c_int32_t)
     c_fills_box = 0
     if (present(fills_box)) c_fills_box = merge(1_c_int32_t, 0_c_int32_t, fills_box)
-    call context%conclude(cleft_mesh_validate(context%c_handle(), self%handle, c_fills_box, findings), stat, errmsg)
-  end function
-
-  subroutine destroy(self)
-    class(cleft_mesh), intent(inout) :: self
-    call cleft_mesh_destroy(self%handle)
-    self%handle = c_null_ptr
-  end subroutine
-
-  ! The handle for calls of cleft_c: NULL if there is no mesh.
-  function c_handle(self) result(handle)
-    class(cleft_mesh), intent(in) :: self
-    type(c_ptr) :: handle
-    handle = self%handle
+    call context%conclude(cleft_mesh_validate(context%c_handle(), self%c_handle(), c_fills_box, findings), stat, errmsg)
   end function
 
   ! Takes over a handle that cleft_c gave.
   subroutine adopt(self, handle)
     class(cleft_mesh), intent(inout) :: self
     type(c_ptr), intent(in) :: handle
-    call self%destroy()
-    self%handle = handle
-  end subroutine
-
-  subroutine refuse_copy(self, other)
-    class(cleft_mesh), intent(inout) :: self
-    type(cleft_mesh), intent(in) :: other
-    if (c_associated(self%handle, other%handle)) return
-    error stop 'cleft: a cleft_mesh cannot be copied'
-  end subroutine
-
-  impure elemental subroutine finalize(self)
-    type(cleft_mesh), intent(inout) :: self
-    call self%destroy()
+    call self%take(handle, cleft_mesh_destroy)
   end subroutine
 
 end module

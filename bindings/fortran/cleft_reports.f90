@@ -3,6 +3,7 @@ module cleft_reports
   use, intrinsic :: iso_c_binding
   use cleft_c
   use cleft_support
+  use cleft_handles
   use cleft_contexts
   use cleft_volumes
   use cleft_meshes
@@ -11,19 +12,12 @@ module cleft_reports
   public :: cleft_report
 
   ! Immutable once made; given back when it goes out of scope. It cannot be copied.
-  type :: cleft_report
-    private
-    type(c_ptr) :: handle = c_null_ptr
+  type, extends(cleft_handle) :: cleft_report
   contains
     procedure :: create
     procedure :: count => row_count
     procedure :: label
-    procedure :: destroy
-    procedure :: c_handle
     procedure :: adopt
-    procedure, private :: refuse_copy
-    generic :: assignment(=) => refuse_copy
-    final :: finalize
   end type
 
 contains
@@ -36,16 +30,18 @@ contains
     type(cleft_mesh), intent(in) :: mesh
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call self%destroy()
-    call context%conclude( &
-      cleft_report_create(context%c_handle(), volume%c_handle(), mesh%c_handle(), self%handle), stat, errmsg)
+    type(c_ptr) :: made
+    integer(c_int32_t) :: status
+    status = cleft_report_create(context%c_handle(), volume%c_handle(), mesh%c_handle(), made)
+    call self%adopt(made)
+    call context%conclude(status, stat, errmsg)
   end subroutine
 
   ! Number of labels of the volume.
   function row_count(self) result(count)
     class(cleft_report), intent(in) :: self
     integer :: count
-    count = int(cleft_report_count(self%handle))
+    count = int(cleft_report_count(self%c_handle()))
   end function
 
   ! Row `index`, counted from 1, in the order of the volume's labels.
@@ -56,41 +52,15 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     type(cleft_label_report) :: row
     row%struct_size = int(c_sizeof(row), c_int32_t)
-    call conclude(cleft_report_label(self%handle, int(index - 1, c_int64_t), row), &
+    call conclude(cleft_report_label(self%c_handle(), int(index - 1, c_int64_t), row), &
       'the report is not there, or has no such row', stat, errmsg)
-  end function
-
-  subroutine destroy(self)
-    class(cleft_report), intent(inout) :: self
-    call cleft_report_destroy(self%handle)
-    self%handle = c_null_ptr
-  end subroutine
-
-  ! The handle for calls of cleft_c: NULL if there is no report.
-  function c_handle(self) result(handle)
-    class(cleft_report), intent(in) :: self
-    type(c_ptr) :: handle
-    handle = self%handle
   end function
 
   ! Takes over a handle that cleft_c gave.
   subroutine adopt(self, handle)
     class(cleft_report), intent(inout) :: self
     type(c_ptr), intent(in) :: handle
-    call self%destroy()
-    self%handle = handle
-  end subroutine
-
-  subroutine refuse_copy(self, other)
-    class(cleft_report), intent(inout) :: self
-    type(cleft_report), intent(in) :: other
-    if (c_associated(self%handle, other%handle)) return
-    error stop 'cleft: a cleft_report cannot be copied'
-  end subroutine
-
-  impure elemental subroutine finalize(self)
-    type(cleft_report), intent(inout) :: self
-    call self%destroy()
+    call self%take(handle, cleft_report_destroy)
   end subroutine
 
 end module

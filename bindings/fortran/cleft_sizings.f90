@@ -3,6 +3,7 @@ module cleft_sizings
   use, intrinsic :: iso_c_binding
   use cleft_c
   use cleft_support
+  use cleft_handles
   use cleft_contexts
   use cleft_option_sets
   use cleft_volumes
@@ -11,9 +12,7 @@ module cleft_sizings
   public :: cleft_sizing
 
   ! Immutable once made; given back when it goes out of scope. It cannot be copied.
-  type :: cleft_sizing
-    private
-    type(c_ptr) :: handle = c_null_ptr
+  type, extends(cleft_handle) :: cleft_sizing
   contains
     procedure :: create
     procedure :: create_constant
@@ -23,12 +22,8 @@ module cleft_sizings
     procedure :: values
     procedure :: at
     procedure :: expected_tets
-    procedure :: destroy
-    procedure :: c_handle
     procedure :: adopt
-    procedure, private :: create_values_32, create_values_64, create_any, refuse_copy
-    generic :: assignment(=) => refuse_copy
-    final :: finalize
+    procedure, private :: create_values_32, create_values_64, create_any
   end type
 
   character(len=*), parameter :: closed = 'the sizing field is not there: destroyed, or never made'
@@ -43,9 +38,11 @@ contains
     type(cleft_options), intent(inout), optional :: options
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call self%destroy()
-    call context%conclude( &
-      cleft_sizing_create(context%c_handle(), volume%c_handle(), c_options(options), self%handle), stat, errmsg)
+    type(c_ptr) :: made
+    integer(c_int32_t) :: status
+    status = cleft_sizing_create(context%c_handle(), volume%c_handle(), c_options(options), made)
+    call self%adopt(made)
+    call context%conclude(status, stat, errmsg)
   end subroutine
 
   ! One size everywhere.
@@ -56,9 +53,11 @@ contains
     real(c_double), intent(in) :: size
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call self%destroy()
-    call context%conclude( &
-      cleft_sizing_create_constant(context%c_handle(), volume%c_handle(), size, self%handle), stat, errmsg)
+    type(c_ptr) :: made
+    integer(c_int32_t) :: status
+    status = cleft_sizing_create_constant(context%c_handle(), volume%c_handle(), size, made)
+    call self%adopt(made)
+    call context%conclude(status, stat, errmsg)
   end subroutine
 
   ! Your own field: one value for each voxel. With `combine`, the smaller of it and the one of create() is taken.
@@ -99,20 +98,22 @@ contains
     type(cleft_options), intent(inout), optional :: options
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    integer :: status
-    integer(c_int32_t) :: c_combine
-    integer :: wanted(3)
+    type(c_ptr) :: made
+    integer(c_int32_t) :: status, c_combine
+    integer :: wanted(3), there
 
     call self%destroy()
-    wanted = volume%dims(status)
-    if (status == CLEFT_OK .and. any(counts /= wanted)) then
+    wanted = volume%dims(there)
+    if (there == CLEFT_OK .and. any(counts /= wanted)) then
       call conclude(CLEFT_ERROR_ARGUMENT, 'values must have the shape of the volume', stat, errmsg)
       return
     end if
     c_combine = 0
     if (present(combine)) c_combine = merge(1_c_int32_t, 0_c_int32_t, combine)
-    call context%conclude(cleft_sizing_create_values(context%c_handle(), volume%c_handle(), type, values, c_combine, &
-      c_options(options), self%handle), stat, errmsg)
+    status = cleft_sizing_create_values(context%c_handle(), volume%c_handle(), type, values, c_combine, &
+      c_options(options), made)
+    call self%adopt(made)
+    call context%conclude(status, stat, errmsg)
   end subroutine
 
   ! Voxels along x, y, z.
@@ -123,7 +124,7 @@ contains
     integer :: counts(3)
     integer(c_int64_t) :: c_dims(3)
     c_dims = 0
-    call conclude(cleft_sizing_dims(self%handle, c_dims), closed, stat, errmsg)
+    call conclude(cleft_sizing_dims(self%c_handle(), c_dims), closed, stat, errmsg)
     counts = int(c_dims)
   end function
 
@@ -134,7 +135,7 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     real(c_double) :: map(3, 4), rows(12)
     rows = 0
-    call conclude(cleft_sizing_affine(self%handle, rows), closed, stat, errmsg)
+    call conclude(cleft_sizing_affine(self%c_handle(), rows), closed, stat, errmsg)
     map = transpose(reshape(rows, [4, 3]))
   end function
 
@@ -151,7 +152,7 @@ contains
     call conclude(int(status, c_int32_t), closed, stat, errmsg)
     allocate (values(counts(1), counts(2), counts(3)))
     if (status /= CLEFT_OK) return
-    call c_f_pointer(cleft_sizing_values(self%handle), borrowed, counts)
+    call c_f_pointer(cleft_sizing_values(self%c_handle()), borrowed, counts)
     values = borrowed
   end function
 
@@ -163,7 +164,7 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     real(c_double) :: size
     size = 0
-    call conclude(cleft_sizing_at(self%handle, point, size), 'the field is not there, or the point is not finite', &
+    call conclude(cleft_sizing_at(self%c_handle(), point, size), 'the field is not there, or the point is not finite', &
       stat, errmsg)
   end function
 
@@ -171,40 +172,14 @@ contains
   function expected_tets(self) result(count)
     class(cleft_sizing), intent(in) :: self
     real(c_double) :: count
-    count = cleft_sizing_expected_tets(self%handle)
-  end function
-
-  subroutine destroy(self)
-    class(cleft_sizing), intent(inout) :: self
-    call cleft_sizing_destroy(self%handle)
-    self%handle = c_null_ptr
-  end subroutine
-
-  ! The handle for calls of cleft_c: NULL if there is no sizing.
-  function c_handle(self) result(handle)
-    class(cleft_sizing), intent(in) :: self
-    type(c_ptr) :: handle
-    handle = self%handle
+    count = cleft_sizing_expected_tets(self%c_handle())
   end function
 
   ! Takes over a handle that cleft_c gave.
   subroutine adopt(self, handle)
     class(cleft_sizing), intent(inout) :: self
     type(c_ptr), intent(in) :: handle
-    call self%destroy()
-    self%handle = handle
-  end subroutine
-
-  subroutine refuse_copy(self, other)
-    class(cleft_sizing), intent(inout) :: self
-    type(cleft_sizing), intent(in) :: other
-    if (c_associated(self%handle, other%handle)) return
-    error stop 'cleft: a cleft_sizing cannot be copied'
-  end subroutine
-
-  impure elemental subroutine finalize(self)
-    type(cleft_sizing), intent(inout) :: self
-    call self%destroy()
+    call self%take(handle, cleft_sizing_destroy)
   end subroutine
 
 end module

@@ -3,6 +3,7 @@ module cleft_surfaces
   use, intrinsic :: iso_c_binding
   use cleft_c
   use cleft_support
+  use cleft_handles
   use cleft_contexts
   use cleft_meshes
   implicit none
@@ -10,9 +11,7 @@ module cleft_surfaces
   public :: cleft_surface
 
   ! Immutable once made; given back when it goes out of scope. It cannot be copied.
-  type :: cleft_surface
-    private
-    type(c_ptr) :: handle = c_null_ptr
+  type, extends(cleft_handle) :: cleft_surface
   contains
     procedure :: create
     procedure :: interface_count
@@ -22,12 +21,7 @@ module cleft_surfaces
     procedure :: hull_triangles
     procedure :: hull_labels
     procedure :: hull_sides
-    procedure :: destroy
-    procedure :: c_handle
     procedure :: adopt
-    procedure, private :: refuse_copy
-    generic :: assignment(=) => refuse_copy
-    final :: finalize
   end type
 
 contains
@@ -39,56 +33,59 @@ contains
     type(cleft_mesh), intent(in) :: mesh
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call self%destroy()
-    call context%conclude(cleft_surface_create(context%c_handle(), mesh%c_handle(), self%handle), stat, errmsg)
+    type(c_ptr) :: made
+    integer(c_int32_t) :: status
+    status = cleft_surface_create(context%c_handle(), mesh%c_handle(), made)
+    call self%adopt(made)
+    call context%conclude(status, stat, errmsg)
   end subroutine
 
   ! The triangles between different labels. Nothing is in a surface that is not there.
   function interface_count(self) result(count)
     class(cleft_surface), intent(in) :: self
     integer :: count
-    count = int(cleft_surface_interface_count(self%handle))
+    count = int(cleft_surface_interface_count(self%c_handle()))
   end function
 
   ! triangles(3, n), counted from 1; the normal points from the first label of the pair to the second.
   function interface_triangles(self) result(triangles)
     class(cleft_surface), intent(in) :: self
     integer(c_int32_t), allocatable :: triangles(:, :)
-    triangles = table(cleft_surface_interface_triangles(self%handle), 3, self%interface_count()) + 1
+    triangles = table(cleft_surface_interface_triangles(self%c_handle()), 3, self%interface_count()) + 1
   end function
 
   ! labels(2, n), the lower first.
   function interface_labels(self) result(labels)
     class(cleft_surface), intent(in) :: self
     integer(c_int32_t), allocatable :: labels(:, :)
-    labels = table(cleft_surface_interface_labels(self%handle), 2, self%interface_count())
+    labels = table(cleft_surface_interface_labels(self%c_handle()), 2, self%interface_count())
   end function
 
   function hull_count(self) result(count)
     class(cleft_surface), intent(in) :: self
     integer :: count
-    count = int(cleft_surface_hull_count(self%handle))
+    count = int(cleft_surface_hull_count(self%c_handle()))
   end function
 
   ! triangles(3, n), counted from 1, normals outward.
   function hull_triangles(self) result(triangles)
     class(cleft_surface), intent(in) :: self
     integer(c_int32_t), allocatable :: triangles(:, :)
-    triangles = table(cleft_surface_hull_triangles(self%handle), 3, self%hull_count()) + 1
+    triangles = table(cleft_surface_hull_triangles(self%c_handle()), 3, self%hull_count()) + 1
   end function
 
   ! The label inside each hull triangle.
   function hull_labels(self) result(labels)
     class(cleft_surface), intent(in) :: self
     integer(c_int32_t), allocatable :: labels(:)
-    labels = reshape(table(cleft_surface_hull_labels(self%handle), 1, self%hull_count()), [self%hull_count()])
+    labels = reshape(table(cleft_surface_hull_labels(self%c_handle()), 1, self%hull_count()), [self%hull_count()])
   end function
 
   ! CLEFT_SIDE_... of each hull triangle.
   function hull_sides(self) result(sides)
     class(cleft_surface), intent(in) :: self
     integer(c_int32_t), allocatable :: sides(:)
-    sides = reshape(table(cleft_surface_hull_sides(self%handle), 1, self%hull_count()), [self%hull_count()])
+    sides = reshape(table(cleft_surface_hull_sides(self%c_handle()), 1, self%hull_count()), [self%hull_count()])
   end function
 
   ! A copy of what C shows.
@@ -104,37 +101,11 @@ contains
     numbers = borrowed
   end function
 
-  subroutine destroy(self)
-    class(cleft_surface), intent(inout) :: self
-    call cleft_surface_destroy(self%handle)
-    self%handle = c_null_ptr
-  end subroutine
-
-  ! The handle for calls of cleft_c: NULL if there is no surface.
-  function c_handle(self) result(handle)
-    class(cleft_surface), intent(in) :: self
-    type(c_ptr) :: handle
-    handle = self%handle
-  end function
-
   ! Takes over a handle that cleft_c gave.
   subroutine adopt(self, handle)
     class(cleft_surface), intent(inout) :: self
     type(c_ptr), intent(in) :: handle
-    call self%destroy()
-    self%handle = handle
-  end subroutine
-
-  subroutine refuse_copy(self, other)
-    class(cleft_surface), intent(inout) :: self
-    type(cleft_surface), intent(in) :: other
-    if (c_associated(self%handle, other%handle)) return
-    error stop 'cleft: a cleft_surface cannot be copied'
-  end subroutine
-
-  impure elemental subroutine finalize(self)
-    type(cleft_surface), intent(inout) :: self
-    call self%destroy()
+    call self%take(handle, cleft_surface_destroy)
   end subroutine
 
 end module

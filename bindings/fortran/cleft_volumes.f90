@@ -3,6 +3,7 @@ module cleft_volumes
   use, intrinsic :: iso_c_binding
   use cleft_c
   use cleft_support
+  use cleft_handles
   use cleft_contexts
   use cleft_option_sets
   implicit none
@@ -10,26 +11,19 @@ module cleft_volumes
   public :: cleft_volume, c_options
 
   ! Immutable once made; given back when it goes out of scope. It cannot be copied.
-  type :: cleft_volume
-    private
-    type(c_ptr) :: handle = c_null_ptr
+  type, extends(cleft_handle) :: cleft_volume
   contains
     ! From labels(nx, ny, nz), or indicators(nx, ny, nz) or (nx, ny, nz, materials).
-    generic :: create => create_labels_8, create_labels_16, create_labels_32, &
+    generic :: create => create_labels_8, create_labels_16, create_labels_32, create_labels_64, &
       create_signed_32, create_signed_64, create_indicators_32, create_indicators_64
     procedure :: dims
     procedure :: affine
     procedure :: labels
     procedure :: voxel_counts
     procedure :: sample
-    procedure :: destroy
-    procedure :: c_handle
     procedure :: adopt
-    procedure, private :: create_labels_8, create_labels_16, create_labels_32
+    procedure, private :: create_labels_8, create_labels_16, create_labels_32, create_labels_64
     procedure, private :: create_signed_32, create_signed_64, create_indicators_32, create_indicators_64
-    procedure, private :: refuse_copy
-    generic :: assignment(=) => refuse_copy
-    final :: finalize
   end type
 
   character(len=*), parameter :: closed = 'the volume is not there: destroyed, or never made'
@@ -75,6 +69,27 @@ contains
       spacing, origin, affine, options, stat, errmsg)
   end subroutine
 
+  ! Of 64 bits, as long as the labels fit into 32.
+  subroutine create_labels_64(self, context, voxels, spacing, origin, affine, options, stat, errmsg)
+    class(cleft_volume), intent(inout) :: self
+    type(cleft_context), intent(inout) :: context
+    integer(c_int64_t), intent(in) :: voxels(:, :, :)
+    real(c_double), intent(in), optional :: spacing(3), origin(3), affine(3, 4)
+    type(cleft_options), intent(inout), optional :: options
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(c_int64_t), parameter :: greatest = huge(0_c_int32_t)
+    integer(c_int32_t), allocatable :: narrow(:, :, :)
+
+    call self%destroy()
+    if (any(voxels > greatest .or. voxels < -greatest - 1)) then
+      call conclude(CLEFT_ERROR_ARGUMENT, 'labels must fit into 32 bits', stat, errmsg)
+      return
+    end if
+    narrow = int(voxels, c_int32_t)
+    call self%create(context, narrow, spacing, origin, affine, options, stat, errmsg)
+  end subroutine
+
   subroutine create_labels(self, context, type, voxels, dims, spacing, origin, affine, options, stat, errmsg)
     class(cleft_volume), intent(inout) :: self
     type(cleft_context), intent(inout) :: context
@@ -86,11 +101,14 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     real(c_double), target :: rows(12)
+    type(c_ptr) :: made
+    integer(c_int32_t) :: status
 
-    call self%destroy()
     rows = c_affine(spacing, origin, affine)
-    call context%conclude(cleft_volume_create_labels(context%c_handle(), type, voxels, dims, c_loc(rows), &
-      c_options(options), self%handle), stat, errmsg)
+    status = cleft_volume_create_labels(context%c_handle(), type, voxels, dims, c_loc(rows), &
+      c_options(options), made)
+    call self%adopt(made)
+    call context%conclude(status, stat, errmsg)
   end subroutine
 
   ! A signed function: inside, labels(2), where it is > 0; outside, labels(1). Without `labels`: 1 and 0.
@@ -169,6 +187,8 @@ contains
     integer(c_int32_t), allocatable, target :: names(:)
     type(c_ptr) :: names_at
     integer :: names_wanted
+    type(c_ptr) :: made
+    integer(c_int32_t) :: status
 
     call self%destroy()
     names_wanted = max(2, size(fields))
@@ -182,8 +202,10 @@ contains
       names_at = c_loc(names)
     end if
     rows = c_affine(spacing, origin, affine)
-    call context%conclude(cleft_volume_create_indicators(context%c_handle(), type, fields, &
-      size(fields, kind=c_int64_t), dims, c_loc(rows), names_at, self%handle), stat, errmsg)
+    status = cleft_volume_create_indicators(context%c_handle(), type, fields, &
+      size(fields, kind=c_int64_t), dims, c_loc(rows), names_at, made)
+    call self%adopt(made)
+    call context%conclude(status, stat, errmsg)
   end subroutine
 
   ! The rows of the affine map as C has them.
@@ -222,7 +244,7 @@ contains
     integer :: counts(3)
     integer(c_int64_t) :: c_dims(3)
     c_dims = 0
-    call conclude(cleft_volume_dims(self%handle, c_dims), closed, stat, errmsg)
+    call conclude(cleft_volume_dims(self%c_handle(), c_dims), closed, stat, errmsg)
     counts = int(c_dims)
   end function
 
@@ -233,7 +255,7 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     real(c_double) :: map(3, 4), rows(12)
     rows = 0
-    call conclude(cleft_volume_affine(self%handle, rows), closed, stat, errmsg)
+    call conclude(cleft_volume_affine(self%c_handle(), rows), closed, stat, errmsg)
     map = transpose(reshape(rows, [4, 3]))
   end function
 
@@ -244,10 +266,10 @@ contains
     integer(c_int32_t), pointer :: borrowed(:)
     integer(c_int64_t) :: count
 
-    count = cleft_volume_label_count(self%handle)
+    count = cleft_volume_label_count(self%c_handle())
     allocate (labels(count))
     if (count == 0) return
-    call c_f_pointer(cleft_volume_labels(self%handle), borrowed, [count])
+    call c_f_pointer(cleft_volume_labels(self%c_handle()), borrowed, [count])
     labels = borrowed
   end function
 
@@ -257,8 +279,8 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     integer(c_int64_t), allocatable :: counts(:)
-    allocate (counts(cleft_volume_label_count(self%handle)))
-    call conclude(cleft_volume_copy_voxel_counts(self%handle, counts, size(counts, kind=c_int64_t)), &
+    allocate (counts(cleft_volume_label_count(self%c_handle())))
+    call conclude(cleft_volume_copy_voxel_counts(self%c_handle(), counts, size(counts, kind=c_int64_t)), &
       closed, stat, errmsg)
   end function
 
@@ -275,41 +297,15 @@ contains
       call conclude(CLEFT_ERROR_ARGUMENT, 'points must be shaped (3, n)', stat, errmsg)
       return
     end if
-    call conclude(cleft_volume_sample(self%handle, points, size(found, kind=c_int64_t), found), &
+    call conclude(cleft_volume_sample(self%c_handle(), points, size(found, kind=c_int64_t), found), &
       'the volume is not there, or a point is not finite', stat, errmsg)
-  end function
-
-  subroutine destroy(self)
-    class(cleft_volume), intent(inout) :: self
-    call cleft_volume_destroy(self%handle)
-    self%handle = c_null_ptr
-  end subroutine
-
-  ! The handle for calls of cleft_c: NULL if there is no volume.
-  function c_handle(self) result(handle)
-    class(cleft_volume), intent(in) :: self
-    type(c_ptr) :: handle
-    handle = self%handle
   end function
 
   ! Takes over a handle that cleft_c gave.
   subroutine adopt(self, handle)
     class(cleft_volume), intent(inout) :: self
     type(c_ptr), intent(in) :: handle
-    call self%destroy()
-    self%handle = handle
-  end subroutine
-
-  subroutine refuse_copy(self, other)
-    class(cleft_volume), intent(inout) :: self
-    type(cleft_volume), intent(in) :: other
-    if (c_associated(self%handle, other%handle)) return
-    error stop 'cleft: a cleft_volume cannot be copied'
-  end subroutine
-
-  impure elemental subroutine finalize(self)
-    type(cleft_volume), intent(inout) :: self
-    call self%destroy()
+    call self%take(handle, cleft_volume_destroy)
   end subroutine
 
 end module

@@ -5,6 +5,11 @@ program test_cycles
   use checks
   implicit none
 
+  type :: part  ! of a program's own: what it holds goes with it
+    type(cleft_mesh) :: mesh
+    type(cleft_volume), allocatable :: volumes(:)
+  end type
+
   integer :: cycle, before
 
   do cycle = 1, 200
@@ -27,6 +32,7 @@ contains
     type(cleft_sizing) :: sizing
     type(cleft_mesh) :: mesh, meshes(2)
     type(cleft_surface) :: surface
+    type(part), allocatable :: parts(:)
     integer :: stat
     integer(c_int32_t) :: voxels(4, 4, 4)
 
@@ -42,6 +48,10 @@ contains
     call meshes(1)%create_arrays(context, mesh%points(), mesh%tets())
     call meshes(2)%create_arrays(context, mesh%points(), mesh%tets(), stat=stat)
     call surface%create(context, mesh)
+    allocate (parts(2))
+    call parts(2)%mesh%create(context, volume, options)
+    allocate (parts(1)%volumes(3))
+    call parts(1)%volumes(2)%create(context, voxels)
     call mesh%create_arrays(context, mesh%points(), mesh%tets() + 1000000, stat=stat)
   end subroutine
 

@@ -55,11 +55,20 @@ contains
   subroutine volumes_refuse()
     type(cleft_volume) :: other
     integer(c_int32_t) :: none(0, 4, 4)
+    integer(c_int64_t) :: wide(4, 4, 4)
     real(c_double) :: field(4, 4, 4)
     integer(c_int32_t), allocatable :: labels(:)
 
     call other%create(context, none, stat=stat, errmsg=errmsg)
     call check(stat /= CLEFT_OK, 'a volume without voxels is refused')
+    wide = huge(0_c_int32_t)
+    wide(2, 2, 2) = -wide(1, 1, 1) - 1
+    call other%create(context, wide, stat=stat, errmsg=errmsg)
+    call check(stat == CLEFT_OK .and. all(other%labels() == wide([2, 1], 2, 2)), 'labels of 64 bits are taken')
+    wide(3, 3, 3) = wide(1, 1, 1) + 1
+    call other%create(context, wide, stat=stat, errmsg=errmsg)
+    call failed(CLEFT_ERROR_ARGUMENT, 'a label beyond 32 bits is refused')
+    call check(size(other%labels()) == 0, 'and the former volume is gone')
     call other%create(context, two_balls(), spacing=[1d0, 0d0, 1d0], stat=stat, errmsg=errmsg)
     call check(stat /= CLEFT_OK, 'a flat voxel is refused')
     call other%create(context, two_balls(), spacing=[1d0, nan, 1d0], stat=stat, errmsg=errmsg)
