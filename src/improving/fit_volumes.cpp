@@ -3,6 +3,7 @@
 #include "base/parallel.hpp"
 #include "base/stage_timer.hpp"
 #include "improving/material_offsets.hpp"
+#include "improving/settle_lines.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/smoothing.hpp"
 
@@ -339,11 +340,13 @@ void fit_volumes(LabelledMesh& mesh, const Volume& volume, double least_angle, c
     const StageTimer timer(run, "fitting");
     run.report(0, "fitting volumes");
     LocalMesh local(std::move(mesh.points), std::move(mesh.tets), std::move(mesh.material), run);
+    const double floor = std::sin(least_angle * M_PI / 180);
+    run.note("fitting.off_lines", static_cast<double>(settle_lines(local, volume, floor, run)));
     std::vector<InterfaceTriangle> triangles = find_triangles(local, run);
     run.report(0.3, "fitting volumes");
     find_heights(local, volume, triangles, run);
     std::vector<InterfacePoint> points = find_points(local, triangles);
-    Granter granter(local, std::sin(least_angle * M_PI / 180));
+    Granter granter(local, floor);
     const std::vector<int64_t> voxels = volume.is_label_map() ? volume.voxel_counts() : std::vector<int64_t>();
     for (int round = 0; round < kRounds; ++round) {
         run.report(0.6 + 0.4 * round / kRounds, "fitting volumes");
