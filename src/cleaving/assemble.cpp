@@ -130,7 +130,7 @@ public:
             mesh_.tets[out][i] = numbering_.vertex[static_cast<size_t>(corners[i])];
             x[i] = c_.point(corners[i]);
         }
-        mesh_.material[out] = MaterialChooser(c_, corners).choose({0, 1, 2, 3}, x, scratch_);
+        mesh_.material[out] = MaterialChooser(c_, corners).choose_whole(c_.kept[tet], x, scratch_);
         return 1;
     }
 
@@ -144,7 +144,9 @@ public:
                 mesh_.tets[out][k] = id[t[k]];
                 x[k] = mesh_.points[static_cast<size_t>(id[t[k]])];
             }
-            mesh_.material[out++] = chooser.choose(t, x, scratch_);
+            mesh_.material[out++] = tets.size() == 1
+                                        ? chooser.choose_whole(c_.kept[static_cast<size_t>(m.tet)], x, scratch_)
+                                        : chooser.choose(t, x, scratch_);
         }
         return tets.size();
     }

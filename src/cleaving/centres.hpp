@@ -54,6 +54,10 @@ struct Centres {
     StencilTable stencils;
     std::vector<Fan> fans;  // of the mixed tetrahedra, where all centres are as they were when it was chosen
 
+    // By tetrahedron whose corners all have the same two materials: the one that it had before; else kNoMaterial.
+    std::vector<uint16_t> kept;
+    static constexpr uint16_t kNoMaterial = 0xffff;
+
     const Vec3& point(int32_t v) const { return points[static_cast<size_t>(v)]; }
     const MaterialSet& materials_of(int32_t v) const { return materials[static_cast<size_t>(v)]; }
     const Tet& corners(int32_t tet) const { return tets[static_cast<size_t>(tet)]; }

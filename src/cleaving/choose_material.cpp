@@ -61,4 +61,13 @@ Material MaterialChooser::choose(const StencilTet& t, const std::array<Vec3, 4>&
     return best;
 }
 
+Material MaterialChooser::choose_whole(uint16_t kept, const std::array<Vec3, 4>& x, Samples& scratch) const
+{
+    const uint64_t shared = of_corner_[0] & of_corner_[1] & of_corner_[2] & of_corner_[3];
+    for (size_t i = 0; i < static_cast<size_t>(count_); ++i)
+        if (material_[i] == kept && (shared >> i & 1u))
+            return kept;
+    return choose({0, 1, 2, 3}, x, scratch);
+}
+
 }  // namespace cleft

@@ -7,7 +7,8 @@ namespace cleft
 {
 
 // A point of a split tetrahedron belongs to all materials of the corners that carry it; an output tetrahedron has the
-// material that its four points share. Snapped corners may leave several to choose from, or none: then the volume
+// material that its four points share. Snapped corners may leave several to choose from, or none. A whole
+// background tetrahedron of two keeps the one it had, so that snapping changes no topology (pinch.hpp); else the volume
 // decides at the centroid, among those shared, or else among all that the four points have.
 class MaterialChooser
 {
@@ -16,6 +17,9 @@ public:
 
     // x: of the four points of t.
     Material choose(const StencilTet& t, const std::array<Vec3, 4>& x, Samples& scratch) const;
+
+    // Of the tetrahedron itself, which has no cuts: `kept`, of Centres, comes first among those shared.
+    Material choose_whole(uint16_t kept, const std::array<Vec3, 4>& x, Samples& scratch) const;
 
 private:
     uint64_t of_point(uint8_t p) const;

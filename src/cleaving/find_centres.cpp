@@ -56,6 +56,7 @@ public:
         list_mixed();
         list_faces();
         c_.fans.resize(c_.mixed.size());
+        c_.kept.assign(c_.tets.size(), Centres::kNoMaterial);
     }
 
 private:
@@ -196,6 +197,7 @@ Centres find_centres(const Volume& volume, const TetMesh& background, const Run&
               background.points,
               std::move(sampled.materials),
               SampleStore(std::move(sampled.values), sampled.count),
+              {},
               {},
               {},
               {},

@@ -1,5 +1,6 @@
 #include "cleaving/snap.hpp"
 
+#include "cleaving/pinch.hpp"
 #include "cleaving/snap_order.hpp"
 #include "cleaving/star.hpp"
 
@@ -19,6 +20,7 @@ constexpr double kLeastQuality = 0.23;
 constexpr int kPasses = 3;
 constexpr size_t kMostCuts = 6;     // at one vertex, nearest first
 constexpr int kMostMaterials = 10;  // at one vertex
+constexpr double kPinchCost = 500;  // a pinched interface is as bad as a tetrahedron of 1.5 degrees
 
 struct NearCut {
     double distance;
@@ -39,6 +41,7 @@ public:
           rule_(rule),
           run_(run),
           star_(c, run),
+          pinch_(c),
           touched_(c.points.size(), 1),
           vertices_of_(static_cast<size_t>(c.volume.material_count()), 0)
     {
@@ -150,6 +153,7 @@ private:
     {
         if (before_.materials.size() == 1)
             --vertices_of_[static_cast<size_t>(before_.materials[0])];
+        keep_materials();
         best_.restore(c_, star_);
         ++(best_.x == before_.x ? counts_.stayed : counts_.moved);
         for (size_t i = 0; i < star_.parts().size(); ++i)
@@ -158,6 +162,21 @@ private:
         for (const int32_t w : star_.link())
             touched_[static_cast<size_t>(w)] = 1;
         touched_[static_cast<size_t>(star_.vertex())] = 1;
+    }
+
+    // Between two materials, a tetrahedron whose corners come to share both keeps the one that they shared before.
+    void keep_materials()
+    {
+        if (best_.materials.size() != 2 || before_.materials.size() != 1)
+            return;
+        for (const Star::Part& part : star_.parts()) {
+            const Tet& corners = c_.corners(part.tet);
+            const auto will_have_both = [&](int32_t v) {
+                return v == star_.vertex() || c_.materials_of(v) == best_.materials;
+            };
+            if (std::all_of(corners.begin(), corners.end(), will_have_both))
+                c_.kept[static_cast<size_t>(part.tet)] = static_cast<uint16_t>(before_.materials[0]);
+        }
     }
 
     // Keeps the state in best_ if it is the best so far.
@@ -212,6 +231,8 @@ private:
         }
         place_cuts(c_, star_, scratch_);
         measure_fans(c_, star_, best_shape_.cost, shape_);
+        if (shape_.cost < best_shape_.cost && pinch_.pinches(star_, before_.materials))
+            shape_.cost += kPinchCost;
         const bool better = shape_.cost < best_shape_.cost;
         if (better) {
             best_.save(c_, star_);
@@ -226,6 +247,7 @@ private:
     const Snap rule_;
     const Run& run_;
     Star star_;
+    PinchCheck pinch_;
     std::vector<uint8_t> touched_;                   // by vertex: something in its star changed since its last visit
     std::vector<int64_t> vertices_of_;               // by material: how many carry it alone
     std::vector<std::array<double, 2>> safe_reach_;  // by edge: from its lower and its upper end; of Snap::safe

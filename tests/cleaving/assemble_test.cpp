@@ -57,7 +57,7 @@ Centres unsnapped(const Volume& volume, const TetMesh& mesh, const std::vector<M
         materials.emplace_back(m);
     Centres c{volume, mesh.tets, mesh.points, materials, SampleStore({}, std::vector<uint16_t>(labels.size(), 0)),
               {},     {},        {},          {},        {},
-              {}};
+              {},     {}};
     list_centres(c, kRun);
     choose_fans(c, kRun);
     return c;
