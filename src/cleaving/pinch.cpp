@@ -12,7 +12,7 @@ size_t at(int32_t i) { return static_cast<size_t>(i); }
 
 }  // namespace
 
-bool PinchCheck::pinches(const Star& star, const MaterialSet& before)
+bool PinchCheck::pinches(const CutStar& star, const MaterialSet& before)
 {
     if (!load(star, before))
         return false;
@@ -21,7 +21,7 @@ bool PinchCheck::pinches(const Star& star, const MaterialSet& before)
 }
 
 // False if the star is not one of two materials.
-bool PinchCheck::load(const Star& star, const MaterialSet& before)
+bool PinchCheck::load(const CutStar& star, const MaterialSet& before)
 {
     const MaterialSet& both = c_.materials_of(star.vertex());
     if (both.size() != 2 || before.size() != 1)
@@ -36,7 +36,7 @@ bool PinchCheck::load(const Star& star, const MaterialSet& before)
         side_.push_back(materials == before ? Side::first : materials == second ? Side::second : Side::interface);
     }
     triangles_.clear();
-    for (const Star::Part& part : star.parts()) {
+    for (const CutStar::Part& part : star.parts()) {
         Triangle triangle{};
         size_t i = 0;
         for (const int32_t w : c_.corners(part.tet))
@@ -119,7 +119,7 @@ bool PinchCheck::reach_the_rim()
     return first && second;
 }
 
-// The edges that only one triangle has. Inside the mesh the surface is a sphere, see Star.
+// The edges that only one triangle has. Inside the mesh the surface is a sphere, see CutStar.
 void PinchCheck::find_rim()
 {
     rim_.clear();

@@ -22,7 +22,7 @@ public:
 
     // The vertex of the star has taken materials over, `before` it had those. Only stars of two materials are looked
     // at: false where there are more, which meet in lines and points of many shapes.
-    bool pinches(const Star& star, const MaterialSet& before);
+    bool pinches(const CutStar& star, const MaterialSet& before);
 
 private:
     using Triangle = std::array<int32_t, 3>;  // vertices by their places in the link
@@ -32,7 +32,7 @@ private:
         int32_t node;  // of the triangle that has the edge
     };
 
-    bool load(const Star& star, const MaterialSet& before);
+    bool load(const CutStar& star, const MaterialSet& before);
     void join_sides();
     void join_triangle(size_t triangle);
     void join_along_interface();

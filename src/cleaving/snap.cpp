@@ -169,7 +169,7 @@ private:
     {
         if (best_.materials.size() != 2 || before_.materials.size() != 1)
             return;
-        for (const Star::Part& part : star_.parts()) {
+        for (const CutStar::Part& part : star_.parts()) {
             const Tet& corners = c_.corners(part.tet);
             const auto will_have_both = [&](int32_t v) {
                 return v == star_.vertex() || c_.materials_of(v) == best_.materials;
@@ -246,7 +246,7 @@ private:
     Centres& c_;
     const Snap rule_;
     const Run& run_;
-    Star star_;
+    CutStar star_;
     PinchCheck pinch_;
     std::vector<uint8_t> touched_;                   // by vertex: something in its star changed since its last visit
     std::vector<int64_t> vertices_of_;               // by material: how many carry it alone

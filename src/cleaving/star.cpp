@@ -44,7 +44,7 @@ VertexTets::VertexTets(const Centres& c, const Run& run) : first_(c.points.size(
     }
 }
 
-void Star::gather(int32_t v)
+void CutStar::gather(int32_t v)
 {
     vertex_ = v;
     parts_.clear();
@@ -79,7 +79,7 @@ void Star::gather(int32_t v)
     shortest_edge_ = std::sqrt(shortest);
 }
 
-double Star::least_altitude() const
+double CutStar::least_altitude() const
 {
     double least = std::numeric_limits<double>::infinity();
     for (const Part& part : parts_) {
@@ -94,7 +94,7 @@ double Star::least_altitude() const
     return least;
 }
 
-double Star::width_along(const Vec3& direction) const
+double CutStar::width_along(const Vec3& direction) const
 {
     double least = std::numeric_limits<double>::infinity();
     const Vec3& x = c_.point(vertex_);
@@ -115,9 +115,9 @@ double Star::width_along(const Vec3& direction) const
 // The faces of the star opposite the vertex make a surface of T triangles, E edges and V vertices. Inside the mesh it
 // is a sphere: 2 E = 3 T and V - E + T = 2, so V = T / 2 + 2. On the hull it has h > 0 holes in some pieces, each piece
 // a sphere with holes, and at each hole at least three edges of one triangle only: V is greater.
-bool Star::is_inside() const { return 2 * link_.size() == parts_.size() + 4; }
+bool CutStar::is_inside() const { return 2 * link_.size() == parts_.size() + 4; }
 
-unsigned Star::frozen_axes() const
+unsigned CutStar::frozen_axes() const
 {
     if (is_inside())
         return 0;
@@ -142,7 +142,7 @@ unsigned Star::frozen_axes() const
     return frozen;
 }
 
-void StarState::save(const Centres& c, const Star& star)
+void StarState::save(const Centres& c, const CutStar& star)
 {
     x = c.point(star.vertex());
     materials = c.materials_of(star.vertex());
@@ -152,7 +152,7 @@ void StarState::save(const Centres& c, const Star& star)
         edges.push_back(c.edges[static_cast<size_t>(e)]);
 }
 
-void StarState::restore(Centres& c, const Star& star) const
+void StarState::restore(Centres& c, const CutStar& star) const
 {
     change_vertex(c, star, x, materials);
     c.samples.set(star.vertex(), samples);
@@ -160,13 +160,13 @@ void StarState::restore(Centres& c, const Star& star) const
         c.edges[static_cast<size_t>(star.edges()[i])] = edges[i];
 }
 
-void change_vertex(Centres& c, const Star& star, const Vec3& x, const MaterialSet& materials)
+void change_vertex(Centres& c, const CutStar& star, const Vec3& x, const MaterialSet& materials)
 {
     c.points[static_cast<size_t>(star.vertex())] = x;
     c.materials[static_cast<size_t>(star.vertex())] = materials;
 }
 
-void place_cuts(Centres& c, const Star& star, Samples& scratch)
+void place_cuts(Centres& c, const CutStar& star, Samples& scratch)
 {
     for (const int32_t e : star.edges()) {
         CutEdge& edge = c.edges[static_cast<size_t>(e)];
@@ -176,7 +176,7 @@ void place_cuts(Centres& c, const Star& star, Samples& scratch)
     }
 }
 
-void measure_star(const Centres& c, const Star& star, StarShape& shape)
+void measure_star(const Centres& c, const CutStar& star, StarShape& shape)
 {
     measure_background(c, star, shape);
     for (size_t i = 0; i < star.parts().size(); ++i)
@@ -186,12 +186,12 @@ void measure_star(const Centres& c, const Star& star, StarShape& shape)
         }
 }
 
-void measure_background(const Centres& c, const Star& star, StarShape& shape)
+void measure_background(const Centres& c, const CutStar& star, StarShape& shape)
 {
     shape.cost = 0;
     shape.least_background = 1;
     shape.fans.resize(star.parts().size());
-    for (const Star::Part& part : star.parts()) {
+    for (const CutStar::Part& part : star.parts()) {
         const Tet& t = c.corners(part.tet);
         const double quality = angle_quality(c.point(t[0]), c.point(t[1]), c.point(t[2]), c.point(t[3]));
         shape.least_background = std::min(shape.least_background, quality);
@@ -200,7 +200,7 @@ void measure_background(const Centres& c, const Star& star, StarShape& shape)
     }
 }
 
-void measure_fans(const Centres& c, const Star& star, double limit, StarShape& shape)
+void measure_fans(const Centres& c, const CutStar& star, double limit, StarShape& shape)
 {
     for (size_t i = 0; i < star.parts().size() && shape.cost <= limit; ++i) {
         const int32_t mixed = star.parts()[i].mixed;

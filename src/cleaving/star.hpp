@@ -21,10 +21,10 @@ private:
 };
 
 // The tetrahedra around a vertex and its edges with a cut: all other centres around it follow from these.
-class Star
+class CutStar
 {
 public:
-    Star(const Centres& c, const Run& run) : c_(c), tets_of_(c, run), seen_(c.points.size(), -1) {}
+    CutStar(const Centres& c, const Run& run) : c_(c), tets_of_(c, run), seen_(c.points.size(), -1) {}
 
     // Replaces what was gathered before.
     void gather(int32_t v);
@@ -75,22 +75,22 @@ struct StarState {
     SampleStore::Span samples{};
     std::vector<CutEdge> edges;
 
-    void save(const Centres& c, const Star& star);
-    void restore(Centres& c, const Star& star) const;
+    void save(const Centres& c, const CutStar& star);
+    void restore(Centres& c, const CutStar& star) const;
 };
 
 // Gives the vertex a place and materials; its cuts are still those of before.
-void change_vertex(Centres& c, const Star& star, const Vec3& x, const MaterialSet& materials);
+void change_vertex(Centres& c, const CutStar& star, const Vec3& x, const MaterialSet& materials);
 
 // Finds the cuts around the vertex anew.
-void place_cuts(Centres& c, const Star& star, Samples& scratch);
+void place_cuts(Centres& c, const CutStar& star, Samples& scratch);
 
 // The shape of the star with the fans as they are listed: of a star that has not changed.
-void measure_star(const Centres& c, const Star& star, StarShape& shape);
+void measure_star(const Centres& c, const CutStar& star, StarShape& shape);
 
 // After a change of the vertex, first its tetrahedra that have no cuts and those of the background, then the others.
 // The second stops early, with the cost so far, once that is above `limit`.
-void measure_background(const Centres& c, const Star& star, StarShape& shape);
-void measure_fans(const Centres& c, const Star& star, double limit, StarShape& shape);
+void measure_background(const Centres& c, const CutStar& star, StarShape& shape);
+void measure_fans(const Centres& c, const CutStar& star, double limit, StarShape& shape);
 
 }  // namespace cleft

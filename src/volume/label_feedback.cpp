@@ -276,7 +276,7 @@ void correct_row(LabelMap<Label>& map, const ShareWindow<Label>& window, int32_t
 }  // namespace
 
 template <class Label>
-void feed_back_volume(LabelMap<Label>& map, const Progress& progress, const Run& run)
+void feed_back_volume(LabelMap<Label>& map, const ProgressPart& progress, const Run& run)
 {
     constexpr int32_t kSlab = 8;
     const auto [nx, ny, nz] = map.grid.dims;
@@ -301,7 +301,7 @@ void feed_back_volume(LabelMap<Label>& map, const Progress& progress, const Run&
     }
 }
 
-template void feed_back_volume(LabelMap<uint8_t>&, const Progress&, const Run&);
-template void feed_back_volume(LabelMap<uint16_t>&, const Progress&, const Run&);
+template void feed_back_volume(LabelMap<uint8_t>&, const ProgressPart&, const Run&);
+template void feed_back_volume(LabelMap<uint16_t>&, const ProgressPart&, const Run&);
 
 }  // namespace cleft

@@ -66,7 +66,7 @@ bool is_thin(const LabelMap<Label>& map, const std::array<int32_t, 3>& p)
 
 // body(x, y, z, voxel) for every voxel of the band.
 template <class Label, class Body>
-void for_band(const LabelMap<Label>& map, const Run& run, const Progress& progress, const Body& body)
+void for_band(const LabelMap<Label>& map, const Run& run, const ProgressPart& progress, const Body& body)
 {
     constexpr int32_t kSlab = 8;
     const auto [nx, ny, nz] = map.grid.dims;

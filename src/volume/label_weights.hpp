@@ -19,7 +19,7 @@ template <class Label>
 void find_weights(LabelMap<Label>& map, const Run& run);
 
 // A part of the progress of the stage.
-struct Progress {
+struct ProgressPart {
     double begin, end;
     double at(int64_t done, int64_t all) const
     {
@@ -29,6 +29,6 @@ struct Progress {
 
 // Step 2, one round.
 template <class Label>
-void feed_back_volume(LabelMap<Label>& map, const Progress& progress, const Run& run);
+void feed_back_volume(LabelMap<Label>& map, const ProgressPart& progress, const Run& run);
 
 }  // namespace cleft
