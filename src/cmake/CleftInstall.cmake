@@ -5,7 +5,8 @@
 #   command                      the cleft command, its manual pages and shell completion
 #   fortran                      the Fortran modules
 #
-# Every path is relative to the prefix, and so is what the files say of each other: the tree can be moved.
+# Every path is relative to the prefix, and so is what the files say of each other: the tree can be moved. Within another
+# project, which has an install tree of its own, nothing is installed unless CLEFT_INSTALL asks for it.
 include(CMakePackageConfigHelpers)
 include(CleftPkgConfig)
 
@@ -48,6 +49,9 @@ function(cleft_find_libraries_from target folder)
 endfunction()
 
 function(cleft_install_core)
+    if(NOT CLEFT_INSTALL)
+        return()
+    endif()
     cleft_install_library(cleft_shared shared runtime development)
     cleft_install_library(cleft_static static development development)
     cleft_install_headers(development cleft.h cleft_status.h)
@@ -80,6 +84,9 @@ endfunction()
 
 # cleft_install_io(LIBRARY...): the file component, built on these libraries.
 function(cleft_install_io)
+    if(NOT CLEFT_INSTALL)
+        return()
+    endif()
     cleft_find_libraries_from(cleft_io_shared ${CMAKE_INSTALL_LIBDIR})
     cleft_install_library(cleft_io_shared io-shared io io_development)
     cleft_install_library(cleft_io_static io-static io_development io_development)
@@ -99,6 +106,9 @@ endfunction()
 
 # cleft_install_command(MANUAL): the command, its completion and, if there is one, the folder of its manual pages.
 function(cleft_install_command manual)
+    if(NOT CLEFT_INSTALL)
+        return()
+    endif()
     cleft_find_libraries_from(cleft_cli ${CMAKE_INSTALL_BINDIR})
     install(TARGETS cleft_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
     install(FILES ${PROJECT_SOURCE_DIR}/src/cli/cleft.bash
@@ -110,6 +120,9 @@ endfunction()
 
 # cleft_install_fortran(MODULE_FOLDER SOURCES IO_SOURCES): the modules as compiled, and their sources for other compilers.
 function(cleft_install_fortran modules sources io_sources)
+    if(NOT CLEFT_INSTALL)
+        return()
+    endif()
     cleft_install_library(cleft_fortran fortran-compiled fortran fortran)
     install(DIRECTORY ${modules}/ DESTINATION ${CLEFT_INSTALL_MODULEDIR} COMPONENT fortran)
     install(FILES ${sources} ${io_sources} DESTINATION ${CMAKE_INSTALL_DATADIR}/cleft/fortran COMPONENT fortran)
