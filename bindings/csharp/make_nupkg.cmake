@@ -13,6 +13,8 @@ foreach(library ${libraries})
     configure_file(${file} ${FOLDER}/runtimes/${RUNTIME}/native/${name} COPYONLY)
 endforeach()
 
+file(GLOB_RECURSE licence ${STAGE}/LICENSE)
+configure_file(${licence} ${FOLDER}/LICENSE.txt COPYONLY)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/Cleft.targets.in ${FOLDER}/build/netstandard2.0/Cleft.targets @ONLY)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/Cleft.nuspec.in ${FOLDER}/Cleft.nuspec @ONLY)
 file(WRITE "${FOLDER}/[Content_Types].xml" [[<?xml version="1.0" encoding="utf-8"?>
@@ -20,6 +22,7 @@ file(WRITE "${FOLDER}/[Content_Types].xml" [[<?xml version="1.0" encoding="utf-8
   <Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml" />
   <Default Extension="nuspec" ContentType="application/octet" />
   <Default Extension="targets" ContentType="application/octet" />
+  <Default Extension="txt" ContentType="application/octet" />
   <Default Extension="xml" ContentType="application/octet" />
   <Default Extension="dll" ContentType="application/octet" />
   <Default Extension="so" ContentType="application/octet" />
@@ -33,5 +36,5 @@ file(WRITE ${FOLDER}/_rels/.rels [[<?xml version="1.0" encoding="utf-8"?>
 ]])
 
 execute_process(
-    COMMAND ${CMAKE_COMMAND} -E tar cf ${OUTPUT} --format=zip [Content_Types].xml _rels Cleft.nuspec build lib runtimes
+    COMMAND ${CMAKE_COMMAND} -E tar cf ${OUTPUT} --format=zip [Content_Types].xml _rels Cleft.nuspec LICENSE.txt build lib runtimes
     WORKING_DIRECTORY ${FOLDER} COMMAND_ERROR_IS_FATAL ANY)

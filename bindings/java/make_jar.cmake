@@ -15,5 +15,7 @@ foreach(library ${libraries})
     configure_file(${file} ${CLASSES}/org/cleft/native/${PLATFORM}/${name} COPYONLY)
 endforeach()
 
+file(GLOB_RECURSE licence ${STAGE}/LICENSE)
+file(COPY ${licence} DESTINATION ${CLASSES}/META-INF)
 file(WRITE ${CLASSES}/../manifest.txt "Implementation-Title: Cleft\nImplementation-Version: ${VERSION}\nAutomatic-Module-Name: org.cleft\n")
 run(${JAR} --create --file ${OUTPUT} --manifest ${CLASSES}/../manifest.txt -C ${CLASSES} .)

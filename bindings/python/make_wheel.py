@@ -11,6 +11,7 @@ METADATA = """Metadata-Version: 2.1
 Name: cleft
 Version: {version}
 Summary: Conforming multi-material tetrahedral meshes from labelled volumes
+License-File: LICENSE
 Requires-Python: >=3.11
 Requires-Dist: numpy
 """
@@ -47,6 +48,7 @@ def main():
     info = f"cleft-{options.version}.dist-info"
     contents = {name: path.read_bytes() for name, path in members(options.stage)}
     contents[f"{info}/METADATA"] = METADATA.format(version=options.version).encode()
+    contents[f"{info}/LICENSE"] = next(options.stage.rglob("doc/cleft/LICENSE")).read_bytes()
     contents[f"{info}/WHEEL"] = WHEEL.format(tag=tag()).encode()
     record = "".join(record_line(name, data) for name, data in contents.items()) + f"{info}/RECORD,,\n"
     contents[f"{info}/RECORD"] = record.encode()

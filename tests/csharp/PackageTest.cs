@@ -12,8 +12,8 @@ sealed class PackageTest
 
     void TestLayout()
     {
-        foreach (string file in new[] { "[Content_Types].xml", "_rels/.rels", "Cleft.nuspec", "lib/netstandard2.0/Cleft.dll",
-                                        "lib/netstandard2.0/Cleft.xml", "build/netstandard2.0/Cleft.targets" })
+        foreach (string file in new[] { "[Content_Types].xml", "_rels/.rels", "Cleft.nuspec", "LICENSE.txt",
+                                        "lib/netstandard2.0/Cleft.dll", "lib/netstandard2.0/Cleft.xml", "build/netstandard2.0/Cleft.targets" })
             Checks.Check(File.Exists(Path.Combine(Folder, file)), file);
         string native = Path.Combine(Directory.GetDirectories(Path.Combine(Folder, "runtimes")).Single(), "native");
         foreach (string file in new[] { "libcleft.so.0", "libcleft_io.so.0", "libcleft_csharp.so", "libcleft_io_csharp.so" })

@@ -61,6 +61,13 @@ final class LoadingTest {
         Files.delete(folder);
     }
 
+    void testLicenceIsInTheJar() throws Exception {
+        String jar = System.getProperty("java.class.path").split(File.pathSeparator)[0];
+        try (ZipFile zip = new ZipFile(jar)) {
+            Checks.check(zip.getEntry("META-INF/LICENSE") != null, "no licence");
+        }
+    }
+
     void testFromNowhere() throws Exception {
         String output = run(false, "-Dorg.cleft.library.path=/no/such/folder");
         Checks.check(output.contains("UnsatisfiedLinkError"), output);

@@ -40,6 +40,7 @@ class Wheel(unittest.TestCase):
                     self.assertEqual((digest, int(size)), (f"sha256={found}", len(wheel.read(name))))
             self.assertIn("cleft/libcleft.so.0", names)
             self.assertIn("cleft/py.typed", names)
+            self.assertIn(record.replace("RECORD", "LICENSE"), names)
 
 
 if __name__ == "__main__":
