@@ -158,7 +158,7 @@ module cleft_c
     integer(c_int64_t) :: large_components
     integer(c_int64_t) :: large_components_lost
     integer(c_int32_t) :: lost
-    integer(c_int32_t) :: reserved
+    integer(c_int32_t) :: large_components_broken
   end type
 
   abstract interface

@@ -327,7 +327,8 @@ CLEFT_API cleft_status cleft_mesh_strip(cleft_context* context, const cleft_mesh
                                         cleft_mesh** out) CLEFT_NOEXCEPT;
 /** All of it: sizing (unless given), background (unless given), cleaving, improving, spatial ordering, stripping.
  *  `sizing`, `background` and `options` may be NULL. With TETS, the size is corrected until the number of tetrahedra is
- *  within 10 % (at most eight rounds). With STRICT, CLEFT_ERROR_LABEL_LOST if a label of the volume is not in the mesh.
+ *  within 10 % (at most eight rounds). With STRICT, CLEFT_ERROR_LABEL_LOST if a label of the volume, or a piece of
+ *  more than 30 voxels of one, is not in the mesh or broke.
  *  The caller owns *out. \since 0.1 */
 CLEFT_API cleft_status cleft_mesh_volume(cleft_context* context, const cleft_volume* volume, const cleft_sizing* sizing,
                                          const cleft_mesh* background, const cleft_options* options,
@@ -467,7 +468,9 @@ typedef struct cleft_label_report {
     int64_t large_components;      /**< voxel components of more than 30 voxels */
     int64_t large_components_lost; /**< of those, the ones in which no tetrahedron of the label lies */
     int32_t lost;                  /**< 1 if the label has voxels but no tetrahedron */
-    int32_t reserved;
+    /** of the large components, those that lie in several components of the mesh, each with half a voxel or more: parts
+     *  thinner than the tetrahedra around broke; a smaller size there keeps them */
+    int32_t large_components_broken;
 } cleft_label_report;
 
 /** Compares a finished (not stripped) mesh with its volume, label by label. The caller owns *out. \since 0.1 */

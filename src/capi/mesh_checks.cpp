@@ -189,6 +189,6 @@ cleft_status cleft_report_label(const cleft_report* report, int64_t index, cleft
         out->large_components = row.large_components;
         out->large_components_lost = row.large_components_lost;
         out->lost = row.voxels > 0 && row.tets == 0;
-        out->reserved = 0;
+        out->large_components_broken = static_cast<int32_t>(row.large_components_broken);
     });
 }

@@ -41,7 +41,8 @@ const OptionRow kOptionTable[kOptionCount] = {
     {CLEFT_OPTION_STEPS, CLEFT_OPTION_TYPE_INTEGER, "steps", 8, 0, 1000, "", "relaxation steps of the particles"},
     {CLEFT_OPTION_SEED, CLEFT_OPTION_TYPE_INTEGER, "seed", 0, 0, kWhole, "",
      "varies the arrangement of the particles; the same seed gives the same mesh"},
-    {CLEFT_OPTION_STRICT, CLEFT_OPTION_TYPE_FLAG, "strict", 0, 0, 1, "", "fail when a label is lost"},
+    {CLEFT_OPTION_STRICT, CLEFT_OPTION_TYPE_FLAG, "strict", 0, 0, 1, "",
+     "fail when a label, or a piece of more than 30 voxels of one, is lost or breaks"},
     {CLEFT_OPTION_REPAIR, CLEFT_OPTION_TYPE_REAL, "repair", 30, 0, 35, "",
      "dihedral angle in degrees below which tetrahedra of a background from a file are repaired before cleaving; 0: "
      "none"},

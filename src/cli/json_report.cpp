@@ -98,7 +98,8 @@ Json label_reports_json(const std::vector<cleft_label_report>& rows, const std::
                           {"voxel_components", row.voxel_components},
                           {"mesh_components", row.mesh_components},
                           {"large_components", row.large_components},
-                          {"large_components_lost", row.large_components_lost}});
+                          {"large_components_lost", row.large_components_lost},
+                          {"large_components_broken", row.large_components_broken}});
     return labels;
 }
 

@@ -143,11 +143,14 @@ void warn_of_lost_labels(Session& session, const MeshArguments& arguments, const
         if (arguments.left_out(row.label))
             continue;
         const std::string name = "label " + std::to_string(row.label);
+        const std::string of_pieces = " of its " + grouped(row.large_components) + " pieces of more than 30 voxels";
         if (row.lost != 0)
             session.warn(name + " (" + plural(row.voxels, "voxel") + ") is not in the mesh");
         else if (row.large_components_lost > 0)
-            session.warn(name + ": " + grouped(row.large_components_lost) + " of its " + grouped(row.large_components) +
-                         " pieces of more than 30 voxels are not in the mesh");
+            session.warn(name + ": " + grouped(row.large_components_lost) + of_pieces + " are not in the mesh");
+        if (row.large_components_broken > 0)
+            session.warn(name + ": " + grouped(row.large_components_broken) + of_pieces +
+                         " broke where they are thinner than the tetrahedra (--size-min, --label-size)");
     }
 }
 

@@ -13,6 +13,9 @@ void order_spatially(LabelledMesh& mesh, const Run& run);
 // Keeps only tetrahedra with keep[material] != 0, and their points.
 void strip_materials(LabelledMesh& mesh, const std::vector<char>& keep);
 
+// The connected part, over shared faces, that each tetrahedron is in: named by its least tetrahedron.
+std::vector<int32_t> part_of_tets(const LabelledMesh& mesh, const Run& run);
+
 // Connected parts of each material, over shared faces: parts[m] sorted by falling volume.
 std::vector<std::vector<double>> material_parts(const LabelledMesh& mesh, Material material_count, const Run& run);
 

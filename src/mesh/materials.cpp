@@ -55,7 +55,7 @@ std::vector<double> material_volumes(const LabelledMesh& mesh, Material material
     return volumes;
 }
 
-std::vector<std::vector<double>> material_parts(const LabelledMesh& mesh, Material material_count, const Run& run)
+std::vector<int32_t> part_of_tets(const LabelledMesh& mesh, const Run& run)
 {
     constexpr int64_t kPointsAReport = 100000;
     const auto material = [&](int32_t t) { return mesh.material[static_cast<size_t>(t)]; };
@@ -72,18 +72,26 @@ std::vector<std::vector<double>> material_parts(const LabelledMesh& mesh, Materi
                     sets.join(face[k].tet(), face[k - 1].tet());
         });
     }
+    std::vector<int32_t> part(mesh.tets.size());
+    for (size_t t = 0; t < part.size(); ++t)
+        part[t] = sets.find(static_cast<int32_t>(t));
+    return part;
+}
 
-    // A set is met first at its least member, which opens its part.
+std::vector<std::vector<double>> material_parts(const LabelledMesh& mesh, Material material_count, const Run& run)
+{
+    const std::vector<int32_t> part = part_of_tets(mesh, run);
+    // A part is met first at its least tetrahedron, which opens it.
     std::vector<std::vector<double>> parts(static_cast<size_t>(material_count));
-    std::vector<int32_t> part_number(mesh.tets.size());
+    std::vector<size_t> number(mesh.tets.size());
     for (size_t t = 0; t < mesh.tets.size(); ++t) {
-        const int32_t root = sets.find(static_cast<int32_t>(t));
-        std::vector<double>& volumes = parts[static_cast<size_t>(material(root))];
-        if (root == static_cast<int32_t>(t)) {
-            part_number[t] = static_cast<int32_t>(volumes.size());
+        std::vector<double>& volumes = parts[static_cast<size_t>(mesh.material[t])];
+        const auto least = static_cast<size_t>(part[t]);
+        if (least == t) {
+            number[t] = volumes.size();
             volumes.push_back(0);
         }
-        volumes[static_cast<size_t>(part_number[static_cast<size_t>(root)])] += tet_volume(mesh, t);
+        volumes[number[least]] += tet_volume(mesh, t);
     }
     for (std::vector<double>& volumes : parts)
         std::sort(volumes.begin(), volumes.end(), std::greater<>());

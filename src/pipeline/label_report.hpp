@@ -15,10 +15,12 @@ struct LabelRow {
     double voxel_volume = 0, mesh_volume = 0;
     int64_t tets = 0;
     int64_t voxel_components = 0, mesh_components = 0;
-    int64_t large_components = 0, large_components_lost = 0;  // of more than kLargeComponent voxels
+    // Of more than kLargeComponent voxels: all, those without a tetrahedron, and those in several parts of the mesh.
+    int64_t large_components = 0, large_components_lost = 0, large_components_broken = 0;
 };
 
 inline constexpr int64_t kLargeComponent = 30;
+inline constexpr double kLeastPart = 0.5;  // in voxels: what is smaller breaks nothing
 
 // `mesh` in the local frame of the volume.
 std::vector<LabelRow> label_report(const Volume& volume, const LabelledMesh& mesh, const Run& run);

@@ -6,6 +6,7 @@
 #include "base/stage_timer.hpp"
 #include "improving/fit_volumes.hpp"
 #include "mesh/finish.hpp"
+#include "pipeline/label_report.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,24 +18,27 @@ namespace cleft
 namespace
 {
 
-// Refuses to give back a mesh without one of the volume's labels when the user asked for all.
-void require_all_labels(const Volume& volume, const LabelledMesh& mesh)
+// Refuses to give back a mesh without one of the volume's labels, or with a large piece of one lost or broken.
+void require_all_labels(const Volume& volume, const LabelledMesh& mesh, const Run& run)
 {
-    std::vector<char> met(volume.labels().size(), 0);
-    for (const Material m : mesh.material)
-        met[static_cast<size_t>(m)] = 1;
-    const std::vector<int64_t> voxels = volume.voxel_counts();
-    for (size_t m = 0; m < met.size(); ++m)
-        if (!met[m] && voxels[m] > 0)
-            throw Error(CLEFT_ERROR_LABEL_LOST, "label " + std::to_string(volume.labels()[m]) + " (" +
-                                                    std::to_string(voxels[m]) +
+    for (const LabelRow& row : label_report(volume, mesh, run)) {
+        const std::string name = "label " + std::to_string(row.label);
+        if (row.voxels > 0 && row.tets == 0)
+            throw Error(CLEFT_ERROR_LABEL_LOST, name + " (" + std::to_string(row.voxels) +
                                                     " voxels) has no tetrahedron; a smaller size would keep it");
+        if (row.large_components_lost > 0)
+            throw Error(CLEFT_ERROR_LABEL_LOST, name + " has a piece of more than " + std::to_string(kLargeComponent) +
+                                                    " voxels without a tetrahedron; a smaller size would keep it");
+        if (row.large_components_broken > 0)
+            throw Error(CLEFT_ERROR_LABEL_LOST, name + " has a piece of more than " + std::to_string(kLargeComponent) +
+                                                    " voxels that broke; a smaller size would keep it whole");
+    }
 }
 
 LabelledMesh finished(const Volume& volume, LabelledMesh mesh, const PipelineOptions& options, const Run& run)
 {
     if (options.strict)
-        require_all_labels(volume, mesh);
+        require_all_labels(volume, mesh, run);
     const StageTimer timer(run, "finish");
     order_spatially(mesh, run);
     return mesh;

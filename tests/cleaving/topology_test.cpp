@@ -1,5 +1,6 @@
 // Thin parts stay whole, and the interface of two materials stays a manifold.
 #include "improving/topology.hpp"
+#include "pipeline/label_report.hpp"
 #include "pipeline/pipeline.hpp"
 #include "support/cmocka.hpp"
 #include "support/pinches.hpp"
@@ -104,6 +105,42 @@ static void near_balls_stay_apart(void**)
     assert_true(comes_out_as(part(balls), {{1, 2}, {3, 2}}));
 }
 
+// A curve of voxels that touch by faces, one voxel thick: edges of half a voxel keep it, those of one need not, and
+// then the report tells.
+static void half_a_voxel_keeps_what_is_one_thick(void**)
+{
+    LabelVolume labels = part([](const Vec3&) { return false; });
+    Vec3 at(4.5, 12.5, 12.5);
+    for (int step = 0; step < 60; ++step) {
+        const auto k = static_cast<size_t>(at[2]), j = static_cast<size_t>(at[1]), i = static_cast<size_t>(at[0]);
+        labels.voxels[i + kSide * (j + kSide * k)] = 1;
+        at[step % 3] += step % 3 == 0 ? 1 : (step / 18 % 2 == 0 ? 1 : -1) * (step % 3 == 1 ? 1 : 0.5);
+        at = at.cwiseMin(kSide - 3.5).cwiseMax(3.5);
+    }
+    const Volume volume =
+        Volume::from_labels(VoxelType::uint8, labels.voxels.data(), {labels.dims, Vec3(1, 1, 1)}, 5, Run());
+    for (const BackgroundKind kind : kGraded) {
+        PipelineOptions options;
+        options.background = kind;
+        options.sizing.size_min = 0.5;
+        const std::vector<LabelRow> rows = label_report(volume, meshed(labels, options), Run());
+        assert_true(rows[1].voxels > 30);
+        assert_int_equal(rows[1].mesh_components, rows[1].voxel_components);
+        assert_int_equal(rows[1].large_components_lost + rows[1].large_components_broken, 0);
+        options.sizing.size_min = options.sizing.size = 3;
+        const LabelRow coarse = label_report(volume, meshed(labels, options), Run())[1];
+        assert_true(coarse.large_components_lost + coarse.large_components_broken > 0);
+        options.strict = true;
+        cleft_status status = CLEFT_OK;
+        try {
+            meshed(labels, options);
+        } catch (const Error& error) {
+            status = error.status();
+        }
+        assert_int_equal(status, CLEFT_ERROR_LABEL_LOST);
+    }
+}
+
 static void unsnapped_interfaces_are_manifold(void**)
 {
     PipelineOptions options;
@@ -120,7 +157,7 @@ int main()
     const CMUnitTest tests[] = {
         cmocka_unit_test(sheets_of_two_voxels_stay_whole),        cmocka_unit_test(gaps_of_two_voxels_stay_open),
         cmocka_unit_test(curved_shells_of_two_voxels_stay_whole), cmocka_unit_test(near_balls_stay_apart),
-        cmocka_unit_test(unsnapped_interfaces_are_manifold),
+        cmocka_unit_test(half_a_voxel_keeps_what_is_one_thick),   cmocka_unit_test(unsnapped_interfaces_are_manifold),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
