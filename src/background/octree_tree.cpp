@@ -31,12 +31,14 @@ void split(Octree& tree, int32_t cell)
     tree.levels = std::max(tree.levels, parent.level + 1);
 }
 
-// Roots as large as the field and the box allow: four along the shortest side keep them nearly cubic, and the deepest
-// level is then a power of two below.
+// Roots as large as the field and the box allow (four along the shortest side keep them nearly cubic), of a side that
+// halving brings to the least h: the finest leaves resolve what the field asks for, not up to kSlack less.
 Int3 root_counts(const Vec3& extent, const SizingField& field)
 {
     const double most = std::min(field.greatest() * kSlack / kMeanEdge, extent.minCoeff() / 4);
-    const double side = std::max(most, std::min(field.least() / kMeanEdge, extent.minCoeff()));
+    const double finest = field.least() / kMeanEdge;
+    const double side =
+        most > finest ? std::ldexp(finest, std::ilogb(most / finest)) : std::min(finest, extent.minCoeff());
     Int3 roots{};
     double count = 1;
     for (size_t axis = 0; axis < 3; ++axis) {
@@ -49,15 +51,18 @@ Int3 root_counts(const Vec3& extent, const SizingField& field)
     return roots;
 }
 
-// Least h at the centre and the corners of a cell. With a gradation below 0.7 this finds every smaller value in it by
-// and by: h at the centre is at most the least value inside plus gradation times half the diagonal.
+// Least h at the centre and the corners of a cell and at the centres of its octants. With a gradation below 0.7 this
+// finds every smaller value in it by and by: h at the centre is at most the least value inside plus gradation times
+// half the diagonal.
 double least_size(const SizingField& field, const OctreeCell& cell, const Vec3& root_side)
 {
     const Vec3 side = std::ldexp(1.0, -cell.level) * root_side;
     const Vec3 low = Vec3(cell.at[0], cell.at[1], cell.at[2]).cwiseProduct(side);
     double least = field.at(low + 0.5 * side);
-    for (int c = 0; c < 8; ++c)
-        least = std::min(least, field.at(low + Vec3(c & 1, c >> 1 & 1, c >> 2).cwiseProduct(side)));
+    for (int c = 0; c < 8; ++c) {
+        const Vec3 corner(c & 1, c >> 1 & 1, c >> 2), octant = 0.5 * corner + Vec3(0.25, 0.25, 0.25);
+        least = std::min({least, field.at(low + corner.cwiseProduct(side)), field.at(low + octant.cwiseProduct(side))});
+    }
     return least;
 }
 

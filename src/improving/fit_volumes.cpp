@@ -26,7 +26,7 @@ constexpr double kStep = 0.4;
 constexpr double kCentroidShare = 0.75;
 // Fields of a user's own say where surfaces are to a small part of a voxel: there points give up so much less of their
 // place, in the least voxel spacing, but keep no more than this share of a height, which vanishes with the edge length.
-constexpr double kSlackOfFields = 0.011;
+constexpr double kSlackOfFields = 0.0105;
 constexpr double kSlackShare = 0.4;
 // Smaller moves are not worth their price, in lengths of the root of the area around.
 constexpr double kLeastMove = 2e-3;

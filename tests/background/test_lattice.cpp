@@ -91,6 +91,39 @@ void octrees_of_any_shape_are_filled_exactly(void**)
     }
 }
 
+double mean_edge(const TetMesh& mesh, const Tet& t)
+{
+    double sum = 0;
+    for (const auto& e : kEdgeCorners)
+        sum += (mesh.points[static_cast<size_t>(t[static_cast<size_t>(e[0])])] -
+                mesh.points[static_cast<size_t>(t[static_cast<size_t>(e[1])])])
+                   .norm();
+    return sum / 6;
+}
+
+// Sides of leaves are powers of two of each other: whatever the box, the finest must be as fine as the field asks.
+void octrees_are_as_fine_as_the_field_at_its_finest(void**)
+{
+    for (int32_t side = 16; side <= 33; ++side) {
+        const Grid grid{{side, side, side + 3}, Vec3(1, 1, 1)};
+        SizingField field;
+        field.grid = grid;
+        for (int32_t k = 0; k < grid.dims[2]; ++k)
+            for (int32_t i = 0; i < side * side; ++i)
+                field.h.push_back(static_cast<float>(1 + 0.3 * std::max(0, std::abs(k - side / 2) - 2)));
+        const TetMesh mesh = octree_background(field, Run());
+        double greatest = 0;
+        for (const Tet& t : mesh.tets) {
+            double middle = 0;
+            for (const int32_t corner : t)
+                middle += mesh.points[static_cast<size_t>(corner)].z() / 4;
+            if (std::abs(middle - side / 2 - 0.5) < 1)
+                greatest = std::max(greatest, mean_edge(mesh, t));
+        }
+        assert_true(greatest > 0.7 && greatest < 1.25);
+    }
+}
+
 void octree_angles_and_sizes_follow_the_field(void**)
 {
     const Grid grid{{48, 48, 48}, Vec3(1, 1, 1)};
@@ -101,16 +134,10 @@ void octree_angles_and_sizes_follow_the_field(void**)
     assert_true(quality.max_dihedral < 120.1);
     double ratio = 0;
     for (const Tet& t : mesh.tets) {
-        double edge = 0;
         Vec3 middle = Vec3::Zero();
-        for (const auto& e : kEdgeCorners)
-            edge += (mesh.points[static_cast<size_t>(t[static_cast<size_t>(e[0])])] -
-                     mesh.points[static_cast<size_t>(t[static_cast<size_t>(e[1])])])
-                        .norm() /
-                    6;
         for (const int32_t corner : t)
             middle += mesh.points[static_cast<size_t>(corner)] / 4;
-        ratio += edge / field.at(middle) / static_cast<double>(mesh.tets.size());
+        ratio += mean_edge(mesh, t) / field.at(middle) / static_cast<double>(mesh.tets.size());
     }
     print_message("mean edge over h: %g\n", ratio);
     assert_true(ratio > 0.7 && ratio < 1.3);
@@ -150,6 +177,7 @@ int main()
     const CMUnitTest tests[] = {
         cmocka_unit_test(boxes_of_any_shape_are_filled_exactly),
         cmocka_unit_test(octrees_of_any_shape_are_filled_exactly),
+        cmocka_unit_test(octrees_are_as_fine_as_the_field_at_its_finest),
         cmocka_unit_test(octree_angles_and_sizes_follow_the_field),
         cmocka_unit_test(cubic_cells_have_the_angles_of_the_lattice),
         cmocka_unit_test(the_mean_edge_is_the_size_asked_for),
