@@ -1,5 +1,5 @@
 #include "background/forces.hpp"
-#include "background/wide_vectors.hpp"
+#include "base/wide_vectors.hpp"
 
 namespace cleft
 {

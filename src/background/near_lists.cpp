@@ -1,7 +1,7 @@
 #include "background/near_lists.hpp"
 
-#include "background/wide_vectors.hpp"
 #include "base/parallel.hpp"
+#include "base/wide_vectors.hpp"
 
 #include <cmath>
 

@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "mesh/adjacency.hpp"
+#include "mesh/angle_quality.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -143,62 +144,25 @@ void add_radius_ratios(std::vector<double> ratios, Quality& q)
 
 }  // namespace
 
-namespace
-{
-
-// With faces of areas A, B at an edge of length l, the volume is 2/3 A B sin(angle) / l; with n_i the normal of the
-// face opposite corner i, twice its area long, the angle at the edge between corners i and j has
-//   sine^2 = (6 volume)^2 l^2 / (|n_k|^2 |n_l|^2) = (6 volume)^2 l^2 |n_i|^2 |n_j|^2 / product of all |n|^2.
-// One division and one root for six angles.
-struct Sines {
-    Vec3 na, nb, nc, nd;  // outward
-    double six_volumes, product;
-    double part[6];  // l^2 |n_i|^2 |n_j|^2, in the order of kEdgeCorners
-
-    Sines(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
-    {
-        const Vec3 ab = b - a, ac = c - a, ad = d - a, bc = c - b, bd = d - b, cd = d - c;
-        na = bc.cross(bd);
-        nb = ad.cross(ac);
-        nc = ab.cross(ad);
-        nd = ac.cross(ab);
-        six_volumes = -nd.dot(ad);
-        const double na2 = na.squaredNorm(), nb2 = nb.squaredNorm(), nc2 = nc.squaredNorm(), nd2 = nd.squaredNorm();
-        const double na2_nb2 = na2 * nb2, nc2_nd2 = nc2 * nd2;
-        product = na2_nb2 * nc2_nd2;
-        part[0] = ab.squaredNorm() * na2_nb2;
-        part[1] = ac.squaredNorm() * (na2 * nc2);
-        part[2] = ad.squaredNorm() * (na2 * nd2);
-        part[3] = bc.squaredNorm() * (nb2 * nc2);
-        part[4] = bd.squaredNorm() * (nb2 * nd2);
-        part[5] = cd.squaredNorm() * nc2_nd2;
-    }
-    double least_part() const
-    {
-        return std::min(std::min({part[0], part[1], part[2]}), std::min({part[3], part[4], part[5]}));
-    }
-    double sine(double of_part) const { return product > 0 ? six_volumes * std::sqrt(of_part / product) : 0; }
-};
-
-}  // namespace
-
+// By the formula of angle_quality.hpp.
 double least_sine(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
-    const Sines sines(a, b, c, d);
-    return sines.sine(sines.least_part());
+    const Vec3 ab = b - a, ac = c - a, ad = d - a, bc = c - b, bd = d - b, cd = d - c;
+    const Vec3 nd = ac.cross(ab);
+    const double na2 = bc.cross(bd).squaredNorm(), nb2 = ad.cross(ac).squaredNorm();
+    const double nc2 = ab.cross(ad).squaredNorm(), nd2 = nd.squaredNorm();
+    const double na2_nb2 = na2 * nb2, nc2_nd2 = nc2 * nd2;
+    const double product = na2_nb2 * nc2_nd2;
+    const double square =
+        std::min({ab.squaredNorm() * na2_nb2, ac.squaredNorm() * (na2 * nc2), ad.squaredNorm() * (na2 * nd2),
+                  bc.squaredNorm() * (nb2 * nc2), bd.squaredNorm() * (nb2 * nd2), cd.squaredNorm() * nc2_nd2});
+    return product > 0 ? -nd.dot(ad) * std::sqrt(square / product) : 0;
 }
 
 double angle_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
-    const Sines sines(a, b, c, d);
-    double least = sines.least_part();
-    const Vec3* normals[4] = {&sines.na, &sines.nb, &sines.nc, &sines.nd};
-    for (size_t e = 0; e < 6; ++e) {
-        const double weighted = kObtuseWeight * kObtuseWeight * sines.part[e];
-        if (weighted < least && normals[kEdgeOpposite[e][0]]->dot(*normals[kEdgeOpposite[e][1]]) > 0)
-            least = weighted;
-    }
-    return sines.sine(least);
+    const auto triple = [](const Vec3& x) { return Triple{x.x(), x.y(), x.z()}; };
+    return angle_quality(triple(a), triple(b), triple(c), triple(d));
 }
 
 std::array<double, 6> dihedral_angles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
