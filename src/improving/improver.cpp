@@ -123,9 +123,11 @@ bool Improver::change_connections(int32_t t)
         bad_.changed(mesh_, cavity_.created);
         return true;
     };
-    for (const auto& edge : kEdgeCorners)
+    for (const size_t e : most_obtuse_first(mesh_, t)) {
+        const auto& edge = kEdgeCorners[e];
         if (remove_edge(mesh_, t, edge[0], edge[1], bend(t, edge[0], edge[1]), cavity_))
             return done(counts_.edges_removed);
+    }
     for (int corner = 0; corner < 4; ++corner)
         if (remove_face(mesh_, t, corner, cavity_))
             return done(counts_.faces_removed);

@@ -2,6 +2,7 @@
 
 #include "mesh/adjacency.hpp"
 #include "mesh/predicates.hpp"
+#include "mesh/quality.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -163,6 +164,15 @@ bool remove_edge(LocalMesh& mesh, int32_t t, int corner_a, int corner_b, double 
         triangulations[k].add_tets(ring.a, ring.b, arcs[k], 0, arcs[k].size - 1, cavity);
     cavity.apply(mesh);
     return true;
+}
+
+std::array<size_t, 6> most_obtuse_first(const LocalMesh& mesh, int32_t t)
+{
+    const Tet& v = mesh.tet(t);
+    const auto angles = dihedral_angles(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]));
+    std::array<size_t, 6> edges{0, 1, 2, 3, 4, 5};
+    std::stable_sort(edges.begin(), edges.end(), [&](size_t e, size_t f) { return angles[e] > angles[f]; });
+    return edges;
 }
 
 bool remove_face(LocalMesh& mesh, int32_t t, int corner, Cavity& cavity, double share)
