@@ -61,7 +61,7 @@ private:
     WorstFirst bad_;
     Cavity cavity_;
     Smoother smoother_;
-    Star star_;
+    TetStar star_;
 };
 
 // Passes over the tetrahedra with a worse angle, until none is left or nothing helps.

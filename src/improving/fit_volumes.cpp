@@ -290,7 +290,7 @@ private:
 
     LocalMesh& mesh_;
     const double floor_;
-    Star star_;
+    TetStar star_;
     Smoother smoother_;
 };
 

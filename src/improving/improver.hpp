@@ -70,7 +70,7 @@ private:
     Cavity cavity_;
     Contraction contraction_;
     Smoother smoother_;
-    Star star_;
+    TetStar star_;
     Counts counts_;
     // Of an attempt.
     struct Move {

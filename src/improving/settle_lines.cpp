@@ -79,7 +79,7 @@ private:
     LocalMesh& mesh_;
     const Volume& volume_;
     const double floor_;
-    Star star_;
+    TetStar star_;
     Samples samples_;
 };
 

@@ -75,7 +75,8 @@ public:
 
 private:
     void freeze_hull(const Run& run);
-    bool is_inside(int32_t v, std::vector<int32_t>& mark) const;
+    // For every point whether it is not on the hull.
+    std::vector<uint8_t> points_inside(const Run& run) const;
     int32_t take_slot();
 
     std::vector<Vec3> points_;

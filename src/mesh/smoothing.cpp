@@ -70,7 +70,7 @@ double Smoother::first_step(const Vec3& direction, double worst, double reach) c
     return length;
 }
 
-bool Smoother::step(const Star& star, Place& place, const Mat3& tangent, const Projection& projection)
+bool Smoother::step(const TetStar& star, Place& place, const Mat3& tangent, const Projection& projection)
 {
     star.gradients_at(place.x, quality_, gradient_);
     for (Vec3& g : gradient_)
@@ -95,7 +95,7 @@ bool Smoother::step(const Star& star, Place& place, const Mat3& tangent, const P
     return false;
 }
 
-Place Smoother::explore(const Star& star, const Vec3& x, const Mat3& tangent, const Projection& projection) const
+Place Smoother::explore(const TetStar& star, const Vec3& x, const Mat3& tangent, const Projection& projection) const
 {
     Place best{x, std::max(star.worst_at(x, -1), kLeastSine)};
     const double reach = star.reach(x);
@@ -115,7 +115,8 @@ Place Smoother::explore(const Star& star, const Vec3& x, const Mat3& tangent, co
     return best;
 }
 
-Place Smoother::climb(const Star& star, const Vec3& x, double target, const Mat3& tangent, const Projection& projection)
+Place Smoother::climb(const TetStar& star, const Vec3& x, double target, const Mat3& tangent,
+                      const Projection& projection)
 {
     Place place{x, -1};
     for (int i = 0; i < kSteps && place.worst < target; ++i)

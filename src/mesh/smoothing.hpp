@@ -1,7 +1,7 @@
 // Optimisation-based smoothing: moves a point so that the worst tetrahedron around it gets better.
 #pragma once
 
-#include "mesh/star.hpp"
+#include "mesh/tet_star.hpp"
 
 #include <functional>
 
@@ -22,16 +22,16 @@ class Smoother
 public:
     // Climbs from x, in the plane or line that `tangent` projects on, until the worst tetrahedron is as good as
     // `target` or cannot be made better; every trial position goes through `projection` if there is one.
-    Place climb(const Star& star, const Vec3& x, double target, const Mat3& tangent, const Projection& projection);
+    Place climb(const TetStar& star, const Vec3& x, double target, const Mat3& tangent, const Projection& projection);
 
     // The best of a fixed set of places around x, up to half of the reach away: for stars where climbing ends on a
     // ridge.
-    Place explore(const Star& star, const Vec3& x, const Mat3& tangent, const Projection& projection) const;
+    Place explore(const TetStar& star, const Vec3& x, const Mat3& tangent, const Projection& projection) const;
 
 private:
     Vec3 ascent_direction(double worst) const;
     double first_step(const Vec3& direction, double worst, double reach) const;
-    bool step(const Star& star, Place& place, const Mat3& tangent, const Projection& projection);
+    bool step(const TetStar& star, Place& place, const Mat3& tangent, const Projection& projection);
 
     std::vector<double> quality_;
     std::vector<Vec3> gradient_;

@@ -7,7 +7,7 @@ namespace cleft
 {
 
 // The tetrahedra around one point, copied together so that trial positions are judged without walking the mesh.
-class Star
+class TetStar
 {
 public:
     // The star of a point of the mesh.

@@ -1,4 +1,4 @@
-#include "mesh/star.hpp"
+#include "mesh/tet_star.hpp"
 
 #include "base/wide_vectors.hpp"
 #include "mesh/adjacency.hpp"
@@ -70,7 +70,7 @@ QualityGradient quality_gradient(const Vec3& p0, const Vec3& p1, const Vec3& p2,
 
 }  // namespace
 
-void Star::load(const LocalMesh& mesh, int32_t v)
+void TetStar::load(const LocalMesh& mesh, int32_t v)
 {
     begin(mesh.star(v).size());
     tets_.assign(mesh.star(v).begin(), mesh.star(v).end());
@@ -80,7 +80,7 @@ void Star::load(const LocalMesh& mesh, int32_t v)
 }
 
 // Each tetrahedron of the ring is split in two: the new point takes the place of either end.
-void Star::load(const LocalMesh& mesh, const EdgeRing& ring)
+void TetStar::load(const LocalMesh& mesh, const EdgeRing& ring)
 {
     begin(2 * ring.tets.size());
     tets_ = ring.tets;
@@ -91,13 +91,13 @@ void Star::load(const LocalMesh& mesh, const EdgeRing& ring)
     fill_last();
 }
 
-void Star::begin(size_t capacity)
+void TetStar::begin(size_t capacity)
 {
     lanes_.resize((capacity + kLanes - 1) / kLanes);
     size_ = 0;
 }
 
-void Star::add(const LocalMesh& mesh, const Tet& tet, int corner)
+void TetStar::add(const LocalMesh& mesh, const Tet& tet, int corner)
 {
     Lanes& lanes = lanes_[size_ / kLanes];
     for (size_t c = 0; c < 3; ++c) {
@@ -108,7 +108,7 @@ void Star::add(const LocalMesh& mesh, const Tet& tet, int corner)
     ++size_;
 }
 
-void Star::fill_last()
+void TetStar::fill_last()
 {
     for (size_t lane = size_ % kLanes; lane != 0 && lane < kLanes; ++lane)
         for (auto& corner : lanes_.back().corner)
@@ -116,7 +116,7 @@ void Star::fill_last()
                 axis[lane] = axis[0];
 }
 
-double Star::reach(const Vec3& x) const
+double TetStar::reach(const Vec3& x) const
 {
     double sum = 0;
     for (size_t i = 0; i < size_; ++i)
@@ -124,7 +124,7 @@ double Star::reach(const Vec3& x) const
     return sum / static_cast<double>(size_);
 }
 
-Vec3 Star::centroid(const Vec3& x) const
+Vec3 TetStar::centroid(const Vec3& x) const
 {
     Vec3 sum(0, 0, 0);
     for (size_t i = 0; i < size_; ++i)
@@ -133,7 +133,7 @@ Vec3 Star::centroid(const Vec3& x) const
 }
 
 // Nearly all the time of smoothing is spent here.
-CLEFT_WIDE_VECTORS double Star::worst_of(const Lanes& lanes, const Vec3& x)
+CLEFT_WIDE_VECTORS double TetStar::worst_of(const Lanes& lanes, const Vec3& x)
 {
     const auto& [b, c, d] = lanes.corner;
     const Triple a{x.x(), x.y(), x.z()};
@@ -144,7 +144,7 @@ CLEFT_WIDE_VECTORS double Star::worst_of(const Lanes& lanes, const Vec3& x)
     return *std::min_element(quality, quality + kLanes);
 }
 
-double Star::worst_at(const Vec3& x, double floor) const
+double TetStar::worst_at(const Vec3& x, double floor) const
 {
     double worst = 1;
     for (const Lanes& lanes : lanes_) {
@@ -155,7 +155,7 @@ double Star::worst_at(const Vec3& x, double floor) const
     return worst;
 }
 
-void Star::gradients_at(const Vec3& x, std::vector<double>& quality, std::vector<Vec3>& gradient) const
+void TetStar::gradients_at(const Vec3& x, std::vector<double>& quality, std::vector<Vec3>& gradient) const
 {
     quality.clear();
     gradient.clear();
