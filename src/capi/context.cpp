@@ -51,7 +51,10 @@ int32_t cleft_has_tetgen(void) noexcept
 
 cleft_status cleft_context_create(cleft_context** out) noexcept
 {
-    return guarded(nullptr, [&] { *required(out, "out") = new cleft_context; });
+    return guarded(nullptr, [&] {
+        required(out, "out");
+        *out = new cleft_context;
+    });
 }
 
 void cleft_context_destroy(cleft_context* context) noexcept { destroy(context); }
