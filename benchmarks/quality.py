@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Meshes every volume on every background and writes the table of docs/quality.md. The lattice has one size everywhere:
-it is given as many tetrahedra as the first background made.
+in volumes of more than 20,000 voxels it is given as many tetrahedra as the first background made.
 
     benchmarks/quality.py [--cleft build/release/src/cli/cleft] [--data FOLDER] [--only TEXT] [-o docs/quality.md]
 
@@ -18,21 +18,29 @@ import numpy as np
 import volumes
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+LARGE = 20000  # voxels
 COLUMNS = ("tetrahedra", "least angle", "greatest angle", "below 10, 15, 20", "radius ratio 95 %",
            "volume error of labels above 1,000 / 100 voxels", "pieces above 30 voxels lost", "from true surface",
            "CPU s")
 
 
-def mesh(cleft, files, background, tets, folder):
+def mesh(cleft, files, options, folder):
+    """The report of the command and its surface, or None and what it said."""
     report, surface = folder / "report.json", folder / "surface.ply"
-    command = [cleft, "mesh", *files, "-o", surface, "--background", background, "--json", report, "--quiet",
-               "--check", "--threads", "1"]
-    if background == "lattice" and tets:
-        command += ["--tets", str(tets)]
+    command = [cleft, "mesh", *files, "-o", surface, "--json", report, "--quiet", "--check", "--threads", "1",
+               *map(str, options)]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode != 0:
         return None, done.stderr.strip().splitlines()[-1]
     return json.loads(report.read_text()), surface
+
+
+def options_of(background, first):
+    """`first`: the report of the first background. The lattice is as fine as the field's least everywhere: too much for
+    all but small volumes."""
+    is_large = first and sum(row["voxels"] for row in first["labels"]) > LARGE
+    like_the_first = ["--tets", first["mesh"]["tets"]] if background == "lattice" and is_large else []
+    return ["--background", background, *like_the_first]
 
 
 def worst_error(report, least_voxels):
@@ -80,15 +88,22 @@ def line(cells):
 def table(cleft, work, backgrounds):
     text = line(("volume", "background") + COLUMNS) + line(["---"] * (2 + len(COLUMNS)))
     for name, (files, spheres) in work.items():
-        tets = 0
+        first = None
         for background in backgrounds:
             with tempfile.TemporaryDirectory() as folder:
-                report, result = mesh(cleft, files, background, tets, pathlib.Path(folder))
-                tets = tets or (report["mesh"]["tets"] if report else 0)
+                report, result = mesh(cleft, files, options_of(background, first), pathlib.Path(folder))
+                first = first or report
                 cells = row(report, result, spheres) if report else [result] + [""] * (len(COLUMNS) - 1)
             text += line([name, background] + cells)
             print(text.splitlines()[-1], flush=True)
     return text
+
+
+def write_into(page, mark, text):
+    """Replaces what is between the two lines <!-- mark --> of a Markdown page."""
+    mark = "<!-- %s -->\n" % mark
+    before, _, rest = page.read_text().partition(mark)
+    page.write_text(before + mark + text + mark + rest.partition(mark)[2])
 
 
 def main():
@@ -107,10 +122,7 @@ def main():
         work = {name: found for name, found in work.items() if arguments.only in name}
         text = table(arguments.cleft, work, arguments.backgrounds.split(","))
     if arguments.output:
-        mark = "<!-- table -->\n"
-        before, _, rest = arguments.output.read_text().partition(mark)
-        after = rest.partition(mark)[2]
-        arguments.output.write_text(before + mark + text + mark + after)
+        write_into(arguments.output, "table", text)
 
 
 if __name__ == "__main__":
