@@ -117,6 +117,28 @@ void offsets_give_what_is_missing(void**)
         assert_true(offset == 0);
 }
 
+// A label that is not in the mesh misses what nothing can give; so do two that miss something together, be it rounding.
+void offsets_leave_out_what_nothing_can_give(void**)
+{
+    const std::vector<Contact> contacts{{0, 1, 2000.0}, {1, 2, 500.0}, {3, 4, 80.0}};
+    const std::vector<double> sound{3, -2, -1, 0.5, -0.5, 0};
+    const std::vector<double> expected = material_offsets(contacts, sound);
+    const auto agrees = [&](const std::vector<double>& missing, double tolerance) {
+        const std::vector<double> offsets = material_offsets(contacts, missing);
+        for (const Contact& c : contacts) {
+            const auto a = static_cast<size_t>(c.first), b = static_cast<size_t>(c.second);
+            if (!(std::abs((offsets[a] - offsets[b]) - (expected[a] - expected[b])) < tolerance))
+                return false;
+        }
+        return true;
+    };
+    assert_true(agrees({3, -2, -1, 0.5, -0.5, 27}, 1e-8));
+    assert_true(agrees({3 + 1e-5, -2, -1, 0.5, -0.5 + 1e-5, 0}, 1e-6));
+    assert_true(agrees({3 - 4, -2 - 5, -1 - 1, 0.5 + 1, -0.5 + 1, 0}, 1e-8));  // shared by areas: 2000, 2500, 500
+    const std::vector<double> rounding = material_offsets({{0, 1, 4096.0}}, {-0.0298532, 0.0298533});
+    assert_true(std::abs(rounding[1] - rounding[0] - 0.0298532 / 4096) < 1e-9);
+}
+
 void grains_have_the_volume_of_their_voxels(void**)
 {
     const auto grains = cleft_test::voronoi_grains({28, 26, 24}, 40, 3);
@@ -165,6 +187,7 @@ int main()
         cmocka_unit_test(half_a_ball_at_a_wall_keeps_its_volume),
         cmocka_unit_test(halves_of_a_ball_keep_their_volumes),
         cmocka_unit_test(offsets_give_what_is_missing),
+        cmocka_unit_test(offsets_leave_out_what_nothing_can_give),
         cmocka_unit_test(grains_have_the_volume_of_their_voxels),
         cmocka_unit_test(a_flat_interface_stays_flat),
     };
