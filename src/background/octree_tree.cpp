@@ -14,6 +14,9 @@ const double kMeanEdge = (6 + 8 * std::sqrt(0.75)) / 14;
 // A leaf may be this much larger than the least h in it: sides come in powers of two and the balance splits further;
 // with this factor the mean edge comes near h.
 constexpr double kSlack = 1.75;
+// Where h is below the first times its least value, this is the slack: h differs a little along a thin sheet, and edges
+// of 1.75 h would tear it.
+constexpr double kThin = 1.2, kThinSlack = 1.25;
 constexpr int32_t kMostLevels = 20;
 
 void split(Octree& tree, int32_t cell)
@@ -68,12 +71,14 @@ double least_size(const SizingField& field, const OctreeCell& cell, const Vec3& 
 
 void refine(Octree& tree, const SizingField& field, const Vec3& root_side, const Run& run)
 {
+    const double thin = kThin * field.least();
     for (size_t c = 0; c < tree.cells.size(); ++c) {  // children join the end of the list and get their turn
         if (c % 4096 == 0)
             run.report(0.5 * static_cast<double>(c) / static_cast<double>(tree.cells.size()), "building the octree");
         const OctreeCell cell = tree.cells[c];
         const double edge = kMeanEdge * std::ldexp(std::cbrt(root_side.prod()), -cell.level);
-        if (cell.level < kMostLevels && edge > kSlack * least_size(field, cell, root_side))
+        const double h = least_size(field, cell, root_side);
+        if (cell.level < kMostLevels && edge > (h < thin ? kThinSlack : kSlack) * h)
             split(tree, static_cast<int32_t>(c));
     }
 }
