@@ -35,6 +35,18 @@ void require_all_labels(const Volume& volume, const LabelledMesh& mesh, const Ru
     }
 }
 
+// Scaled for a wanted number of tetrahedra, the one size of a lattice can come out coarser than the thinnest parts ask
+// for, which is half of their thickness. A field that is constant asks for nothing of the kind.
+void warn_of_coarse_lattice(const SizingField& field, const Run& run)
+{
+    constexpr double kCoarse = 1.1;
+    if (field.scale > kCoarse && field.least() < field.greatest())
+        run.say(CLEFT_LOG_WARNING, "the lattice has one size, " + std::to_string(field.least()) +
+                                       ", which may lose the thinnest parts: a size of " +
+                                       std::to_string(field.least() / field.scale) +
+                                       " resolves them, or a graded background with fewer tetrahedra");
+}
+
 LabelledMesh finished(const Volume& volume, LabelledMesh mesh, const PipelineOptions& options, const Run& run)
 {
     if (options.strict)
@@ -89,20 +101,23 @@ LabelledMesh attempt_number(const Volume& volume, SizingField& field, const Pipe
     const StageTimer timer(run, "pipeline.rounds");  // of all; the stages note their last round
     const double wanted = static_cast<double>(options.tets);
     NumberSearch search(wanted);
-    double factor = 1;
+    Run silent = run;  // warnings are of the mesh that is kept
+    silent.log = nullptr;
+    double factor = 1, next = 1;
     LabelledMesh mesh;
     for (int round = 0; round < kRounds; ++round) {
+        if (round > 0)
+            scale_sizing(field, next / factor, run);
+        factor = next;
         mesh = LabelledMesh();
         // Most searches end in the second or third round: progress goes by halves of what is left.
-        mesh =
-            attempt(volume, field, options, part_of(run, 1 - std::ldexp(1.0, -round), 1 - std::ldexp(1.0, -round - 1)));
+        mesh = attempt(volume, field, options,
+                       part_of(silent, 1 - std::ldexp(1.0, -round), 1 - std::ldexp(1.0, -round - 1)));
         const double count = static_cast<double>(mesh.tets.size());
         run.note("pipeline.rounds.count", round + 1);
         if (std::abs(count - wanted) <= kTolerance * wanted)
             return mesh;
-        const double next = search.next(factor, count);
-        scale_sizing(field, next / factor, run);
-        factor = next;
+        next = search.next(factor, count);
     }
     if (std::abs(static_cast<double>(mesh.tets.size()) - wanted) > 0.1 * wanted)
         run.say(CLEFT_LOG_WARNING, "the wanted number of tetrahedra, " + std::to_string(options.tets) +
@@ -144,6 +159,7 @@ TetMesh make_background(const SizingField& field, const PipelineOptions& options
             mesh = particle_background(field, options.particles, run);
             break;
         case BackgroundKind::lattice:
+            warn_of_coarse_lattice(field, run);
             mesh = lattice_background(field.grid, field.least(), run);
             break;
         case BackgroundKind::octree:
@@ -186,6 +202,8 @@ LabelledMesh mesh_from_sizing(const Volume& volume, SizingField field, const Pip
 {
     if (options.tets > 0) {
         LabelledMesh mesh = attempt_number(volume, field, options, run);
+        if (options.background == BackgroundKind::lattice)
+            warn_of_coarse_lattice(field, run);
         field = SizingField();
         return finished(volume, std::move(mesh), options, run);
     }

@@ -33,6 +33,7 @@ struct SizingField {
     Grid grid;
     std::vector<float> h;
     double gradation = 0.3;
+    double scale = 1;  // what its values have been multiplied by since they were asked for
 
     double at(const Vec3& x) const;
     double least() const;

@@ -83,6 +83,7 @@ void scale_sizing(SizingField& field, double factor, const Run& run)
         throw Error(CLEFT_ERROR_ARGUMENT, "the factor of a sizing field must be positive and finite");
     for (float& value : field.h)
         value = static_cast<float>(value * factor);
+    field.scale *= factor;
     if (factor > 1)  // a smaller field grows the more slowly
         limit_gradient(field.grid, field.gradation, field.h, Progress{run, 0, 1, "sizing"});
 }
