@@ -32,6 +32,11 @@ constexpr double kSlackShare = 0.4;
 constexpr double kLeastMove = 2e-3;
 // Later rounds make good at neighbours what a point could not give.
 constexpr int kRounds = 3;
+// More rounds while a label of so many voxels is off by more than this share: one that is hardly thicker than the steps
+// of its interface comes close by and by.
+constexpr int kMostRounds = 8;
+constexpr int64_t kLargeLabel = 1000;
+constexpr double kTolerance = 0.003;
 // Directions in which the triangles at a point ask for less than this share of what they ask in the strongest are along
 // the interface.
 constexpr double kLeastShare = 0.2;
@@ -213,6 +218,20 @@ std::vector<double> material_volumes(const LocalMesh& mesh, size_t materials)
     return volumes;
 }
 
+// `voxels` is empty for fields.
+bool is_large_label_off(const LocalMesh& mesh, const std::vector<int64_t>& voxels, const Vec3& spacing)
+{
+    if (voxels.empty())
+        return false;
+    const std::vector<double> volumes = material_volumes(mesh, voxels.size());
+    for (size_t m = 0; m < voxels.size(); ++m) {
+        const double wanted = static_cast<double>(voxels[m]) * spacing.prod();
+        if (voxels[m] > kLargeLabel && std::abs(volumes[m] - wanted) > kTolerance * wanted)
+            return true;
+    }
+    return false;
+}
+
 // Adds to the offsets of the triangles what the labels miss. The heights are counted as granted in the first round;
 // later, what has not been granted will hardly be.
 void add_offsets(const LocalMesh& mesh, const std::vector<int64_t>& voxels, const Vec3& spacing,
@@ -348,8 +367,10 @@ void fit_volumes(LabelledMesh& mesh, const Volume& volume, double least_angle, c
     std::vector<InterfacePoint> points = find_points(local, triangles);
     Granter granter(local, floor);
     const std::vector<int64_t> voxels = volume.is_label_map() ? volume.voxel_counts() : std::vector<int64_t>();
-    for (int round = 0; round < kRounds; ++round) {
-        run.report(0.6 + 0.4 * round / kRounds, "fitting volumes");
+    for (int round = 0; round < kMostRounds; ++round) {
+        if (round >= kRounds && !is_large_label_off(local, voxels, volume.grid().spacing))
+            break;
+        run.report(0.6 + 0.4 * round / kMostRounds, "fitting volumes");
         if (volume.is_label_map())
             add_offsets(local, voxels, volume.grid().spacing, points, round == 0, triangles);
         const int64_t held = granter.grant(wishes(local, triangles, points), points, run);

@@ -162,6 +162,20 @@ void grains_have_the_volume_of_their_voxels(void**)
     assert_string_equal(validate(mesh, true, Run()).first_fault.c_str(), "");
 }
 
+// One voxel thick, along a diagonal: as thin as the smoothing of its label, it needs more rounds.
+void a_thin_sheet_has_the_volume_of_its_voxels(void**)
+{
+    constexpr int32_t kWide = 34;
+    const Grid grid{{kWide, kWide, kWide}, Vec3(1, 1, 1)};
+    std::vector<uint8_t> voxels;
+    for (int32_t v = 0; v < kWide * kWide * kWide; ++v)
+        voxels.push_back(v % kWide + v / kWide % kWide == kWide - 1);
+    const Volume volume = Volume::from_labels(VoxelType::uint8, voxels.data(), grid, 5, Run());
+    LabelledMesh mesh = cleave(volume, lattice_background(grid, 0.9, Run()), CleaveOptions(), Run());
+    fit_volumes(mesh, volume, 20, Run());
+    assert_true(std::abs(material_volumes(mesh, 2)[1] / (kWide * kWide) - 1) < 0.005);
+}
+
 void a_flat_interface_stays_flat(void**)
 {
     const Grid grid{{16, 16, 16}, Vec3(1, 1, 1)};
@@ -189,6 +203,7 @@ int main()
         cmocka_unit_test(offsets_give_what_is_missing),
         cmocka_unit_test(offsets_leave_out_what_nothing_can_give),
         cmocka_unit_test(grains_have_the_volume_of_their_voxels),
+        cmocka_unit_test(a_thin_sheet_has_the_volume_of_its_voxels),
         cmocka_unit_test(a_flat_interface_stays_flat),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
