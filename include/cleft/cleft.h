@@ -96,7 +96,8 @@ CLEFT_API cleft_status cleft_context_set_threads(cleft_context* context, int32_t
 CLEFT_API int32_t cleft_context_threads(const cleft_context* context) CLEFT_NOEXCEPT;
 
 /** fraction in [0, 1] of the running call, `stage` in words (borrowed for the call); a nonzero answer cancels. Always
- *  called on the thread that called the library. \since 0.1 */
+ *  called on the thread that called the library, mostly ten times a second or more, at times with the same fraction
+ *  again; TetGen's part, seconds for millions of tetrahedra, cannot be interrupted. \since 0.1 */
 typedef int (*cleft_progress_callback)(double fraction, const char* stage, void* user);
 /** Sets or (NULL) removes the progress callback. `user` is passed through. \since 0.1 */
 CLEFT_API cleft_status cleft_context_set_progress(cleft_context* context, cleft_progress_callback callback,

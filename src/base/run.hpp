@@ -15,6 +15,8 @@ struct Run {
     int threads = 1;
     // Called on the calling thread only; true asks to cancel.
     std::function<bool(double fraction, const char* stage)> progress;
+    // May be called on any thread, at any time: repeats the last progress if it is due; true asks to cancel.
+    std::function<bool()> repeat_progress;
     std::function<void(int level, const std::string& sentence)> log;
     const std::atomic<bool>* cancel = nullptr;  // may be set from any thread
     Metrics* metrics = nullptr;
@@ -24,15 +26,14 @@ struct Run {
     // May be called from any thread; throws when a cancel was asked for.
     void check() const
     {
-        if (cancelled())
+        if (cancelled() || (repeat_progress && repeat_progress()))
             throw Error(CLEFT_ERROR_CANCELLED, "the run was cancelled");
     }
 
     // On the calling thread only: fraction in [0, 1] of the named stage.
     void report(double fraction, const char* stage) const
     {
-        check();
-        if (progress && progress(fraction, stage))
+        if (cancelled() || (progress && progress(fraction, stage)))
             throw Error(CLEFT_ERROR_CANCELLED, "the run was cancelled");
     }
 

@@ -4,6 +4,7 @@
 
 #include "base/run.hpp"
 #include "capi/handles.hpp"
+#include "capi/reporter.hpp"
 
 #include <algorithm>
 #include <new>
@@ -128,17 +129,16 @@ cleft_status guarded_run(cleft_context* context, const Body& body) noexcept
         return CLEFT_ERROR_HANDLE;
     context->message[0] = '\0';
     context->cancel = false;
-    double furthest = 0;
+    Reporter reporter(*context);
     return guarded(&context->message, [&] {
         Run run;
         run.threads = context->threads;
         run.cancel = &context->cancel;
         run.metrics = &context->metrics;
-        if (context->progress)
-            run.progress = [context, &furthest](double fraction, const char* stage) {
-                furthest = std::clamp(fraction, furthest, 1.0);  // a stage that looks twice does not go back
-                return context->progress(furthest, stage, context->progress_user) != 0;
-            };
+        if (context->progress) {
+            run.progress = [&](double fraction, const char* stage) { return reporter.report(fraction, stage); };
+            run.repeat_progress = [&] { return reporter.repeat(); };
+        }
         if (context->log)
             run.log = [context](int level, const std::string& sentence) {
                 context->log(level, sentence.c_str(), context->log_user);
