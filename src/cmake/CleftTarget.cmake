@@ -8,8 +8,8 @@ function(cleft_compile_settings target)
         POSITION_INDEPENDENT_CODE ON)
     target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion
         $<$<BOOL:${CLEFT_WARNINGS_AS_ERRORS}>:-Werror>)
-    # errno and the floating-point flags are never read: let sqrt be an instruction, and loops with a choice vectorize.
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O3 -fno-math-errno -fno-trapping-math>)
+    # errno is never read after a mathematical function: let sqrt be an instruction.
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O3 -fno-math-errno>)
     if(CLEFT_SANITIZE)
         target_compile_options(${target} PRIVATE -fsanitize=${CLEFT_SANITIZE} -fno-omit-frame-pointer
             -fno-sanitize-recover=all)
