@@ -71,29 +71,31 @@ sealed class CallbacksTest
         thread.Join();
     }
 
-    void TestCancellationToken()
+    // A token that is cancelled as soon as a call tells its progress.
+    CancellationToken TokenCancelledWithin()
     {
         var source = new CancellationTokenSource();
-        Volume volume = Checks.SlowVolume(mesher);
         mesher.Cancellation = source.Token;
         mesher.Progress = (fraction, stage) => {
             source.Cancel();
             return true;
         };
+        return source.Token;
+    }
+
+    void TestCancellationToken()
+    {
+        Volume volume = Checks.SlowVolume(mesher);
+        CancellationToken token = TokenCancelledWithin();
         var cancelled = Checks.Thrown<OperationCanceledException>(() => mesher.Mesh(volume));
-        Checks.Check(cancelled is CancelledException && cancelled.CancellationToken == source.Token, "not of the token");
+        Checks.Check(cancelled is CancelledException && cancelled.CancellationToken == token, "not of the token");
     }
 
     void TestCancelledTask()
     {
-        var source = new CancellationTokenSource();
         Volume volume = Checks.SlowVolume(mesher);
-        mesher.Cancellation = source.Token;
-        mesher.Progress = (fraction, stage) => {
-            source.Cancel();
-            return true;
-        };
-        Task task = Task.Run(() => mesher.Mesh(volume), source.Token);
+        CancellationToken token = TokenCancelledWithin();
+        Task task = Task.Run(() => mesher.Mesh(volume), token);
         Checks.Thrown<AggregateException>(task.Wait);
         Checks.Check(task.IsCanceled && !task.IsFaulted, "the task has failed, not been cancelled");
     }
