@@ -218,29 +218,30 @@ std::vector<double> material_volumes(const LocalMesh& mesh, size_t materials)
     return volumes;
 }
 
-// `voxels` is empty for fields.
-bool is_large_label_off(const LocalMesh& mesh, const std::vector<int64_t>& voxels, const Vec3& spacing)
+// What each label lacks of the volume of its voxels. `voxels` is empty for fields, of which nothing is known.
+std::vector<double> missing_volumes(const LocalMesh& mesh, const std::vector<int64_t>& voxels, double voxel)
 {
     if (voxels.empty())
-        return false;
-    const std::vector<double> volumes = material_volumes(mesh, voxels.size());
-    for (size_t m = 0; m < voxels.size(); ++m) {
-        const double wanted = static_cast<double>(voxels[m]) * spacing.prod();
-        if (voxels[m] > kLargeLabel && std::abs(volumes[m] - wanted) > kTolerance * wanted)
+        return {};
+    std::vector<double> missing = material_volumes(mesh, voxels.size());
+    for (size_t m = 0; m < voxels.size(); ++m)
+        missing[m] = static_cast<double>(voxels[m]) * voxel - missing[m];
+    return missing;
+}
+
+bool is_large_label_off(const std::vector<double>& missing, const std::vector<int64_t>& voxels, double voxel)
+{
+    for (size_t m = 0; m < missing.size(); ++m)
+        if (voxels[m] > kLargeLabel && std::abs(missing[m]) > kTolerance * (static_cast<double>(voxels[m]) * voxel))
             return true;
-    }
     return false;
 }
 
 // Adds to the offsets of the triangles what the labels miss. The heights are counted as granted in the first round;
 // later, what has not been granted will hardly be.
-void add_offsets(const LocalMesh& mesh, const std::vector<int64_t>& voxels, const Vec3& spacing,
+void add_offsets(const LocalMesh& mesh, std::vector<double> missing, const Vec3& spacing,
                  const std::vector<InterfacePoint>& points, bool first, std::vector<InterfaceTriangle>& triangles)
 {
-    const std::vector<double> volumes = material_volumes(mesh, voxels.size());
-    std::vector<double> missing(voxels.size());
-    for (size_t m = 0; m < voxels.size(); ++m)
-        missing[m] = static_cast<double>(voxels[m]) * spacing.prod() - volumes[m];
     std::vector<Contact> contacts;
     contacts.reserve(triangles.size());
     const auto place = [&](int32_t i) -> const Vec3& { return mesh.point(points[static_cast<size_t>(i)].number); };
@@ -367,12 +368,14 @@ void fit_volumes(LabelledMesh& mesh, const Volume& volume, double least_angle, c
     std::vector<InterfacePoint> points = find_points(local, triangles);
     Granter granter(local, floor);
     const std::vector<int64_t> voxels = volume.is_label_map() ? volume.voxel_counts() : std::vector<int64_t>();
+    const Vec3 spacing = volume.grid().spacing;
     for (int round = 0; round < kMostRounds; ++round) {
-        if (round >= kRounds && !is_large_label_off(local, voxels, volume.grid().spacing))
+        const std::vector<double> missing = missing_volumes(local, voxels, spacing.prod());
+        if (round >= kRounds && !is_large_label_off(missing, voxels, spacing.prod()))
             break;
         run.report(0.6 + 0.4 * round / kMostRounds, "fitting volumes");
         if (volume.is_label_map())
-            add_offsets(local, voxels, volume.grid().spacing, points, round == 0, triangles);
+            add_offsets(local, missing, spacing, points, round == 0, triangles);
         const int64_t held = granter.grant(wishes(local, triangles, points), points, run);
         run.note("fitting.held", static_cast<double>(held));
     }

@@ -1,9 +1,9 @@
 #include "improving/material_offsets.hpp"
 
+#include "base/disjoint_sets.hpp"
+
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
-#include <algorithm>
-#include <numeric>
 
 namespace cleft
 {
@@ -12,22 +12,12 @@ namespace
 {
 
 // By material: the same number for all that touch, directly or over others.
-std::vector<size_t> groups_in_touch(const std::vector<Contact>& contacts, size_t materials)
+std::vector<int32_t> groups_in_touch(const std::vector<Contact>& contacts, size_t materials)
 {
-    std::vector<size_t> parent(materials);
-    std::iota(parent.begin(), parent.end(), size_t{0});
-    const auto root = [&](size_t m) {
-        while (parent[m] != m)
-            m = parent[m] = parent[parent[m]];
-        return m;
-    };
-    for (const Contact& c : contacts) {
-        const size_t a = root(static_cast<size_t>(c.first)), b = root(static_cast<size_t>(c.second));
-        parent[std::max(a, b)] = std::min(a, b);
-    }
-    for (size_t m = 0; m < materials; ++m)
-        parent[m] = root(m);
-    return parent;
+    DisjointSets sets(materials);
+    for (const Contact& c : contacts)
+        sets.join(c.first, c.second);
+    return sets.take();
 }
 
 // What one material wins another loses, so a group in touch cannot win together: what it misses in sum (the volume of a
@@ -36,20 +26,21 @@ std::vector<size_t> groups_in_touch(const std::vector<Contact>& contacts, size_t
 Eigen::VectorXd attainable(const std::vector<Contact>& contacts, const std::vector<double>& missing)
 {
     const size_t n = missing.size();
-    const std::vector<size_t> group = groups_in_touch(contacts, n);
+    const std::vector<int32_t> group = groups_in_touch(contacts, n);
+    const auto of = [&](size_t m) { return static_cast<size_t>(group[m]); };
     std::vector<double> area(n, 0), group_area(n, 0), group_missing(n, 0);
     for (const Contact& c : contacts) {
         area[static_cast<size_t>(c.first)] += c.area;
         area[static_cast<size_t>(c.second)] += c.area;
     }
     for (size_t m = 0; m < n; ++m) {
-        group_area[group[m]] += area[m];
-        group_missing[group[m]] += missing[m];
+        group_area[of(m)] += area[m];
+        group_missing[of(m)] += missing[m];
     }
     Eigen::VectorXd out(static_cast<Eigen::Index>(n));
     for (size_t m = 0; m < n; ++m) {
-        const double share = group_area[group[m]] > 0 ? area[m] / group_area[group[m]] : 0;
-        out[static_cast<Eigen::Index>(m)] = area[m] > 0 ? missing[m] - share * group_missing[group[m]] : 0;
+        const double share = group_area[of(m)] > 0 ? area[m] / group_area[of(m)] : 0;
+        out[static_cast<Eigen::Index>(m)] = area[m] > 0 ? missing[m] - share * group_missing[of(m)] : 0;
     }
     return out;
 }

@@ -1,10 +1,10 @@
 // What is in a mesh by material, and taking materials out of it.
+#include "base/disjoint_sets.hpp"
 #include "mesh/face_buckets.hpp"
 #include "mesh/finish.hpp"
 #include "mesh/quality.hpp"
 
 #include <functional>
-#include <numeric>
 
 namespace cleft
 {
@@ -17,33 +17,6 @@ double tet_volume(const LabelledMesh& mesh, size_t t)
     const auto corner = [&](size_t i) { return mesh.points[static_cast<size_t>(mesh.tets[t][i])]; };
     return orient(corner(0), corner(1), corner(2), corner(3)) / 6;
 }
-
-// Sets of tetrahedra that join; a set is known by its least member.
-class DisjointSets
-{
-public:
-    explicit DisjointSets(size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-    int32_t find(int32_t t)
-    {
-        while (parent(t) != t) {
-            parent(t) = parent(parent(t));  // halves the path
-            t = parent(t);
-        }
-        return t;
-    }
-
-    void join(int32_t a, int32_t b)
-    {
-        a = find(a);
-        b = find(b);
-        parent(std::max(a, b)) = std::min(a, b);
-    }
-
-private:
-    int32_t& parent(int32_t t) { return parent_[static_cast<size_t>(t)]; }
-    std::vector<int32_t> parent_;
-};
 
 }  // namespace
 
@@ -72,10 +45,7 @@ std::vector<int32_t> part_of_tets(const LabelledMesh& mesh, const Run& run)
                     sets.join(face[k].tet(), face[k - 1].tet());
         });
     }
-    std::vector<int32_t> part(mesh.tets.size());
-    for (size_t t = 0; t < part.size(); ++t)
-        part[t] = sets.find(static_cast<int32_t>(t));
-    return part;
+    return sets.take();
 }
 
 std::vector<std::vector<double>> material_parts(const LabelledMesh& mesh, Material material_count, const Run& run)

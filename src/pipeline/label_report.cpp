@@ -1,5 +1,6 @@
 #include "pipeline/label_report.hpp"
 
+#include "base/disjoint_sets.hpp"
 #include "mesh/finish.hpp"
 #include "mesh/quality.hpp"
 
@@ -12,41 +13,26 @@ namespace cleft
 namespace
 {
 
-int32_t root(std::vector<int32_t>& parent, int32_t v)
-{
-    while (parent[static_cast<size_t>(v)] != v) {
-        int32_t& up = parent[static_cast<size_t>(v)];
-        up = parent[static_cast<size_t>(up)];
-        v = up;
-    }
-    return v;
-}
-
-// Union-find over faces of voxels; a component is named by its least voxel, so the result has one form only.
+// The component, over faces, that each voxel is in: named by its least voxel.
 std::vector<int32_t> voxel_components(const Volume& volume, const Run& run)
 {
     const Grid& grid = volume.grid();
-    std::vector<int32_t> parent(static_cast<size_t>(grid.size()));
+    DisjointSets sets(static_cast<size_t>(grid.size()));
     const int64_t step[3] = {1, grid.dims[0], int64_t{grid.dims[0]} * grid.dims[1]};
     int64_t v = 0;
     for (int32_t k = 0; k < grid.dims[2]; ++k) {
         run.report(k / static_cast<double>(grid.dims[2]), "counting components");
         for (int32_t j = 0; j < grid.dims[1]; ++j)
             for (int32_t i = 0; i < grid.dims[0]; ++i, ++v) {
-                parent[static_cast<size_t>(v)] = static_cast<int32_t>(v);
                 const int32_t at[3] = {i, j, k};
                 for (int axis = 0; axis < 3; ++axis) {
                     const int64_t w = v - step[axis];
-                    if (at[axis] == 0 || volume.voxel_material(v) != volume.voxel_material(w))
-                        continue;
-                    const int32_t a = root(parent, static_cast<int32_t>(v)), b = root(parent, static_cast<int32_t>(w));
-                    parent[static_cast<size_t>(std::max(a, b))] = std::min(a, b);
+                    if (at[axis] != 0 && volume.voxel_material(v) == volume.voxel_material(w))
+                        sets.join(static_cast<int32_t>(v), static_cast<int32_t>(w));
                 }
             }
     }
-    for (int32_t u = 0; u < static_cast<int32_t>(parent.size()); ++u)
-        parent[static_cast<size_t>(u)] = parent[static_cast<size_t>(parent[static_cast<size_t>(u)])];
-    return parent;
+    return sets.take();
 }
 
 int64_t voxel_of(const Grid& grid, const Vec3& x)
