@@ -4,7 +4,6 @@ docs/quality.md.
 
     benchmarks/accuracy.py [--cleft build/release/src/cli/cleft] [-o docs/quality.md]
 """
-import argparse
 import math
 import pathlib
 import tempfile
@@ -41,16 +40,5 @@ def table(cleft, written):
     return text
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--cleft", default=quality.ROOT / "build/release/src/cli/cleft")
-    parser.add_argument("-o", "--output", type=pathlib.Path, help="a Markdown file with a line <!-- accuracy -->")
-    arguments = parser.parse_args()
-    with tempfile.TemporaryDirectory() as folder:
-        text = table(arguments.cleft, volumes.write_generated(pathlib.Path(folder)))
-    if arguments.output:
-        quality.write_into(arguments.output, "accuracy", text)
-
-
 if __name__ == "__main__":
-    main()
+    quality.run_table(__doc__, "accuracy", lambda arguments, generated: table(arguments.cleft, generated))

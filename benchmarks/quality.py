@@ -71,14 +71,21 @@ def distance_to_spheres(surface, spheres):
     return "%.3f, %.2f" % (away.mean(), away.max())
 
 
-def row(report, surface, spheres):
+def angles(report):
+    """Four cells: tetrahedra, least and greatest angle, tetrahedra below 10, 15 and 20 degrees."""
     q = report["quality"]
-    lost = sum(r["large_components_lost"] for r in report["labels"])
     return ["{:,}".format(report["mesh"]["tets"]), "%.1f" % q["min_dihedral"], "%.1f" % q["max_dihedral"],
-            "%d, %d, %d" % (q["tets_below_10"], q["tets_below_15"], q["tets_below_20"]),
-            "%.2f" % q["radius_ratio_95"],
-            "%s / %s %% (median %s)" % (worst_error(report, 1000), worst_error(report, 100), median_error(report)),
-            str(lost), distance_to_spheres(surface, spheres) if spheres else "", "%.1f" % report["cpu_seconds"]]
+            "%d, %d, %d" % (q["tets_below_10"], q["tets_below_15"], q["tets_below_20"])]
+
+
+def volume_errors(report):
+    return "%s / %s %% (median %s)" % (worst_error(report, 1000), worst_error(report, 100), median_error(report))
+
+
+def row(report, surface, spheres):
+    lost = sum(r["large_components_lost"] for r in report["labels"])
+    return [*angles(report), "%.2f" % report["quality"]["radius_ratio_95"], volume_errors(report), str(lost),
+            distance_to_spheres(surface, spheres) if spheres else "", "%.1f" % report["cpu_seconds"]]
 
 
 def line(cells):
@@ -106,24 +113,31 @@ def write_into(page, mark, text):
     page.write_text(before + mark + text + mark + rest.partition(mark)[2])
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def run_table(description, mark, make_table, add_arguments=lambda parser: None):
+    """The command of a table: make_table(arguments, the generated volumes) makes its text, which goes into a page if
+    one is given."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--cleft", default=ROOT / "build/release/src/cli/cleft")
+    parser.add_argument("-o", "--output", type=pathlib.Path, help="a Markdown file with a line <!-- %s -->" % mark)
+    add_arguments(parser)
+    arguments = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        text = make_table(arguments, volumes.write_generated(pathlib.Path(folder)))
+    if arguments.output:
+        write_into(arguments.output, mark, text)
+
+
+def add_arguments(parser):
     parser.add_argument("--data", help="a folder of further volumes")
     parser.add_argument("--only", default="", help="volumes whose name contains this text")
     parser.add_argument("--backgrounds", default="particles,octree,lattice")
-    parser.add_argument("-o", "--output", type=pathlib.Path, help="a Markdown file with a line <!-- table -->")
-    arguments = parser.parse_args()
-    with tempfile.TemporaryDirectory() as folder:
-        work = {**{name: (files, None) for name, files in volumes.kept().items()},
-                **volumes.write_generated(pathlib.Path(folder))}
-        if arguments.data:
-            work.update({name: (files, None) for name, files in volumes.more(arguments.data).items()})
-        work = {name: found for name, found in work.items() if arguments.only in name}
-        text = table(arguments.cleft, work, arguments.backgrounds.split(","))
-    if arguments.output:
-        write_into(arguments.output, "table", text)
+
+
+def make_table(arguments, generated):
+    work = {**volumes.kept(), **generated, **(volumes.more(arguments.data) if arguments.data else {})}
+    work = {name: found for name, found in work.items() if arguments.only in name}
+    return table(arguments.cleft, work, arguments.backgrounds.split(","))
 
 
 if __name__ == "__main__":
-    main()
+    run_table(__doc__, "table", make_table, add_arguments)

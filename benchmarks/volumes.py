@@ -112,16 +112,16 @@ def write_generated(folder):
 
 
 def kept():
-    """Volumes in the repository, and the atlases of mricron-data if it is installed."""
-    found = {"mickey": [DATA / "mickey.nrrd"], "CIT168": [DATA / "CIT168.nrrd"],
-             "four indicators": [DATA / ("spheres%d.nrrd" % i) for i in range(1, 5)]}
+    """Volumes in the repository, and the atlases of mricron-data if it is installed, as write_generated answers."""
+    found = {"mickey": ([DATA / "mickey.nrrd"], None), "CIT168": ([DATA / "CIT168.nrrd"], None),
+             "four indicators": ([DATA / ("spheres%d.nrrd" % i) for i in range(1, 5)], None)}
     for name, file in (("AAL", "aal.nii.gz"), ("JHU, 1 mm", "JHU-WhiteMatter-labels-1mm.nii.gz")):
         if (ATLASES / file).exists():
-            found[name] = [ATLASES / file]
+            found[name] = ([ATLASES / file], None)
     return found
 
 
 def more(folder):
     """Every volume in a folder of the user's."""
     kinds = (".nrrd", ".nii", ".nii.gz", ".tif", ".tiff", ".mha")
-    return {path.name: [path] for path in sorted(pathlib.Path(folder).iterdir()) if path.name.endswith(kinds)}
+    return {path.name: ([path], None) for path in sorted(pathlib.Path(folder).iterdir()) if path.name.endswith(kinds)}
