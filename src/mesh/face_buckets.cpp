@@ -30,34 +30,43 @@ uint64_t other_points(const std::vector<Tet>& tets, uint32_t id)
 
 }  // namespace
 
-FaceBuckets::FaceBuckets(const std::vector<Tet>& tets, int64_t point_count, const Run& run)
-    : tets_(tets), start_(static_cast<size_t>(point_count) + 1, 0)
+template <class Visit>
+void FaceBuckets::for_faces_of(size_t tet, int64_t point_count, const Visit& visit) const
+{
+    const Tet& corners = tets_[tet];
+    if (has_bad_index(corners, point_count))
+        return;
+    unsigned marked = 15;
+    if (among_ != nullptr)
+        for (unsigned i = 0; i < 4; ++i)
+            if ((*among_)[static_cast<size_t>(corners[i])] == 0)
+                marked &= ~(1U << i);
+    const std::array<int32_t, 4> least = least_points(corners);
+    for (uint32_t i = 4; i-- > 0;)
+        if ((marked | 1U << i) == 15)
+            visit(static_cast<uint32_t>(tet) * 4 + i, static_cast<size_t>(least[i]));
+}
+
+FaceBuckets::FaceBuckets(const std::vector<Tet>& tets, int64_t point_count, const Run& run,
+                         const std::vector<uint8_t>* among)
+    : tets_(tets), among_(among), start_(static_cast<size_t>(point_count) + 1, 0)
 {
     if (tets.size() >= kMostTets)
         throw Error(CLEFT_ERROR_TOO_LARGE, "a mesh of 2^30 or more tetrahedra is too large for 32-bit face numbers");
-    uint32_t total = 0;
     for (size_t t = 0; t < tets.size(); ++t) {
         if (t % kTetsACheck == 0)
             run.check();
-        if (has_bad_index(tets[t], point_count))
-            continue;
-        for (const int32_t p : least_points(tets[t]))
-            ++start_[static_cast<size_t>(p)];
-        total += 4;
+        for_faces_of(t, point_count, [&](uint32_t, size_t least) { ++start_[least]; });
     }
     // Counts become ends; the filling below, from the last face to the first, turns the ends into starts.
     uint32_t end = 0;
     for (uint32_t& s : start_)
         s = end += s;
-    ids_.resize(total);
+    ids_.resize(end);
     for (size_t t = tets.size(); t-- > 0;) {
         if (t % kTetsACheck == 0)
             run.check();
-        if (has_bad_index(tets[t], point_count))
-            continue;
-        const std::array<int32_t, 4> least = least_points(tets[t]);
-        for (uint32_t i = 4; i-- > 0;)
-            ids_[--start_[static_cast<size_t>(least[i])]] = static_cast<uint32_t>(t) * 4 + i;
+        for_faces_of(t, point_count, [&](uint32_t face, size_t least) { ids_[--start_[least]] = face; });
     }
 }
 

@@ -43,7 +43,9 @@ class FaceBuckets
 {
 public:
     // Throws CLEFT_ERROR_TOO_LARGE from 2^30 tetrahedra on: four times their number must fit 32 bits.
-    FaceBuckets(const std::vector<Tet>& tets, int64_t point_count, const Run& run);
+    // With `among`, by point, only faces all of whose points are marked there; these then are found much sooner.
+    FaceBuckets(const std::vector<Tet>& tets, int64_t point_count, const Run& run,
+                const std::vector<uint8_t>* among = nullptr);
 
     // visit(const HalfFace* faces, size_t count) for each different face whose least point is in [begin, end), in an
     // order that depends on the mesh alone: least points ascend, and so do the tetrahedra of one face.
@@ -76,9 +78,13 @@ private:
         std::vector<int32_t> last_of_face;  // the hash table, by other_points
     };
 
+    // visit(face, least point) for the faces of a tetrahedron that take part.
+    template <class Visit>
+    void for_faces_of(size_t tet, int64_t point_count, const Visit& visit) const;
     void load(int64_t point, Bucket& bucket) const;
 
     const std::vector<Tet>& tets_;
+    const std::vector<uint8_t>* among_;
     std::vector<uint32_t> start_;
     std::vector<uint32_t> ids_;
 };

@@ -16,9 +16,6 @@ void strip_materials(LabelledMesh& mesh, const std::vector<char>& keep);
 // The connected part, over shared faces, that each tetrahedron is in: named by its least tetrahedron.
 std::vector<int32_t> part_of_tets(const LabelledMesh& mesh, const Run& run);
 
-// Connected parts of each material, over shared faces: parts[m] sorted by falling volume.
-std::vector<std::vector<double>> material_parts(const LabelledMesh& mesh, Material material_count, const Run& run);
-
 // Volume of each material.
 std::vector<double> material_volumes(const LabelledMesh& mesh, Material material_count);
 

@@ -3,6 +3,7 @@
 #include "base/parallel.hpp"
 #include "mesh/bounding_box.hpp"
 #include "mesh/face_buckets.hpp"
+#include "mesh/surface_points.hpp"
 
 #include <tuple>
 
@@ -97,7 +98,8 @@ Interfaces extract_interfaces(const LabelledMesh& mesh, const Vec3& lo, const Ve
     run.report(0, "extracting interfaces");
     const auto point_count = static_cast<int64_t>(mesh.points.size());
     const BoundingBox box{lo, hi};
-    const FaceBuckets buckets(mesh.tets, point_count, run);
+    const std::vector<uint8_t> surface = surface_points(mesh, run);
+    const FaceBuckets buckets(mesh.tets, point_count, run, &surface);
     std::vector<Faces> parts(static_cast<size_t>(chunk_count(point_count, kGrain)));
     run.report(0.3, "extracting interfaces");
     parallel_chunks(run, point_count, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {

@@ -2,6 +2,7 @@
 
 #include "mesh/adjacency.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/surface_points.hpp"
 
 #include <algorithm>
 
@@ -9,8 +10,6 @@ namespace cleft
 {
 namespace
 {
-
-constexpr int32_t kTetsACheck = 1 << 16;  // between two looks for a cancel
 
 constexpr double kUnknown = 2;  // no quality
 
@@ -33,15 +32,6 @@ Hinge hinge(const Tet& v, int32_t t, int32_t a, int32_t b)
     return {t, -1, -1};
 }
 
-// The mixing of splitmix64 (Steele, Lea and Flood, 2014).
-uint64_t number_of_edge(int32_t a, int32_t b)
-{
-    uint64_t x = uint64_t{static_cast<uint32_t>(std::min(a, b))} << 32 | static_cast<uint32_t>(std::max(a, b));
-    x = (x + 0x9e3779b97f4a7c15) * 0xbf58476d1ce4e5b9;
-    x = (x ^ x >> 30) * 0x94d049bb133111eb;
-    return x ^ x >> 31;
-}
-
 }  // namespace
 
 LocalMesh::LocalMesh(std::vector<Vec3> points, std::vector<Tet> tets, std::vector<Material> material, const Run& run)
@@ -57,7 +47,7 @@ LocalMesh::LocalMesh(std::vector<Vec3> points, std::vector<Tet> tets, std::vecto
 void LocalMesh::freeze_hull(const Run& run)
 {
     frozen_.assign(points_.size(), 0);
-    const std::vector<uint8_t> inside = points_inside(run);
+    const std::vector<uint8_t> inside = points_inside(tets_, points_.size(), run);
     for (int32_t v = 0; v < point_count(); ++v) {
         if (inside[at(v)])
             continue;
@@ -73,27 +63,6 @@ void LocalMesh::freeze_hull(const Run& run)
                     frozen_[at(p)] = static_cast<uint8_t>(frozen_[at(p)] | axes);
             }
     }
-}
-
-// The link of a point, the triangles opposite it, has an edge of one triangle alone if the point is on the hull, and
-// else only edges of two: then the exclusive or of a number for each edge of each triangle is 0. (Numbers of 64 bits
-// mixed well: that others cancel by chance is not to be expected in any mesh that fits a computer.)
-std::vector<uint8_t> LocalMesh::points_inside(const Run& run) const
-{
-    std::vector<uint64_t> link(points_.size(), 0);
-    for (int32_t t = 0; t < slot_count(); ++t) {
-        if (t % kTetsACheck == 0)
-            run.check();
-        const Tet& v = tet(t);
-        for (size_t e = 0; e < 6; ++e) {
-            const uint64_t number = number_of_edge(v[at(kEdgeCorners[e][0])], v[at(kEdgeCorners[e][1])]);
-            link[at(v[at(kEdgeOpposite[e][0])])] ^= number;
-            link[at(v[at(kEdgeOpposite[e][1])])] ^= number;
-        }
-    }
-    std::vector<uint8_t> inside(points_.size());
-    std::transform(link.begin(), link.end(), inside.begin(), [](uint64_t sum) { return sum == 0; });
-    return inside;
 }
 
 int32_t LocalMesh::neighbour(int32_t t, int corner) const

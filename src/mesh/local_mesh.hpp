@@ -75,8 +75,6 @@ public:
 
 private:
     void freeze_hull(const Run& run);
-    // For every point whether it is not on the hull.
-    std::vector<uint8_t> points_inside(const Run& run) const;
     int32_t take_slot();
 
     std::vector<Vec3> points_;

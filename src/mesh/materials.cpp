@@ -3,8 +3,7 @@
 #include "mesh/face_buckets.hpp"
 #include "mesh/finish.hpp"
 #include "mesh/quality.hpp"
-
-#include <functional>
+#include "mesh/surface_points.hpp"
 
 namespace cleft
 {
@@ -28,44 +27,32 @@ std::vector<double> material_volumes(const LabelledMesh& mesh, Material material
     return volumes;
 }
 
+// The tetrahedra around a point off the surface have one material and hang together, over faces. So those are joined at
+// the point, and only faces with all corners on the surface have to be looked for.
 std::vector<int32_t> part_of_tets(const LabelledMesh& mesh, const Run& run)
 {
-    constexpr int64_t kPointsAReport = 100000;
     const auto material = [&](int32_t t) { return mesh.material[static_cast<size_t>(t)]; };
     const auto point_count = static_cast<int64_t>(mesh.points.size());
     run.report(0, "finding parts");
-    const FaceBuckets buckets(mesh.tets, point_count, run);
+    const std::vector<uint8_t> surface = surface_points(mesh, run);
     DisjointSets sets(mesh.tets.size());
-    for (int64_t begin = 0; begin < point_count; begin += kPointsAReport) {
-        run.report(0.3 + 0.6 * static_cast<double>(begin) / static_cast<double>(point_count), "finding parts");
-        const int64_t end = std::min(point_count, begin + kPointsAReport);
-        buckets.for_each_face(begin, end, [&](const HalfFace* face, size_t count) {
-            for (size_t k = 1; k < count; ++k)
-                if (material(face[k].tet()) == material(face[k - 1].tet()))
-                    sets.join(face[k].tet(), face[k - 1].tet());
-        });
-    }
-    return sets.take();
-}
-
-std::vector<std::vector<double>> material_parts(const LabelledMesh& mesh, Material material_count, const Run& run)
-{
-    const std::vector<int32_t> part = part_of_tets(mesh, run);
-    // A part is met first at its least tetrahedron, which opens it.
-    std::vector<std::vector<double>> parts(static_cast<size_t>(material_count));
-    std::vector<size_t> number(mesh.tets.size());
-    for (size_t t = 0; t < mesh.tets.size(); ++t) {
-        std::vector<double>& volumes = parts[static_cast<size_t>(mesh.material[t])];
-        const auto least = static_cast<size_t>(part[t]);
-        if (least == t) {
-            number[t] = volumes.size();
-            volumes.push_back(0);
+    std::vector<int32_t> first(mesh.points.size(), -1);  // tetrahedron at a point
+    for (size_t t = 0; t < mesh.tets.size(); ++t)
+        for (const int32_t p : mesh.tets[t]) {
+            int32_t& before = first[static_cast<size_t>(p)];
+            if (before < 0)
+                before = static_cast<int32_t>(t);
+            else if (surface[static_cast<size_t>(p)] == 0)
+                sets.join(before, static_cast<int32_t>(t));
         }
-        volumes[number[least]] += tet_volume(mesh, t);
-    }
-    for (std::vector<double>& volumes : parts)
-        std::sort(volumes.begin(), volumes.end(), std::greater<>());
-    return parts;
+    run.report(0.5, "finding parts");
+    const FaceBuckets buckets(mesh.tets, point_count, run, &surface);
+    buckets.for_each_face(0, point_count, [&](const HalfFace* face, size_t count) {
+        for (size_t k = 1; k < count; ++k)
+            if (material(face[k].tet()) == material(face[k - 1].tet()))
+                sets.join(face[k].tet(), face[k - 1].tet());
+    });
+    return sets.take();
 }
 
 void strip_materials(LabelledMesh& mesh, const std::vector<char>& keep)

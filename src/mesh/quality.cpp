@@ -51,35 +51,82 @@ std::array<double, 6> dihedral_angles(const Corners& x, double six_volumes)
     return angles;
 }
 
-// The summary of a run of tetrahedra; mean_edge holds the sum of the edges until the end.
-Quality empty_summary()
+// The bin of the histogram that an angle is in, from its cosine: a look into a table, where the angle itself takes an
+// inverse function. Cells of the cosine are narrower than the narrowest bin, so one cell lies in one bin or in two.
+class AngleBins
 {
-    const double infinity = std::numeric_limits<double>::infinity();
+public:
+    AngleBins()
+    {
+        for (size_t b = 0; b < cosine_.size(); ++b)
+            cosine_[b] = std::cos(static_cast<double>(5 * b) / kDegrees);
+        for (size_t c = 0, b = 0; c < first_.size(); ++c) {
+            while (b + 2 < cosine_.size() && 1 - static_cast<double>(c) / kCells <= cosine_[b + 1])
+                ++b;
+            first_[c] = static_cast<uint8_t>(b);
+        }
+    }
+
+    size_t bin(double cosine) const
+    {
+        const double inside = std::min(1.0, std::max(-1.0, cosine));
+        const size_t first = first_[static_cast<size_t>((1 - inside) * kCells)];
+        return first + (first + 2 < cosine_.size() && inside <= cosine_[first + 1]);
+    }
+
+private:
+    static constexpr double kCells = 512;  // a unit of the cosine
+    std::array<double, 37> cosine_;        // where each bin begins
+    std::array<uint8_t, 1025> first_;
+};
+
+// The summary of a run of tetrahedra; mean_edge holds the sum of the edges until the end. The extreme angles are kept
+// as the tetrahedra that have them.
+struct Part {
     Quality q;
-    q.min_dihedral = q.min_edge = q.min_volume = infinity;
-    return q;
-}
+    double greatest_cosine = -2, least_cosine = 2;
+    size_t sharpest = 0, bluntest = 0;
+};
 
-void add_angles(const std::array<double, 6>& angles, Quality& q)
+Part empty_part()
 {
-    const auto [least, greatest] = std::minmax_element(angles.begin(), angles.end());
-    q.min_dihedral = std::min(q.min_dihedral, *least);
-    q.max_dihedral = std::max(q.max_dihedral, *greatest);
-    q.below_5 += *least < 5;
-    q.below_10 += *least < 10;
-    q.below_15 += *least < 15;
-    q.below_20 += *least < 20;
-    q.above_165 += *greatest > 165;
-    for (const double angle : angles)
-        if (angle >= 0)  // not so for a NaN
-            ++q.dihedral_histogram[std::min<size_t>(static_cast<size_t>(angle / 5), q.dihedral_histogram.size() - 1)];
+    Part part;
+    part.q.min_edge = part.q.min_volume = std::numeric_limits<double>::infinity();
+    return part;
 }
 
-void add_edges(const Corners& x, Quality& q)
+void add_cosines(const std::array<double, 6>& cosines, size_t tet, const AngleBins& bins, Part& part)
+{
+    double greatest = -2, least = 2;
+    for (const double c : cosines) {
+        if (std::isnan(c))
+            continue;
+        greatest = std::max(greatest, c);
+        least = std::min(least, c);
+        ++part.q.dihedral_histogram[bins.bin(c)];
+    }
+    if (greatest < least)
+        return;
+    const size_t sharpest = bins.bin(greatest);
+    part.q.below_5 += sharpest < 1;
+    part.q.below_10 += sharpest < 2;
+    part.q.below_15 += sharpest < 3;
+    part.q.below_20 += sharpest < 4;
+    part.q.above_165 += bins.bin(least) >= 33;
+    if (greatest > part.greatest_cosine) {
+        part.greatest_cosine = greatest;
+        part.sharpest = tet;
+    }
+    if (least < part.least_cosine) {
+        part.least_cosine = least;
+        part.bluntest = tet;
+    }
+}
+
+void add_edges(const std::array<double, 6>& lengths, Quality& q)
 {
     double shortest = std::numeric_limits<double>::infinity(), longest = 0;
-    for (size_t e = 0; e < 6; ++e) {
-        const double length = std::sqrt(squared_edge(x, e));
+    for (const double length : lengths) {
         shortest = std::min(shortest, length);
         longest = std::max(longest, length);
         q.mean_edge += length;
@@ -89,34 +136,75 @@ void add_edges(const Corners& x, Quality& q)
     q.edge_ratio_max = std::max(q.edge_ratio_max, longest / shortest);
 }
 
-void add_tet(const Corners& x, Quality& q)
+// Circumradius |p| / (2 |6V|), inradius |6V| / (2 sum of areas).
+double radius_ratio(const Corners& x, const std::array<Vec3, 4>& normals, double six_volumes)
 {
-    const double six_volumes = orient(x[0], x[1], x[2], x[3]);
-    ++q.tets;
-    q.min_volume = std::min(q.min_volume, six_volumes / 6);
-    q.total_volume += six_volumes / 6;
-    add_angles(dihedral_angles(x, six_volumes), q);
-    add_edges(x, q);
+    Vec3 p = Vec3::Zero();
+    double areas = 0;  // twice
+    for (size_t i = 0; i < 4; ++i) {
+        p += (x[i] - x[0]).squaredNorm() * normals[i];
+        areas += normals[i].norm();
+    }
+    return p.norm() * areas / (6 * six_volumes * six_volumes);
 }
 
-void combine(const Quality& part, Quality& whole)
+// Returns the radius ratio.
+double add_tet(const Corners& x, size_t tet, const AngleBins& bins, Part& part)
 {
-    whole.tets += part.tets;
-    whole.min_dihedral = std::min(whole.min_dihedral, part.min_dihedral);
-    whole.max_dihedral = std::max(whole.max_dihedral, part.max_dihedral);
-    whole.below_5 += part.below_5;
-    whole.below_10 += part.below_10;
-    whole.below_15 += part.below_15;
-    whole.below_20 += part.below_20;
-    whole.above_165 += part.above_165;
-    whole.edge_ratio_max = std::max(whole.edge_ratio_max, part.edge_ratio_max);
-    whole.min_edge = std::min(whole.min_edge, part.min_edge);
-    whole.mean_edge += part.mean_edge;
-    whole.max_edge = std::max(whole.max_edge, part.max_edge);
-    whole.min_volume = std::min(whole.min_volume, part.min_volume);
-    whole.total_volume += part.total_volume;
-    for (size_t bin = 0; bin < whole.dihedral_histogram.size(); ++bin)
-        whole.dihedral_histogram[bin] += part.dihedral_histogram[bin];
+    const std::array<Vec3, 4> normals = face_normals(x);
+    const double six_volumes = -normals[3].dot(x[3] - x[0]);
+    std::array<double, 4> areas;  // twice
+    for (size_t i = 0; i < 4; ++i)
+        areas[i] = normals[i].norm();
+    std::array<double, 6> cosines, lengths;
+    for (size_t e = 0; e < 6; ++e) {
+        const auto f = static_cast<size_t>(kEdgeOpposite[e][0]), g = static_cast<size_t>(kEdgeOpposite[e][1]);
+        const double product = areas[f] * areas[g];
+        cosines[e] = product == 0 ? 1 : -normals[f].dot(normals[g]) / product;  // 0 degrees at faces of no area
+        lengths[e] = std::sqrt(squared_edge(x, e));
+    }
+    ++part.q.tets;
+    part.q.min_volume = std::min(part.q.min_volume, six_volumes / 6);
+    part.q.total_volume += six_volumes / 6;
+    add_cosines(cosines, tet, bins, part);
+    add_edges(lengths, part.q);
+    return radius_ratio(x, normals, six_volumes);
+}
+
+void combine(const Part& part, Part& whole)
+{
+    const Quality& from = part.q;
+    Quality& to = whole.q;
+    to.tets += from.tets;
+    to.below_5 += from.below_5;
+    to.below_10 += from.below_10;
+    to.below_15 += from.below_15;
+    to.below_20 += from.below_20;
+    to.above_165 += from.above_165;
+    to.edge_ratio_max = std::max(to.edge_ratio_max, from.edge_ratio_max);
+    to.min_edge = std::min(to.min_edge, from.min_edge);
+    to.mean_edge += from.mean_edge;
+    to.max_edge = std::max(to.max_edge, from.max_edge);
+    to.min_volume = std::min(to.min_volume, from.min_volume);
+    to.total_volume += from.total_volume;
+    for (size_t bin = 0; bin < to.dihedral_histogram.size(); ++bin)
+        to.dihedral_histogram[bin] += from.dihedral_histogram[bin];
+    if (part.greatest_cosine > whole.greatest_cosine) {
+        whole.greatest_cosine = part.greatest_cosine;
+        whole.sharpest = part.sharpest;
+    }
+    if (part.least_cosine < whole.least_cosine) {
+        whole.least_cosine = part.least_cosine;
+        whole.bluntest = part.bluntest;
+    }
+}
+
+// The least and the greatest.
+std::array<double, 2> extreme_angles(const Corners& x)
+{
+    const std::array<double, 6> angles = dihedral_angles(x, orient(x[0], x[1], x[2], x[3]));
+    const auto [least, greatest] = std::minmax_element(angles.begin(), angles.end());
+    return {*least, *greatest};
 }
 
 // Between the two nearest ranks; reorders the values, of which there is at least one.
@@ -172,13 +260,8 @@ std::array<double, 6> dihedral_angles(const Vec3& a, const Vec3& b, const Vec3& 
 
 double radius_ratio(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
-    // Circumradius |p| / (2 |6V|), inradius |6V| / (2 sum of areas).
-    const Vec3 u = b - a, v = c - a, w = d - a;
-    const Vec3 vw = v.cross(w), wu = w.cross(u), uv = u.cross(v);
-    const Vec3 p = u.squaredNorm() * vw + v.squaredNorm() * wu + w.squaredNorm() * uv;
-    const double areas = (vw.norm() + wu.norm() + uv.norm() + (c - b).cross(d - b).norm()) / 2;
-    const double six_volumes = u.cross(v).dot(w);
-    return p.norm() * areas / (3 * six_volumes * six_volumes);
+    const Corners x{a, b, c, d};
+    return radius_ratio(x, face_normals(x), orient(a, b, c, d));
 }
 
 Quality measure_quality(const std::vector<Vec3>& points, const std::vector<Tet>& tets, const Run& run)
@@ -186,25 +269,30 @@ Quality measure_quality(const std::vector<Vec3>& points, const std::vector<Tet>&
     if (tets.empty())
         return {};
     run.report(0, "measuring quality");
+    const auto corners = [&](size_t t) {
+        Corners x;
+        for (size_t i = 0; i < 4; ++i)
+            x[i] = points[static_cast<size_t>(tets[t][i])];
+        return x;
+    };
     const auto count = static_cast<int64_t>(tets.size());
-    std::vector<Quality> parts(static_cast<size_t>(chunk_count(count, kGrain)), empty_summary());
+    const AngleBins bins;
+    std::vector<Part> parts(static_cast<size_t>(chunk_count(count, kGrain)), empty_part());
     std::vector<double> ratios(tets.size());
     parallel_chunks(run, count, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
-        for (auto t = static_cast<size_t>(begin); t < static_cast<size_t>(end); ++t) {
-            Corners x;
-            for (size_t i = 0; i < 4; ++i)
-                x[i] = points[static_cast<size_t>(tets[t][i])];
-            add_tet(x, parts[static_cast<size_t>(chunk)]);
-            ratios[t] = radius_ratio(x[0], x[1], x[2], x[3]);
-        }
+        for (auto t = static_cast<size_t>(begin); t < static_cast<size_t>(end); ++t)
+            ratios[t] = add_tet(corners(t), t, bins, parts[static_cast<size_t>(chunk)]);
     });
     run.report(0.8, "measuring quality");
-    Quality whole = empty_summary();
-    for (const Quality& part : parts)
+    Part whole = empty_part();
+    for (const Part& part : parts)
         combine(part, whole);
-    whole.mean_edge /= 6 * static_cast<double>(count);
-    add_radius_ratios(std::move(ratios), whole);
-    return whole;
+    Quality& q = whole.q;
+    q.mean_edge /= 6 * static_cast<double>(count);
+    q.min_dihedral = extreme_angles(corners(whole.sharpest))[0];
+    q.max_dihedral = extreme_angles(corners(whole.bluntest))[1];
+    add_radius_ratios(std::move(ratios), q);
+    return q;
 }
 
 }  // namespace cleft

@@ -1,39 +1,16 @@
 #include "pipeline/label_report.hpp"
 
-#include "base/disjoint_sets.hpp"
 #include "mesh/finish.hpp"
 #include "mesh/quality.hpp"
+#include "volume/voxel_components.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace cleft
 {
 
 namespace
 {
-
-// The component, over faces, that each voxel is in: named by its least voxel.
-std::vector<int32_t> voxel_components(const Volume& volume, const Run& run)
-{
-    const Grid& grid = volume.grid();
-    DisjointSets sets(static_cast<size_t>(grid.size()));
-    const int64_t step[3] = {1, grid.dims[0], int64_t{grid.dims[0]} * grid.dims[1]};
-    int64_t v = 0;
-    for (int32_t k = 0; k < grid.dims[2]; ++k) {
-        run.report(k / static_cast<double>(grid.dims[2]), "counting components");
-        for (int32_t j = 0; j < grid.dims[1]; ++j)
-            for (int32_t i = 0; i < grid.dims[0]; ++i, ++v) {
-                const int32_t at[3] = {i, j, k};
-                for (int axis = 0; axis < 3; ++axis) {
-                    const int64_t w = v - step[axis];
-                    if (at[axis] != 0 && volume.voxel_material(v) == volume.voxel_material(w))
-                        sets.join(static_cast<int32_t>(v), static_cast<int32_t>(w));
-                }
-            }
-    }
-    return sets.take();
-}
 
 int64_t voxel_of(const Grid& grid, const Vec3& x)
 {
@@ -51,13 +28,22 @@ struct Shared {
     double volume;
 };
 
-// By component (at its least voxel): in how many parts of the mesh it is, small ones not counted.
-std::vector<uint8_t> parts_of_components(std::vector<Shared>& shared, size_t voxels, double least)
+// Tetrahedra come along a curve through space: mostly one follows another of the same pair.
+void add(std::vector<Shared>& shared, const Shared& next)
+{
+    if (!shared.empty() && shared.back().component == next.component && shared.back().part == next.part)
+        shared.back().volume += next.volume;
+    else
+        shared.push_back(next);
+}
+
+// By component: in how many parts of the mesh it is, small ones not counted, up to 2.
+std::vector<uint8_t> parts_of_components(std::vector<Shared>& shared, size_t components, double least)
 {
     std::sort(shared.begin(), shared.end(), [](const Shared& a, const Shared& b) {
         return a.component != b.component ? a.component < b.component : a.part < b.part;
     });
-    std::vector<uint8_t> parts(voxels, 0);
+    std::vector<uint8_t> parts(components, 0);
     for (auto first = shared.begin(); first != shared.end();) {
         double volume = 0;
         auto last = first;
@@ -87,10 +73,8 @@ std::vector<LabelRow> label_report(const Volume& volume, const LabelledMesh& mes
         rows[m].mesh_volume = volumes[m];
     }
 
-    const std::vector<int32_t> roots = voxel_components(volume, run);
-    std::vector<int32_t> sizes(roots.size(), 0);  // at each root: voxels; made negative when a tetrahedron lies in it
-    for (const int32_t r : roots)
-        ++sizes[static_cast<size_t>(r)];
+    const VoxelComponents components = voxel_components(volume, run);
+    std::vector<uint8_t> is_met(components.voxels.size(), 0);  // by a tetrahedron in it
     std::vector<Shared> shared;
     for (size_t t = 0; t < mesh.tets.size(); ++t) {
         const Tet& tet = mesh.tets[t];
@@ -99,24 +83,22 @@ std::vector<LabelRow> label_report(const Volume& volume, const LabelledMesh& mes
         LabelRow& row = rows[static_cast<size_t>(mesh.material[t])];
         ++row.tets;
         row.mesh_components += part[t] == static_cast<int32_t>(t);
-        if (volume.voxel_material(voxel) != mesh.material[t])
+        const int32_t component = components.of_voxel[static_cast<size_t>(voxel)];
+        const auto c = static_cast<size_t>(component);
+        if (components.material[c] != mesh.material[t])
             continue;
-        const int32_t component = roots[static_cast<size_t>(voxel)];
-        int32_t& size = sizes[static_cast<size_t>(component)];
-        size = -std::abs(size);
-        if (-size > kLargeComponent)
-            shared.push_back({component, part[t], orient(point(0), point(1), point(2), point(3)) / 6});
+        is_met[c] = 1;
+        if (components.voxels[c] > kLargeComponent)
+            add(shared, {component, part[t], orient(point(0), point(1), point(2), point(3)) / 6});
     }
-    const std::vector<uint8_t> in_parts = parts_of_components(shared, roots.size(), kLeastPart * grid.spacing.prod());
-    for (size_t v = 0; v < roots.size(); ++v) {
-        if (roots[v] != static_cast<int32_t>(v))
-            continue;
-        LabelRow& row = rows[static_cast<size_t>(volume.voxel_material(static_cast<int64_t>(v)))];
+    const std::vector<uint8_t> in_parts = parts_of_components(shared, is_met.size(), kLeastPart * grid.spacing.prod());
+    for (size_t c = 0; c < is_met.size(); ++c) {
+        LabelRow& row = rows[static_cast<size_t>(components.material[c])];
         ++row.voxel_components;
-        if (std::abs(sizes[v]) > kLargeComponent) {
+        if (components.voxels[c] > kLargeComponent) {
             ++row.large_components;
-            row.large_components_lost += sizes[v] > 0;
-            row.large_components_broken += in_parts[v] > 1;
+            row.large_components_lost += is_met[c] == 0;
+            row.large_components_broken += in_parts[c] > 1;
         }
     }
     return rows;

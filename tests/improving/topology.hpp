@@ -3,6 +3,7 @@
 
 #include "mesh/adjacency.hpp"
 #include "mesh/finish.hpp"
+#include "support/parts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -55,7 +56,7 @@ inline Topology topology_of(const cleft::LabelledMesh& mesh, cleft::Material mat
         topology.euler.push_back(count_simplices(mesh, m, 1) - count_simplices(mesh, m, 2) +
                                  count_simplices(mesh, m, 3) -
                                  std::count(mesh.material.begin(), mesh.material.end(), m));
-    for (const auto& parts : cleft::material_parts(mesh, materials, cleft::Run{}))
+    for (const auto& parts : material_parts(mesh, materials))
         topology.parts.push_back(parts.size());
     const auto neighbours = cleft::tet_neighbours(mesh.tets, static_cast<int64_t>(mesh.points.size()));
     for (size_t t = 0; t < mesh.tets.size(); ++t)

@@ -1,0 +1,76 @@
+#include "mesh/surface_points.hpp"
+
+#include "mesh/face_buckets.hpp"
+
+namespace cleft
+{
+
+namespace
+{
+
+constexpr size_t kTetsACheck = size_t{1} << 16;  // between two looks for a cancel
+
+// The mixing of splitmix64 (Steele, Lea and Flood, 2014).
+uint64_t mix(uint64_t x)
+{
+    x = (x + 0x9e3779b97f4a7c15) * 0xbf58476d1ce4e5b9;
+    x = (x ^ x >> 30) * 0x94d049bb133111eb;
+    return x ^ x >> 31;
+}
+
+// The exclusive or, at each corner, of numbers of the three faces there.
+void add_faces(const Tet& tet, std::vector<uint64_t>& sum)
+{
+    std::array<uint64_t, 4> number;
+    uint64_t all = 0;
+    for (size_t i = 0; i < 4; ++i) {
+        number[i] = mix(static_cast<uint64_t>(tet[i]));
+        all += number[i];
+    }
+    uint64_t faces = 0;
+    for (uint64_t& n : number) {
+        n = mix(all - n);  // of the face opposite
+        faces ^= n;
+    }
+    for (size_t i = 0; i < 4; ++i)
+        sum[static_cast<size_t>(tet[i])] ^= faces ^ number[i];
+}
+
+}  // namespace
+
+// What a face adds at its corners it adds twice inside: nothing in all. (Numbers of 64 bits mixed well: that others
+// cancel by chance is not to be expected in any mesh that fits a computer.)
+std::vector<uint8_t> points_inside(const std::vector<Tet>& tets, size_t point_count, const Run& run)
+{
+    std::vector<uint64_t> sum(point_count, 0);
+    for (size_t t = 0; t < tets.size(); ++t) {
+        if (t % kTetsACheck == 0)
+            run.check();
+        if (!has_bad_index(tets[t], static_cast<int64_t>(point_count)))
+            add_faces(tets[t], sum);
+    }
+    std::vector<uint8_t> inside(point_count);
+    std::transform(sum.begin(), sum.end(), inside.begin(), [](uint64_t s) { return s == 0; });
+    return inside;
+}
+
+std::vector<uint8_t> surface_points(const LabelledMesh& mesh, const Run& run)
+{
+    constexpr Material kNone = -1, kSeveral = -2;
+    std::vector<uint8_t> surface = points_inside(mesh.tets, mesh.points.size(), run);
+    std::vector<Material> material(mesh.points.size(), kNone);
+    for (size_t t = 0; t < mesh.tets.size(); ++t) {
+        if (has_bad_index(mesh.tets[t], static_cast<int64_t>(mesh.points.size())))
+            continue;
+        for (const int32_t p : mesh.tets[t]) {
+            Material& m = material[static_cast<size_t>(p)];
+            if (m != mesh.material[t])
+                m = m == kNone ? mesh.material[t] : kSeveral;
+        }
+    }
+    for (size_t p = 0; p < surface.size(); ++p)
+        surface[p] = surface[p] == 0 || material[p] == kSeveral;
+    return surface;
+}
+
+}  // namespace cleft

@@ -1,0 +1,88 @@
+#include "volume/voxel_components.hpp"
+
+#include "base/disjoint_sets.hpp"
+
+namespace cleft
+{
+
+namespace
+{
+
+// The runs of one material along x, which are joined instead of voxels: there are far fewer of them.
+VoxelComponents find_runs(const Volume& volume, const Run& run)
+{
+    const Grid& grid = volume.grid();
+    VoxelComponents runs;
+    runs.of_voxel.reserve(static_cast<size_t>(grid.size()));
+    int64_t v = 0;
+    for (int64_t row = 0; v < grid.size(); ++row) {
+        if (row % grid.dims[1] == 0)
+            run.report(0.5 * static_cast<double>(v) / static_cast<double>(grid.size()), "counting components");
+        for (int32_t i = 0; i < grid.dims[0]; ++i, ++v) {
+            const Material m = volume.voxel_material(v);
+            if (i == 0 || m != runs.material.back()) {
+                runs.material.push_back(m);
+                runs.voxels.push_back(0);
+            }
+            ++runs.voxels.back();
+            runs.of_voxel.push_back(static_cast<int32_t>(runs.material.size()) - 1);
+        }
+    }
+    return runs;
+}
+
+// Joins runs of one material that touch across the rows `step` voxels before.
+void join_rows(const VoxelComponents& runs, int64_t first, int64_t count, int64_t step, DisjointSets& sets)
+{
+    int32_t last_here = -1, last_there = -1;
+    for (int64_t v = first; v < first + count; ++v) {
+        const int32_t here = runs.of_voxel[static_cast<size_t>(v)],
+                      there = runs.of_voxel[static_cast<size_t>(v - step)];
+        if (here == last_here && there == last_there)
+            continue;
+        last_here = here;
+        last_there = there;
+        if (runs.material[static_cast<size_t>(here)] == runs.material[static_cast<size_t>(there)])
+            sets.join(here, there);
+    }
+}
+
+DisjointSets joined(const VoxelComponents& runs, const Grid& grid, const Run& run)
+{
+    DisjointSets sets(runs.material.size());
+    const int64_t row = grid.dims[0], plane = row * grid.dims[1];
+    for (int64_t first = 0; first < grid.size(); first += plane) {
+        run.report(0.5 + 0.5 * static_cast<double>(first) / static_cast<double>(grid.size()), "counting components");
+        join_rows(runs, first + row, plane - row, row, sets);
+        if (first > 0)
+            join_rows(runs, first, plane, plane, sets);
+    }
+    return sets;
+}
+
+}  // namespace
+
+VoxelComponents voxel_components(const Volume& volume, const Run& run)
+{
+    VoxelComponents runs = find_runs(volume, run);
+    const std::vector<int32_t> root = joined(runs, volume.grid(), run).take();
+    // A root comes before the other runs of its component.
+    VoxelComponents out;
+    std::vector<int32_t> number(root.size());
+    for (size_t r = 0; r < root.size(); ++r) {
+        const auto up = static_cast<size_t>(root[r]);
+        if (up == r) {
+            number[r] = static_cast<int32_t>(out.material.size());
+            out.material.push_back(runs.material[r]);
+            out.voxels.push_back(0);
+        }
+        number[r] = number[up];
+        out.voxels[static_cast<size_t>(number[r])] += runs.voxels[r];
+    }
+    out.of_voxel = std::move(runs.of_voxel);
+    for (int32_t& r : out.of_voxel)
+        r = number[static_cast<size_t>(r)];
+    return out;
+}
+
+}  // namespace cleft
