@@ -78,7 +78,7 @@ function(cleft_install_core)
     configure_file(${PROJECT_SOURCE_DIR}/src/cmake/CleftStaticDependencies.cmake.in
         ${made}/Cleft-static-dependencies.cmake @ONLY)
     install(FILES ${made}/CleftConfig.cmake ${made}/CleftConfigVersion.cmake ${made}/Cleft-static-dependencies.cmake
-        ${PROJECT_SOURCE_DIR}/src/cmake/FindTetGen.cmake
+        ${PROJECT_SOURCE_DIR}/src/cmake/FindTetGen.cmake ${PROJECT_SOURCE_DIR}/src/cmake/FindDeflate.cmake
         DESTINATION ${CLEFT_INSTALL_CMAKEDIR} COMPONENT development)
 endfunction()
 

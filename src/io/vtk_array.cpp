@@ -1,7 +1,7 @@
 #include "io/vtk_array.hpp"
 
 #include "base/error.hpp"
-#include "io/zlib_blocks.hpp"
+#include "io/compressed_blocks.hpp"
 
 #include <algorithm>
 #include <charconv>

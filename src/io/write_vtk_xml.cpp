@@ -1,9 +1,9 @@
 // VTK XML: .vtu (the tetrahedra, cell array "material") and .vtp (the surfaces inside the box, cell arrays "material_1"
-// and "material_2"). Arrays are appended, raw, in blocks compressed by zlib.
+// and "material_2"). Arrays are appended, raw, in blocks compressed in zlib's format.
 #include "io/atomic_file.hpp"
+#include "io/compressed_blocks.hpp"
 #include "io/inner_surface.hpp"
 #include "io/writers.hpp"
-#include "io/zlib_blocks.hpp"
 
 #include <limits>
 #include <vector>
