@@ -15,6 +15,15 @@ namespace
 
 constexpr int64_t kGrain = 2048;
 
+std::vector<uint8_t> vertices_in_use(const Centres& c)
+{
+    std::vector<uint8_t> in_use(c.points.size(), 0);
+    for (const Tet& t : c.tets)
+        for (const int32_t v : t)
+            in_use[static_cast<size_t>(v)] = 1;
+    return in_use;
+}
+
 // Numbers in the output of the points that are in use, in the order vertices, cuts, triple and quadruple points.
 struct Numbering {
     std::vector<int32_t> vertex, cut, triple, quadruple;
@@ -22,10 +31,7 @@ struct Numbering {
 
     explicit Numbering(const Centres& c)
     {
-        std::vector<uint8_t> in_use(c.points.size(), 0);
-        for (const Tet& t : c.tets)
-            for (const int32_t v : t)
-                in_use[static_cast<size_t>(v)] = 1;
+        const std::vector<uint8_t> in_use = vertices_in_use(c);
         number(
             vertex, c.points, [&](size_t i) { return in_use[i] != 0; }, [&](size_t i) { return c.points[i]; });
         number(
@@ -181,6 +187,27 @@ LabelledMesh assemble(const Centres& c, const Run& run)
         }
     });
     return mesh;
+}
+
+std::vector<int32_t> points_in_doubt(const Centres& c)
+{
+    constexpr uint8_t kUsed = 1, kInDoubt = 2;
+    std::vector<uint8_t> state = vertices_in_use(c);
+    for (size_t v = 0; v < state.size(); ++v)
+        if (c.doubtful[v] && c.materials[v].size() > 1)
+            state[v] |= kInDoubt;
+    for (const CutEdge& e : c.edges)
+        if (!e.is_cut && c.materials_of(e.lower).size() == 1 && c.materials_of(e.upper).size() == 1)
+            for (const int32_t v : {e.lower, e.upper})
+                state[static_cast<size_t>(v)] |= kInDoubt;
+    std::vector<int32_t> points;
+    int32_t number = 0;
+    for (const uint8_t s : state) {
+        if (s == (kUsed | kInDoubt))
+            points.push_back(number);
+        number += s & kUsed;
+    }
+    return points;
 }
 
 }  // namespace cleft

@@ -14,4 +14,8 @@ int64_t give_up_flat_cuts(Centres& c, const Run& run);
 // Notes cleaving.cuts, .triples, .quads and .steiner.
 LabelledMesh assemble(const Centres& c, const Run& run);
 
+// The points of that mesh at which interfaces may be pinched, ascending: those of vertices in doubt, and at cuts that
+// were given up. Of a pinched edge one end is among them.
+std::vector<int32_t> points_in_doubt(const Centres& c);
+
 }  // namespace cleft

@@ -58,6 +58,9 @@ struct Centres {
     std::vector<uint16_t> kept;
     static constexpr uint16_t kNoMaterial = 0xffff;
 
+    // By vertex: the interfaces at it may be pinched, since it or one next to it snapped unseen by PinchCheck.
+    std::vector<uint8_t> doubtful{};
+
     const Vec3& point(int32_t v) const { return points[static_cast<size_t>(v)]; }
     const MaterialSet& materials_of(int32_t v) const { return materials[static_cast<size_t>(v)]; }
     const Tet& corners(int32_t tet) const { return tets[static_cast<size_t>(tet)]; }

@@ -57,6 +57,7 @@ public:
         list_faces();
         c_.fans.resize(c_.mixed.size());
         c_.kept.assign(c_.tets.size(), Centres::kNoMaterial);
+        c_.doubtful.assign(c_.points.size(), 0);
     }
 
 private:

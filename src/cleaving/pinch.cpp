@@ -12,12 +12,12 @@ size_t at(int32_t i) { return static_cast<size_t>(i); }
 
 }  // namespace
 
-bool PinchCheck::pinches(const CutStar& star, const MaterialSet& before)
+PinchCheck::Finding PinchCheck::look(const CutStar& star, const MaterialSet& before)
 {
     if (!load(star, before))
-        return false;
+        return Finding::unknown;
     join_sides();
-    return !are_one_piece_each() || !reach_the_rim();
+    return are_one_piece_each() && reach_the_rim() ? Finding::sound : Finding::pinched;
 }
 
 // False if the star is not one of two materials.

@@ -20,9 +20,11 @@ class PinchCheck
 public:
     explicit PinchCheck(const Centres& c) : c_(c), place_(c.points.size(), -1) {}
 
-    // The vertex of the star has taken materials over, `before` it had those. Only stars of two materials are looked
-    // at: false where there are more, which meet in lines and points of many shapes.
-    bool pinches(const CutStar& star, const MaterialSet& before);
+    enum class Finding { sound, pinched, unknown };
+
+    // The vertex of the star has taken materials over, `before` it had those. Unknown where there are more than two
+    // materials, which meet in lines and points of many shapes.
+    Finding look(const CutStar& star, const MaterialSet& before);
 
 private:
     using Triangle = std::array<int32_t, 3>;  // vertices by their places in the link

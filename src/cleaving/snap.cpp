@@ -159,9 +159,12 @@ private:
         for (size_t i = 0; i < star_.parts().size(); ++i)
             if (star_.parts()[i].mixed >= 0)
                 c_.fans[static_cast<size_t>(star_.parts()[i].mixed)] = best_shape_.fans[i];
-        for (const int32_t w : star_.link())
+        for (const int32_t w : star_.link()) {
             touched_[static_cast<size_t>(w)] = 1;
+            c_.doubtful[static_cast<size_t>(w)] |= !best_is_sound_;
+        }
         touched_[static_cast<size_t>(star_.vertex())] = 1;
+        c_.doubtful[static_cast<size_t>(star_.vertex())] = !best_is_sound_;
     }
 
     // Between two materials, a tetrahedron whose corners come to share both keeps the one that they shared before.
@@ -231,10 +234,15 @@ private:
         }
         place_cuts(c_, star_, scratch_);
         measure_fans(c_, star_, best_shape_.cost, shape_);
-        if (shape_.cost < best_shape_.cost && pinch_.pinches(star_, before_.materials))
-            shape_.cost += kPinchCost;
+        using Finding = PinchCheck::Finding;
+        Finding finding = Finding::unknown;
+        if (shape_.cost < best_shape_.cost) {
+            finding = pinch_.look(star_, before_.materials);
+            shape_.cost += finding == Finding::pinched ? kPinchCost : 0;
+        }
         const bool better = shape_.cost < best_shape_.cost;
         if (better) {
+            best_is_sound_ = finding == Finding::sound;
             best_.save(c_, star_);
             std::swap(best_shape_, shape_);
         } else if (moved) {
@@ -259,6 +267,7 @@ private:
     std::vector<MaterialSet> tried_;
     StarState before_, best_;
     StarShape shape_before_, best_shape_, shape_;
+    bool best_is_sound_ = false;
     Samples scratch_;
 };
 

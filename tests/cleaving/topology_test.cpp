@@ -55,7 +55,8 @@ bool comes_out_as(const LabelVolume& labels, const Shape& shape)
         options.background = kind;
         const LabelledMesh mesh = meshed(labels, options);
         const Topology topology = topology_of(mesh, 2);
-        if (topology.parts != shape.parts || topology.euler != shape.euler || count_pinched_edges(mesh) != 0)
+        if (topology.parts != shape.parts || topology.euler != shape.euler ||
+            count_pinches(mesh.tets, mesh.material).edges != 0)
             return false;
     }
     return true;
@@ -151,8 +152,11 @@ static void unsnapped_interfaces_are_manifold(void**)
     options.improve.effort = Effort::off;
     const LabelVolume volumes[] = {noise({10, 10, 10}, 2), noise({10, 10, 10}, 5), checkerboard({8, 8, 8}),
                                    sheets({12, 12, 12}), voronoi_grains({20, 20, 20}, 9)};
-    for (const LabelVolume& labels : volumes)
-        assert_int_equal(count_pinched_edges(meshed(labels, options)), 0);
+    for (const LabelVolume& labels : volumes) {
+        const LabelledMesh mesh = meshed(labels, options);
+        const Pinches pinches = count_pinches(mesh.tets, mesh.material);
+        assert_int_equal(pinches.edges + pinches.points, 0);
+    }
 }
 
 int main()

@@ -1,59 +1,152 @@
-// Where an interface of two materials is no manifold.
+// Where an interface of two materials is no surface. Standard C++ alone, so that tests of the C interface can use it
+// too.
 #pragma once
-
-#include "mesh/adjacency.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace cleft_test
 {
 
-// Edges at which two materials alone meet, and meet in more than the two faces of a surface (on the hull: in more than
-// one).
-inline int64_t count_pinched_edges(const cleft::LabelledMesh& mesh)
+// Edges and points with two labels in more parts, each of tetrahedra that hang together there, than an interface that
+// is a surface leaves: two.
+struct Pinches {
+    int64_t edges = 0, points = 0;
+};
+
+// Plain sorting and searching.
+class PinchCounter
 {
-    struct Use {
-        std::array<int32_t, 2> edge;
-        cleft::Material low, high;  // of an interface face; -1, -1: of a hull face
-        bool operator<(const Use& other) const { return edge < other.edge; }
-    };
-    const auto neighbours = cleft::tet_neighbours(mesh.tets, static_cast<int64_t>(mesh.points.size()));
-    std::vector<Use> uses;
-    for (size_t t = 0; t < mesh.tets.size(); ++t)
-        for (size_t i = 0; i < 4; ++i) {
-            const int32_t n = neighbours[t][i];
-            const cleft::Material own = mesh.material[t], other = n < 0 ? -1 : mesh.material[static_cast<size_t>(n)];
-            if (own == other || (n >= 0 && own > other))
-                continue;
-            for (size_t k = 0; k < 3; ++k) {
-                const int32_t a = mesh.tets[t][static_cast<size_t>(cleft::kFaceCorners[i][k])];
-                const int32_t b = mesh.tets[t][static_cast<size_t>(cleft::kFaceCorners[i][(k + 1) % 3])];
-                uses.push_back({{std::min(a, b), std::max(a, b)}, n < 0 ? -1 : own, other});
-            }
-        }
-    std::sort(uses.begin(), uses.end());
-    int64_t pinched = 0;
-    for (auto first = uses.begin(); first != uses.end();) {
-        const auto last = std::upper_bound(first, uses.end(), *first);
-        int faces = 0;
-        bool on_hull = false;
-        std::vector<cleft::Material> materials;
-        for (auto use = first; use != last; ++use) {
-            on_hull = on_hull || use->high < 0;
-            if (use->high < 0)
-                continue;
-            ++faces;
-            materials.push_back(use->low);
-            materials.push_back(use->high);
-        }
-        std::sort(materials.begin(), materials.end());
-        materials.erase(std::unique(materials.begin(), materials.end()), materials.end());
-        pinched += materials.size() == 2 && faces > (on_hull ? 1 : 2);
-        first = last;
+public:
+    using Corners = std::array<int32_t, 4>;
+
+    PinchCounter(const std::vector<Corners>& tets, const std::vector<int32_t>& labels) : tets_(tets), labels_(labels)
+    {
+        join_over_faces();
     }
-    return pinched;
+
+    Pinches count() const
+    {
+        Pinches pinches;
+        pinches.edges = count_among<2>();
+        pinches.points = count_among<1>();
+        return pinches;
+    }
+
+private:
+    template <size_t n>
+    struct Use {
+        std::array<int32_t, n> simplex;
+        int32_t tet;
+        bool operator<(const Use& o) const { return simplex != o.simplex ? simplex < o.simplex : tet < o.tet; }
+    };
+
+    // All simplices of n corners of all tetrahedra, each with its tetrahedra side by side.
+    template <size_t n>
+    std::vector<Use<n>> uses() const
+    {
+        std::vector<Use<n>> all;
+        for (size_t t = 0; t < tets_.size(); ++t)
+            for (unsigned subset = 1; subset < 16; ++subset) {
+                Use<n> use{{}, static_cast<int32_t>(t)};
+                size_t chosen = 0;
+                for (size_t i = 0; i < 4; ++i)
+                    if (subset >> i & 1u) {
+                        if (chosen < n)
+                            use.simplex[chosen] = tets_[t][i];
+                        ++chosen;
+                    }
+                if (chosen != n)
+                    continue;
+                std::sort(use.simplex.begin(), use.simplex.end());
+                all.push_back(use);
+            }
+        std::sort(all.begin(), all.end());
+        return all;
+    }
+
+    void join_over_faces()
+    {
+        neighbours_.assign(tets_.size(), {});
+        const std::vector<Use<3>> faces = uses<3>();
+        for (size_t i = 1; i < faces.size(); ++i)
+            if (faces[i].simplex == faces[i - 1].simplex) {
+                neighbours_[static_cast<size_t>(faces[i].tet)].push_back(faces[i - 1].tet);
+                neighbours_[static_cast<size_t>(faces[i - 1].tet)].push_back(faces[i].tet);
+            }
+    }
+
+    template <size_t n>
+    int64_t count_among() const
+    {
+        const std::vector<Use<n>> all = uses<n>();
+        int64_t pinched = 0;
+        std::vector<int32_t> around;
+        for (size_t first = 0, last = 0; first < all.size(); first = last) {
+            around.clear();
+            for (; last < all.size() && all[last].simplex == all[first].simplex; ++last)
+                around.push_back(all[last].tet);
+            pinched += is_pinched(around, all[first].simplex);
+        }
+        return pinched;
+    }
+
+    template <size_t n>
+    bool is_pinched(const std::vector<int32_t>& around, const std::array<int32_t, n>& simplex) const
+    {
+        const int32_t one = label(around.front());
+        int32_t two = one;
+        for (const int32_t t : around) {
+            if (label(t) != one && two == one)
+                two = label(t);
+            if (label(t) != one && label(t) != two)
+                return false;
+        }
+        return one != two && count_parts(around, simplex) > 2;
+    }
+
+    // Of tetrahedra that share the simplex: how many parts of one label, joined over faces that have it too.
+    template <size_t n>
+    int count_parts(const std::vector<int32_t>& around, const std::array<int32_t, n>& simplex) const
+    {
+        std::vector<size_t> part(around.size());
+        std::iota(part.begin(), part.end(), size_t{0});
+        int parts = static_cast<int>(around.size());
+        for (size_t i = 0; i < around.size(); ++i)
+            for (const int32_t other : neighbours_[static_cast<size_t>(around[i])]) {
+                const auto found = std::lower_bound(around.begin(), around.end(), other);
+                if (found == around.end() || *found != other || !share_beside(around[i], other, simplex))
+                    continue;
+                const size_t from = part[static_cast<size_t>(found - around.begin())], to = part[i];
+                parts -= from != to;
+                std::replace(part.begin(), part.end(), from, to);
+            }
+        return parts;
+    }
+
+    // Tetrahedra that share a face, of one label, whose face has all corners of the simplex.
+    template <size_t n>
+    bool share_beside(int32_t a, int32_t b, const std::array<int32_t, n>& simplex) const
+    {
+        const Corners& other = tets_[static_cast<size_t>(b)];
+        return label(a) == label(b) && std::all_of(simplex.begin(), simplex.end(), [&](int32_t v) {
+                   return std::find(other.begin(), other.end(), v) != other.end();
+               });
+    }
+
+    int32_t label(int32_t tet) const { return labels_[static_cast<size_t>(tet)]; }
+
+    const std::vector<Corners>& tets_;
+    const std::vector<int32_t>& labels_;
+    std::vector<std::vector<int32_t>> neighbours_;
+};
+
+inline Pinches count_pinches(const std::vector<std::array<int32_t, 4>>& tets, const std::vector<int32_t>& labels)
+{
+    return PinchCounter(tets, labels).count();
 }
 
 }  // namespace cleft_test

@@ -1,0 +1,210 @@
+#include "cleaving/mend.hpp"
+
+#include "cleaving/change.hpp"
+
+#include <algorithm>
+
+namespace cleft
+{
+
+namespace
+{
+
+constexpr int kRounds = 10;
+constexpr int kMostDebt = 2;  // defects that the first of two changes may add
+constexpr size_t kPointsACheck = 4096;
+
+size_t at(int32_t i) { return static_cast<size_t>(i); }
+
+int count_defects(Link& link, const LabelledMesh& mesh, const PointStars& stars, int32_t point)
+{
+    const PointStars::Range star = stars.at(point);
+    link.load(mesh, point, star.first, star.last);
+    return link.defects();
+}
+
+std::vector<int32_t> points_of(const LabelledMesh& mesh, const Change& change)
+{
+    std::vector<int32_t> points;
+    for (const int32_t t : change.tets)
+        points.insert(points.end(), mesh.tets[at(t)].begin(), mesh.tets[at(t)].end());
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    return points;
+}
+
+class Mender
+{
+public:
+    Mender(LabelledMesh& mesh, const PointStars& stars, const Run& run)
+        : mesh_(mesh),
+          stars_(stars),
+          run_(run),
+          link_(mesh.points.size()),
+          harm_(mesh, stars),
+          defects_(mesh.points.size(), kUnknown)
+    {
+        for (const Material m : mesh.material) {
+            tets_of_.resize(std::max(tets_of_.size(), at(m) + 1), 0);
+            ++tets_of_[at(m)];
+        }
+    }
+
+    // Returns the points that are still pinched.
+    std::vector<int32_t> mend(std::vector<int32_t> pinched)
+    {
+        for (int round = 0; round < kRounds && !pinched.empty(); ++round) {
+            touched_.clear();
+            for (const int32_t v : pinched) {
+                run_.check();
+                while (defects(v) > 0 && (change_once(v, 0) || change_twice(v)))
+                    ;
+            }
+            if (touched_.empty())
+                break;
+            pinched.insert(pinched.end(), touched_.begin(), touched_.end());
+            std::sort(pinched.begin(), pinched.end());
+            pinched.erase(std::unique(pinched.begin(), pinched.end()), pinched.end());
+            pinched.erase(std::remove_if(pinched.begin(), pinched.end(), [&](int32_t v) { return defects(v) == 0; }),
+                          pinched.end());
+        }
+        return pinched;
+    }
+
+    int64_t changed() const { return changed_; }
+
+private:
+    static constexpr int kUnknown = -1;
+
+    int defects(int32_t point)
+    {
+        int& known = defects_[at(point)];
+        if (known == kUnknown)
+            known = count_defects(link_, mesh_, stars_, point);
+        return known;
+    }
+
+    std::vector<Change> changes(int32_t point)
+    {
+        count_defects(link_, mesh_, stars_, point);
+        return changes_at(mesh_, stars_.at(point), link_);
+    }
+
+    // The change at the point that does the least harm, and of these has the least volume, of those that leave fewer
+    // defects than there were before the debt.
+    bool change_once(int32_t point, int debt)
+    {
+        Harm least = Harm::adds_or_loses;
+        const Change* best = nullptr;
+        const std::vector<Change> all = changes(point);
+        for (const Change& change : all) {
+            if (best && least == Harm::none)
+                break;
+            if (gain(change) <= debt || tets_of_[at(change.from)] == static_cast<int64_t>(change.tets.size()))
+                continue;
+            const Harm harm = harm_.harm(change);
+            if (!best || harm < least) {
+                best = &change;
+                least = harm;
+            }
+        }
+        if (best)
+            make(*best);
+        return best != nullptr;
+    }
+
+    bool change_twice(int32_t point)
+    {
+        for (const Change& first : changes(point)) {
+            const int debt = -gain(first);
+            if (debt > kMostDebt || tets_of_[at(first.from)] == static_cast<int64_t>(first.tets.size()))
+                continue;
+            make(first);
+            for (const int32_t v : points_of(mesh_, first))
+                if (defects(v) > 0 && change_once(v, debt))
+                    return true;
+            make({first.tets, first.to, first.from, first.volume});
+        }
+        return false;
+    }
+
+    // How many defects fewer the change would leave.
+    int gain(const Change& change)
+    {
+        const std::vector<int32_t> points = points_of(mesh_, change);
+        int gain = 0;
+        for (const int32_t v : points)
+            gain += defects(v);
+        give(change.tets, change.to);
+        for (const int32_t v : points)
+            gain -= count_defects(link_, mesh_, stars_, v);
+        give(change.tets, change.from);
+        return gain;
+    }
+
+    void make(const Change& change)
+    {
+        give(change.tets, change.to);
+        const auto count = static_cast<int64_t>(change.tets.size());
+        tets_of_[at(change.from)] -= count;
+        tets_of_[at(change.to)] += count;
+        changed_ += count;
+        for (const int32_t v : points_of(mesh_, change)) {
+            defects_[at(v)] = kUnknown;
+            touched_.push_back(v);
+        }
+    }
+
+    void give(const std::vector<int32_t>& tets, Material to)
+    {
+        for (const int32_t t : tets)
+            mesh_.material[at(t)] = to;
+    }
+
+    LabelledMesh& mesh_;
+    const PointStars& stars_;
+    const Run& run_;
+    Link link_;
+    HarmCheck harm_;
+    std::vector<int> defects_;      // by point, as they are known
+    std::vector<int64_t> tets_of_;  // by material
+    std::vector<int32_t> touched_;
+    int64_t changed_ = 0;
+};
+
+std::vector<int32_t> find_pinched(const LabelledMesh& mesh, const PointStars& stars, const std::vector<int32_t>& points,
+                                  const Run& run)
+{
+    Link link(mesh.points.size());
+    std::vector<int32_t> pinched;
+    for (size_t i = 0; i < points.size(); ++i) {
+        if (i % kPointsACheck == 0)
+            run.check();
+        if (count_defects(link, mesh, stars, points[i]) > 0)
+            pinched.push_back(points[i]);
+    }
+    return pinched;
+}
+
+}  // namespace
+
+void mend_interfaces(LabelledMesh& mesh, const std::vector<int32_t>& points, const Run& run)
+{
+    std::vector<int32_t> pinched;
+    int64_t found = 0, changed = 0;
+    if (!points.empty()) {
+        const PointStars stars(mesh.tets, mesh.points.size(), run);
+        pinched = find_pinched(mesh, stars, points, run);
+        found = static_cast<int64_t>(pinched.size());
+        if (found > 0) {
+            Mender mender(mesh, stars, run);
+            pinched = mender.mend(std::move(pinched));
+            changed = mender.changed();
+        }
+    }
+    run.note("cleaving.pinched", static_cast<double>(found));
+    run.note("cleaving.mended", static_cast<double>(changed));
+    run.note("cleaving.left_pinched", static_cast<double>(pinched.size()));
+}
+
+}  // namespace cleft
