@@ -4,7 +4,10 @@
 #include "volume/indicator_blocks.hpp"
 #include "volume/position.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <string>
 
 namespace cleft
@@ -148,6 +151,35 @@ std::vector<float> finite_copy(const Value* values, int64_t n, size_t field, con
     return out;
 }
 
+// See IndicatorField::rest.
+int32_t find_rest(const std::vector<std::vector<float>>& field, const Run& run)
+{
+    constexpr size_t kVoxelsACheck = size_t{1} << 20;
+    std::vector<size_t> candidates(field.size());
+    std::iota(candidates.begin(), candidates.end(), size_t{0});
+    for (size_t v = 0; v < field[0].size() && !candidates.empty(); ++v) {
+        if (v % kVoxelsACheck == 0)
+            run.check();
+        const auto value = [&](size_t k) { return field[k][v]; };
+        const auto first = static_cast<size_t>(greatest(field.size(), value));
+        float second = -std::numeric_limits<float>::infinity();
+        for (size_t k = 0; k < field.size(); ++k)
+            if (k != first)
+                second = std::max(second, value(k));
+        const auto is_other = [&](size_t k) { return value(k) != -(k == first ? second : value(first)); };
+        candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_other), candidates.end());
+    }
+    return candidates.empty() ? -1 : static_cast<int32_t>(candidates[0]);
+}
+
+// The entry of the greatest of all but the field `rest`.
+size_t greatest_but(const Samples& samples, int32_t rest)
+{
+    return static_cast<size_t>(greatest(samples.size(), [&](size_t k) {
+        return static_cast<int32_t>(k) == rest ? -std::numeric_limits<double>::infinity() : samples.value[k];
+    }));
+}
+
 }  // namespace
 
 template <class Value>
@@ -159,6 +191,8 @@ IndicatorField make_indicators(const std::vector<const Value*>& fields, const Gr
         run.report(0.5 * static_cast<double>(k) / static_cast<double>(fields.size()), "volume");
         out.field.push_back(finite_copy(fields[k], grid.size(), k, run));
     }
+    if (!out.is_signed())
+        out.rest = find_rest(out.field, run);
     find_single_blocks(out, run);
     return out;
 }
@@ -177,9 +211,16 @@ Material voxel_material(const IndicatorField& field, int64_t voxel)
 Material material_at(const IndicatorField& field, const Vec3& x)
 {
     const Stencil stencil(field.grid, x);
+    const auto value = [&](size_t k) { return stencil.value(field.field[k].data()); };
     if (field.is_signed())
-        return stencil.value(field.field[0].data()) > 0 ? 1 : 0;
-    return greatest(field.field.size(), [&](size_t k) { return stencil.value(field.field[k].data()); });
+        return value(0) > 0 ? 1 : 0;
+    const Material best = greatest(field.field.size(), [&](size_t k) {
+        return static_cast<int32_t>(k) == field.rest ? -std::numeric_limits<double>::infinity() : value(k);
+    });
+    if (field.rest < 0)
+        return best;
+    const double lead = value(static_cast<size_t>(best));
+    return lead > 0 || (lead == 0 && best < field.rest) ? best : field.rest;
 }
 
 void sample(const IndicatorField& field, const Vec3& x, Samples& out)
@@ -187,10 +228,14 @@ void sample(const IndicatorField& field, const Vec3& x, Samples& out)
     const Stencil stencil(field.grid, x);
     name_materials(field, out);
     for (size_t k = 0; k < field.field.size(); ++k)
-        out.value[k] = stencil.value(field.field[k].data());
+        if (static_cast<int32_t>(k) != field.rest)
+            out.value[k] = stencil.value(field.field[k].data());
     if (field.is_signed()) {
         out.value[1] = out.value[0];
         out.value[0] = -out.value[1];
+    } else if (field.rest >= 0) {
+        const auto rest = static_cast<size_t>(field.rest);
+        out.value[rest] = -out.value[greatest_but(out, field.rest)];
     }
 }
 
@@ -200,6 +245,8 @@ void sample_gradient(const IndicatorField& field, const Vec3& x, Samples& out)
     name_materials(field, out);
     out.gradient.resize(out.size());
     for (size_t k = 0; k < field.field.size(); ++k) {
+        if (static_cast<int32_t>(k) == field.rest)
+            continue;
         out.value[k] = stencil.value(field.field[k].data(), out.gradient[k]);
         out.gradient[k] = out.gradient[k].cwiseQuotient(field.grid.spacing).eval();
     }
@@ -208,6 +255,11 @@ void sample_gradient(const IndicatorField& field, const Vec3& x, Samples& out)
         out.value[0] = -out.value[1];
         out.gradient[1] = out.gradient[0];
         out.gradient[0] = -out.gradient[1];
+    } else if (field.rest >= 0) {
+        const auto rest = static_cast<size_t>(field.rest);
+        const size_t other = greatest_but(out, field.rest);
+        out.value[rest] = -out.value[other];
+        out.gradient[rest] = -out.gradient[other];
     }
 }
 

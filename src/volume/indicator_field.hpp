@@ -17,6 +17,10 @@ struct IndicatorField {
     Grid grid;
     // K fields, or for a signed function one: then material 0 is -f and material 1 is +f.
     std::vector<std::vector<float>> field;
+    // The field that is everywhere the greatest of the others with its sign changed, as distances from what is outside
+    // of several parts are; -1 if there is none. It has a crease in the gap between two parts, which interpolation
+    // would round off and so fill the gap: it is taken from the others where they are interpolated.
+    int32_t rest = -1;
     // For blocks of kBlock^3 voxels: how many blocks around it hold one material, plus one; 0: perhaps more than one.
     Grid blocks;
     std::vector<uint8_t> depth;
