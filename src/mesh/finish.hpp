@@ -18,5 +18,8 @@ std::vector<int32_t> part_of_tets(const LabelledMesh& mesh, const Run& run);
 
 // Volume of each material.
 std::vector<double> material_volumes(const LabelledMesh& mesh, Material material_count);
+// The same; dead tetrahedra, whose first corner is -1, are passed over.
+std::vector<double> material_volumes(const std::vector<Vec3>& points, const std::vector<Tet>& tets,
+                                     const std::vector<Material>& material, Material material_count);
 
 }  // namespace cleft

@@ -31,6 +31,11 @@ public:
     // `material` may be empty: then every tetrahedron has material 0.
     LocalMesh(std::vector<Vec3> points, std::vector<Tet> tets, std::vector<Material> material, const Run& run);
 
+    LocalMesh(LabelledMesh&& mesh, const Run& run)
+        : LocalMesh(std::move(mesh.points), std::move(mesh.tets), std::move(mesh.material), run)
+    {
+    }
+
     int32_t point_count() const { return static_cast<int32_t>(points_.size()); }
     // Slots of tetrahedra, dead ones included.
     int32_t slot_count() const { return static_cast<int32_t>(tets_.size()); }
@@ -39,6 +44,10 @@ public:
     const Vec3& point(int32_t v) const { return points_[static_cast<size_t>(v)]; }
     const Tet& tet(int32_t t) const { return tets_[static_cast<size_t>(t)]; }
     Material material(int32_t t) const { return materials_.empty() ? 0 : materials_[static_cast<size_t>(t)]; }
+    // By number, those of dead slots included.
+    const std::vector<Vec3>& points() const { return points_; }
+    const std::vector<Tet>& tets() const { return tets_; }
+    const std::vector<Material>& materials() const { return materials_; }
     // Axes that the point must not move along (see frozen_axes in adjacency.hpp).
     uint8_t frozen(int32_t v) const { return frozen_[static_cast<size_t>(v)]; }
 
@@ -68,6 +77,8 @@ public:
     // nothing; not for several threads.
     double quality(int32_t t) const;
     double quality(const Tet& corners) const;
+    // Finds all that are not known, at a lower price than one by one.
+    void find_qualities(const Run& run) const;
     double worst(const std::vector<int32_t>& tets) const;
 
     // Gives the mesh back without dead tetrahedra and points that a removal left unused; numbering keeps its order.

@@ -11,20 +11,27 @@ namespace cleft
 namespace
 {
 
-double tet_volume(const LabelledMesh& mesh, size_t t)
+double tet_volume(const std::vector<Vec3>& points, const Tet& t)
 {
-    const auto corner = [&](size_t i) { return mesh.points[static_cast<size_t>(mesh.tets[t][i])]; };
+    const auto corner = [&](size_t i) { return points[static_cast<size_t>(t[i])]; };
     return orient(corner(0), corner(1), corner(2), corner(3)) / 6;
 }
 
 }  // namespace
 
-std::vector<double> material_volumes(const LabelledMesh& mesh, Material material_count)
+std::vector<double> material_volumes(const std::vector<Vec3>& points, const std::vector<Tet>& tets,
+                                     const std::vector<Material>& material, Material material_count)
 {
     std::vector<double> volumes(static_cast<size_t>(material_count), 0.0);
-    for (size_t t = 0; t < mesh.tets.size(); ++t)
-        volumes[static_cast<size_t>(mesh.material[t])] += tet_volume(mesh, t);
+    for (size_t t = 0; t < tets.size(); ++t)
+        if (tets[t][0] >= 0)
+            volumes[static_cast<size_t>(material[t])] += tet_volume(points, tets[t]);
     return volumes;
+}
+
+std::vector<double> material_volumes(const LabelledMesh& mesh, Material material_count)
+{
+    return material_volumes(mesh.points, mesh.tets, mesh.material, material_count);
 }
 
 // The tetrahedra around a point off the surface have one material and hang together, over faces. So those are joined at

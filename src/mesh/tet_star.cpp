@@ -14,60 +14,6 @@ namespace
 
 size_t at(int32_t i) { return static_cast<size_t>(i); }
 
-// The sine of the dihedral angle at the edge between two corners is
-//   s = D |e| / (|n| |m|),  D = det[b-a, c-a, d-a], n and m the doubled normals of the two faces at the edge,
-// so the quality and its gradient come from one edge, the worst.
-struct QualityGradient {
-    double value = 0;
-    Vec3 gradient{0, 0, 0};  // with respect to corner 0
-};
-
-QualityGradient quality_gradient(const Vec3& p0, const Vec3& p1, const Vec3& p2, const Vec3& p3)
-{
-    const Vec3* p[4] = {&p0, &p1, &p2, &p3};
-    Vec3 normal[4];
-    double normal2[4];
-    for (size_t f = 0; f < 4; ++f) {
-        const auto& k = kFaceCorners[f];
-        normal[f] = (*p[k[1]] - *p[k[0]]).cross(*p[k[2]] - *p[k[0]]);
-        normal2[f] = normal[f].squaredNorm();
-    }
-    const double det = orient(p0, p1, p2, p3);
-    double least = 0;
-    size_t worst = 6;
-    for (size_t e = 0; e < 6; ++e) {
-        const double length2 = (*p[kEdgeCorners[e][1]] - *p[kEdgeCorners[e][0]]).squaredNorm();
-        const int* faces = kEdgeOpposite[e];
-        const bool obtuse = normal[faces[0]].dot(normal[faces[1]]) > 0;
-        const double weight = obtuse ? kObtuseWeight * kObtuseWeight : 1;
-        const double square = weight * length2 / (normal2[faces[0]] * normal2[faces[1]]);
-        if (worst == 6 || square < least) {
-            least = square;
-            worst = e;
-        }
-    }
-    QualityGradient result;
-    result.value = det * std::sqrt(least);
-    // Logarithmic derivatives; only terms with corner 0 count.
-    Vec3 log_gradient = -normal[0] / det;
-    if (kEdgeCorners[worst][0] == 0) {
-        const Vec3 e = p0 - *p[kEdgeCorners[worst][1]];
-        log_gradient += e / e.squaredNorm();
-    }
-    for (const int face : kEdgeOpposite[worst]) {
-        if (face == 0)
-            continue;
-        // Corners of the face after corner 0, in its winding: n = (b - p0) x (c - p0), d|n|^2 = 2 d . ((b - c) x n).
-        const auto& k = kFaceCorners[face];
-        const int first = k[0] == 0 ? 0 : k[1] == 0 ? 1 : 2;
-        const Vec3& b = *p[k[(first + 1) % 3]];
-        const Vec3& c = *p[k[(first + 2) % 3]];
-        log_gradient -= (b - c).cross(normal[face]) / normal2[face];
-    }
-    result.gradient = result.value * log_gradient;
-    return result;
-}
-
 }  // namespace
 
 void TetStar::load(const LocalMesh& mesh, int32_t v)
@@ -155,14 +101,31 @@ double TetStar::worst_at(const Vec3& x, double floor) const
     return worst;
 }
 
+CLEFT_WIDE_VECTORS void TetStar::find_gradients(const Lanes& lanes, const Vec3& x, Gradients& out)
+{
+    const auto& [b, c, d] = lanes.corner;
+    const Triple a{x.x(), x.y(), x.z()};
+    for (size_t i = 0; i < kLanes; ++i) {
+        const AngleQuality found = angle_quality_gradient(a, {b[0][i], b[1][i], b[2][i]}, {c[0][i], c[1][i], c[2][i]},
+                                                          {d[0][i], d[1][i], d[2][i]});
+        out.quality[i] = found.value;
+        out.gradient[0][i] = found.gradient.x;
+        out.gradient[1][i] = found.gradient.y;
+        out.gradient[2][i] = found.gradient.z;
+    }
+}
+
 void TetStar::gradients_at(const Vec3& x, std::vector<double>& quality, std::vector<Vec3>& gradient) const
 {
-    quality.clear();
-    gradient.clear();
+    quality.resize(size_);
+    gradient.resize(size_);
+    Gradients found;
     for (size_t i = 0; i < size_; ++i) {
-        const QualityGradient q = quality_gradient(x, opposite(i, 0), opposite(i, 1), opposite(i, 2));
-        quality.push_back(q.value);
-        gradient.push_back(q.gradient);
+        if (i % kLanes == 0)
+            find_gradients(lanes_[i / kLanes], x, found);
+        quality[i] = found.quality[i % kLanes];
+        for (int axis = 0; axis < 3; ++axis)
+            gradient[i][axis] = found.gradient[axis][i % kLanes];
     }
 }
 

@@ -22,6 +22,12 @@ public:
     double reach(const Vec3& x) const;
     // Mean of the centroids of the tetrahedra with the point at x.
     Vec3 centroid(const Vec3& x) const;
+    // By how much the volume of tets()[i], a star of a point, changes when the point moves by `shift`.
+    double volume_change(size_t i, const Vec3& shift) const
+    {
+        const Vec3 b = opposite(i, 0);
+        return -(opposite(i, 1) - b).cross(opposite(i, 2) - b).dot(shift) / 6;
+    }
     // Least quality with the point at x; may stop early with any value once it is not above `floor`.
     double worst_at(const Vec3& x, double floor) const;
     // Quality of each tetrahedron with the point at x, and its gradient with respect to x.
@@ -37,7 +43,12 @@ private:
     struct Lanes {
         double corner[3][3][kLanes];  // by corner and axis
     };
+    struct Gradients {
+        double quality[kLanes];
+        double gradient[3][kLanes];  // by axis
+    };
     static double worst_of(const Lanes& lanes, const Vec3& x);
+    static void find_gradients(const Lanes& lanes, const Vec3& x, Gradients& out);
 
     Vec3 opposite(size_t i, size_t corner) const
     {

@@ -3,6 +3,7 @@
 #include "mesh/edge_split.hpp"
 #include "mesh/flips.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/tet_star.hpp"
 #include "support/bcc.hpp"
 #include "support/cmocka.hpp"
 #include "support/random.hpp"
@@ -181,6 +182,55 @@ static void quality_is_the_least_sine_with_obtuse_angles_weighted(void**)
     assert_true(kObtuseWeight * std::sin(154.9 * M_PI / 180) > std::sin(20 * M_PI / 180));
 }
 
+// Against differences, where one angle decides.
+static void gradients_are_those_of_the_quality(void**)
+{
+    Random random(8);
+    const auto point = [&] { return Vec3(random.unit(), random.unit(), random.unit()); };
+    std::vector<double> quality;
+    std::vector<Vec3> gradient;
+    int compared = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const std::vector<Vec3> points{point(), point(), point(), point()};
+        if (!(orient(points[0], points[1], points[2], points[3]) > 0.02))
+            continue;
+        for (int32_t v = 0; v < 4; ++v) {
+            const LocalMesh mesh(points, {{0, 1, 2, 3}}, {}, Run{});
+            TetStar star;
+            star.load(mesh, v);
+            const Vec3 x = points[static_cast<size_t>(v)];
+            star.gradients_at(x, quality, gradient);
+            assert_int_equal(quality.size(), 1);
+            assert_true(quality[0] == star.worst_at(x, -1));
+            constexpr double kStep = 1e-6;
+            Vec3 central, forward;
+            for (int axis = 0; axis < 3; ++axis) {
+                const Vec3 step = kStep * Vec3::Unit(axis);
+                const double ahead = star.worst_at(x + step, -1), behind = star.worst_at(x - step, -1);
+                central[axis] = (ahead - behind) / (2 * kStep);
+                forward[axis] = (ahead - quality[0]) / kStep;
+            }
+            if ((central - forward).norm() > 1e-3 * (1 + central.norm()))
+                continue;  // two angles decide
+            assert_true((gradient[0] - central).norm() < 1e-5 * (1 + central.norm()));
+            ++compared;
+        }
+    }
+    assert_true(compared > 1000);
+}
+
+static void qualities_found_together_are_those_found_one_by_one(void**)
+{
+    Run two_threads;
+    two_threads.threads = 2;
+    for (const TetMesh& plain : meshes()) {
+        const LocalMesh together = local(plain), alone = local(plain);
+        together.find_qualities(two_threads);
+        for (int32_t t = 0; t < alone.slot_count(); ++t)
+            assert_true(together.quality(t) == alone.quality(t));
+    }
+}
+
 int main()
 {
     const CMUnitTest tests[] = {
@@ -189,6 +239,8 @@ int main()
         cmocka_unit_test(an_operation_can_be_taken_back),
         cmocka_unit_test(what_is_known_of_quality_follows_the_moves),
         cmocka_unit_test(bad_corners_are_refused),
+        cmocka_unit_test(gradients_are_those_of_the_quality),
+        cmocka_unit_test(qualities_found_together_are_those_found_one_by_one),
         cmocka_unit_test(quality_is_the_least_sine_with_obtuse_angles_weighted),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
