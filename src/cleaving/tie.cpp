@@ -92,16 +92,56 @@ double find_cut(const Volume& volume, const EdgeTie& edge, Samples& scratch)
     return std::clamp(t, kLeastCut, kGreatestCut);
 }
 
+namespace
+{
+
+Vec3 free_mask(unsigned frozen)
+{
+    Vec3 free(1, 1, 1);
+    for (int axis = 0; axis < 3; ++axis)
+        if (frozen >> axis & 1u)
+            free[axis] = 0;
+    return free;
+}
+
+// The point closest to `base` at which the equations, linearised at `at`, hold.
+std::optional<Vec3> newton_step(const Volume& volume, const Vec3& base, const Vec3& at, const Material* material,
+                                int count, const Vec3& free, Samples& scratch)
+{
+    volume.sample_gradient(at, scratch);
+    const TieEquations tie(scratch, material, count);
+    const Mat3 masked = tie.jacobian * free.asDiagonal();
+    Vec3 multiplier;
+    if (!solve_leading(masked * masked.transpose(), -tie.residual - tie.jacobian * (base - at), tie.n, multiplier))
+        return std::nullopt;
+    return base + masked.transpose() * multiplier;
+}
+
+bool has_tie(const MaterialSet& set, const Vec3& free)
+{
+    return set.size() >= 2 && set.size() <= 4 && set.size() - 1 <= free.sum();
+}
+
+}  // namespace
+
+std::optional<Vec3> step_to_tie(const Volume& volume, const Vec3& x, const MaterialSet& set, unsigned frozen,
+                                Samples& scratch)
+{
+    const Vec3 free = free_mask(frozen);
+    if (!has_tie(set, free))
+        return std::nullopt;
+    Material material[4];
+    std::copy(set.begin(), set.end(), material);
+    return newton_step(volume, x, x, material, set.size(), free, scratch);
+}
+
 std::optional<Vec3> project_to_tie(const Volume& volume, const Vec3& x, const Vec3& start, const MaterialSet& set,
                                    unsigned frozen, double reach, Samples& scratch)
 {
     constexpr int kSteps = 5;
     constexpr double kTolerance = 0.02;
-    Vec3 free(1, 1, 1);
-    for (int axis = 0; axis < 3; ++axis)
-        if (frozen >> axis & 1u)
-            free[axis] = 0;
-    if (set.size() < 2 || set.size() > 4 || set.size() - 1 > free.sum())
+    const Vec3 free = free_mask(frozen);
+    if (!has_tie(set, free))
         return std::nullopt;
     Material material[4];
     std::copy(set.begin(), set.end(), material);
@@ -109,17 +149,11 @@ std::optional<Vec3> project_to_tie(const Volume& volume, const Vec3& x, const Ve
     // The first step takes the point of the linearised tie closest to x; the next ones go from point to point.
     Vec3 base = x, at = start;
     for (int step = 0; step < kSteps; ++step) {
-        volume.sample_gradient(at, scratch);
-        const TieEquations tie(scratch, material, set.size());
-        const Mat3 masked = tie.jacobian * free.asDiagonal();
-        Vec3 multiplier;
-        if (!solve_leading(masked * masked.transpose(), -tie.residual - tie.jacobian * (base - at), tie.n, multiplier))
+        const auto next = newton_step(volume, base, at, material, set.size(), free, scratch);
+        if (!next || !((*next - x).norm() <= reach))
             return std::nullopt;
-        const Vec3 next = base + masked.transpose() * multiplier;
-        if (!((next - x).norm() <= reach))
-            return std::nullopt;
-        const bool settled = (next - at).norm() < kTolerance * reach;
-        base = at = next;
+        const bool settled = (*next - at).norm() < kTolerance * reach;
+        base = at = *next;
         if (settled)
             return at;
     }

@@ -35,4 +35,9 @@ double find_cut(const Volume& volume, const EdgeTie& edge, Samples& scratch);
 std::optional<Vec3> project_to_tie(const Volume& volume, const Vec3& x, const Vec3& start, const MaterialSet& set,
                                    unsigned frozen, double reach, Samples& scratch);
 
+// The first of these steps alone: where functions tie that hardly do, as those of two balls that touch, the steps take
+// many, and each leads nearer.
+std::optional<Vec3> step_to_tie(const Volume& volume, const Vec3& x, const MaterialSet& set, unsigned frozen,
+                                Samples& scratch);
+
 }  // namespace cleft

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/run.hpp"
-#include "mesh/tet_mesh.hpp"
+#include "mesh/local_mesh.hpp"
 #include "volume/volume.hpp"
 
 namespace cleft
@@ -12,6 +12,7 @@ namespace cleft
 // a sphere of radius R. Moves the points of interfaces (not of lines where three materials meet, and not off the walls)
 // along the normal so that each triangle's share of the loss is given back by its corners. No tetrahedron gets worse
 // than `least_angle` degrees (or than the worst around already is). Notes fitting.*.
+void fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, const Run& run);
 void fit_volumes(LabelledMesh& mesh, const Volume& volume, double least_angle, const Run& run);
 
 }  // namespace cleft

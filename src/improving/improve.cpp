@@ -38,23 +38,31 @@ void note_counts(const Improver::Counts& counts, const Run& run)
 
 }  // namespace
 
-void improve(LabelledMesh& mesh, const Volume& volume, const ImproveOptions& options, const Run& run)
+void improve(LocalMesh& mesh, const Volume& volume, const ImproveOptions& options, const Run& run)
 {
     if (options.effort == Effort::off)
         return;
     const StageTimer timer(run, "improving");
     run.report(0, "improving");
     Improver improver(mesh, volume, std::sin(options.target_angle * M_PI / 180), run);
-    note_angles(improver.mesh(), "improving", "before", run);
+    note_angles(mesh, "improving", "before", run);
     int number = 0;
     for (const Search& search : searches_of(options.effort)) {
         improver.work(search);
         run.note("improving.left_" + std::to_string(++number), static_cast<double>(improver.left()));
     }
-    note_angles(improver.mesh(), "improving", "after", run);
+    note_angles(mesh, "improving", "after", run);
     note_counts(improver.counts(), run);
-    mesh = improver.take();
     run.report(1, "improving");
+}
+
+void improve(LabelledMesh& mesh, const Volume& volume, const ImproveOptions& options, const Run& run)
+{
+    if (options.effort == Effort::off)
+        return;
+    LocalMesh local(std::move(mesh), run);
+    improve(local, volume, options, run);
+    mesh = local.take();
 }
 
 }  // namespace cleft

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/run.hpp"
-#include "mesh/tet_mesh.hpp"
+#include "mesh/local_mesh.hpp"
 #include "volume/volume.hpp"
 
 namespace cleft
@@ -16,6 +16,7 @@ struct ImproveOptions {
 };
 
 // Never inverts a tetrahedron, never changes which materials touch. Notes improving.*.
+void improve(LocalMesh& mesh, const Volume& volume, const ImproveOptions& options, const Run& run);
 void improve(LabelledMesh& mesh, const Volume& volume, const ImproveOptions& options, const Run& run);
 
 }  // namespace cleft

@@ -19,16 +19,11 @@ constexpr size_t kAttemptsOneIn = 10000, kAttemptsAtLeast = 5;
 
 }  // namespace
 
-Improver::Improver(LabelledMesh& mesh, const Volume& volume, double target, const Run& run)
-    : run_(run),
-      target_(target),
-      voxel_(volume.grid().spacing.minCoeff()),
-      mesh_(std::move(mesh.points), std::move(mesh.tets), std::move(mesh.material), run),
-      constraint_(volume)
+Improver::Improver(LocalMesh& mesh, const Volume& volume, double target, const Run& run)
+    : run_(run), target_(target), voxel_(volume.grid().spacing.minCoeff()), mesh_(mesh), constraint_(volume)
 {
-    home_.reserve(static_cast<size_t>(mesh_.point_count()));
-    for (int32_t v = 0; v < mesh_.point_count(); ++v)
-        home_.push_back(mesh_.point(v));
+    mesh_.find_qualities(run);
+    home_ = mesh_.points();
 }
 
 void Improver::work(const Search& search)

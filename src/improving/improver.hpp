@@ -26,14 +26,12 @@ public:
     };
 
     // `target`: of angle_quality.
-    Improver(LabelledMesh& mesh, const Volume& volume, double target, const Run& run);
+    Improver(LocalMesh& mesh, const Volume& volume, double target, const Run& run);
 
     void work(const Search& search);
     // Tetrahedra that the last search left below the target.
     size_t left() const { return bad_.size(); }
     const Counts& counts() const { return counts_; }
-    const LocalMesh& mesh() const { return mesh_; }
-    LabelledMesh take() { return mesh_.take(); }
 
 private:
     bool improve_tet(int32_t t);
@@ -60,7 +58,7 @@ private:
     const Run& run_;
     const double target_;
     const double voxel_;
-    LocalMesh mesh_;
+    LocalMesh& mesh_;
     std::vector<Vec3> home_;  // of each point: where cleaving, or the split that made it, put it
     TieConstraint constraint_;
     WorstFirst bad_;

@@ -192,8 +192,10 @@ LabelledMesh cleave_and_improve(const Volume& volume, const TetMesh& background,
     }
     if (options.improve.effort != Effort::off) {
         const StageTimer timer(run, "improving");
-        improve(mesh, volume, options.improve, part_of(run, 0.7, 0.9));
-        fit_volumes(mesh, volume, options.improve.target_angle, part_of(run, 0.9, 1.0));
+        LocalMesh local(std::move(mesh), run);
+        improve(local, volume, options.improve, part_of(run, 0.7, 0.9));
+        fit_volumes(local, volume, options.improve.target_angle, part_of(run, 0.9, 1.0));
+        mesh = local.take();
     }
     return mesh;
 }

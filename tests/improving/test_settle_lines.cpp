@@ -67,8 +67,9 @@ void triple_points_of_every_rule_come_to_the_line(void**)
     for (const Snap rule : {Snap::none, Snap::quality}) {
         LabelledMesh mesh = cleave(volume, lattice_background(volume.grid(), 1.5, Run()), {rule}, Run());
         const Distances before = distances_of(mesh);
-        LocalMesh local(std::move(mesh.points), std::move(mesh.tets), std::move(mesh.material), Run());
-        const int64_t left = settle_lines(local, volume, rule == Snap::none ? 1e-3 : 0.2, Run());
+        LocalMesh local(std::move(mesh), Run());
+        const int64_t left =
+            settle_lines(local, volume, rule == Snap::none ? 1e-3 : 0.2, find_meetings(local, Run()), Run()).off;
         mesh = local.take();
         const Distances after = distances_of(mesh);
         assert_true(before.count > 10 && after.count == before.count);
@@ -86,12 +87,12 @@ void no_point_moves_where_shapes_would_suffer(void**)
 {
     const Volume volume = three_sectors();
     LabelledMesh mesh = cleave(volume, lattice_background(volume.grid(), 1.5, Run()), {Snap::none}, Run());
-    LocalMesh local(std::move(mesh.points), std::move(mesh.tets), std::move(mesh.material), Run());
+    LocalMesh local(std::move(mesh), Run());
     std::vector<double> before;
     for (int32_t t = 0; t < local.slot_count(); ++t)
         before.push_back(local.quality(t));
     constexpr double kFloor = 0.3;
-    settle_lines(local, volume, kFloor, Run());
+    settle_lines(local, volume, kFloor, find_meetings(local, Run()), Run());
     double least_before = 1, least_after = 1;
     for (int32_t t = 0; t < local.slot_count(); ++t) {
         least_before = std::min(least_before, before[static_cast<size_t>(t)]);
