@@ -5,6 +5,7 @@
 #include "mesh/point_stars.hpp"
 #include "support/bcc.hpp"
 #include "support/cmocka.hpp"
+#include "support/parts.hpp"
 #include "support/pinches.hpp"
 
 #include <numeric>
@@ -72,7 +73,7 @@ Mended mended(LabelledMesh mesh)
 std::vector<size_t> parts_of(const LabelledMesh& mesh, Material labels)
 {
     std::vector<size_t> count;
-    for (const auto& parts : material_parts(mesh, labels, Run()))
+    for (const auto& parts : material_parts(mesh, labels))
         count.push_back(parts.size());
     return count;
 }
