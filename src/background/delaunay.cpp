@@ -2,6 +2,7 @@
 
 #ifdef CLEFT_WITH_TETGEN
 
+#include "base/large_pages.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/predicates.hpp"
 
@@ -163,7 +164,7 @@ std::vector<Tet> by_least_point(const std::vector<Tet>& tets, size_t point_count
         ++begin[key(tet) + 1];
     for (size_t v = 0; v < point_count; ++v)
         begin[v + 1] += begin[v];
-    std::vector<Tet> sorted(tets.size());
+    std::vector<Tet> sorted = large_vector<Tet>(tets.size());
     for (const Tet& tet : tets)
         sorted[begin[key(tet)]++] = tet;
     return sorted;

@@ -1,6 +1,8 @@
 // Sets of numbers that join (union-find). A set is known by its least member, so the result has one form only.
 #pragma once
 
+#include "base/large_pages.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
@@ -14,7 +16,10 @@ class DisjointSets
 {
 public:
     // Each of 0 .. count - 1 alone.
-    explicit DisjointSets(size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+    explicit DisjointSets(size_t count) : parent_(large_vector<int32_t>(count))
+    {
+        std::iota(parent_.begin(), parent_.end(), 0);
+    }
 
     int32_t find(int32_t i)
     {

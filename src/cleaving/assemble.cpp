@@ -1,5 +1,6 @@
 #include "cleaving/assemble.hpp"
 
+#include "base/large_pages.hpp"
 #include "base/parallel.hpp"
 #include "cleaving/choose_material.hpp"
 #include "cleaving/split_tet.hpp"
@@ -31,6 +32,7 @@ struct Numbering {
 
     explicit Numbering(const Centres& c)
     {
+        reserve_large(points, c.points.size() + c.edges.size() + c.faces.size());
         const std::vector<uint8_t> in_use = vertices_in_use(c);
         number(
             vertex, c.points, [&](size_t i) { return in_use[i] != 0; }, [&](size_t i) { return c.points[i]; });
@@ -174,8 +176,8 @@ LabelledMesh assemble(const Centres& c, const Run& run)
     note_points(numbering, run);
     LabelledMesh mesh;
     mesh.points = std::move(numbering.points);
-    mesh.tets.resize(static_cast<size_t>(plan.tets));
-    mesh.material.resize(mesh.tets.size());
+    mesh.tets = large_vector<Tet>(static_cast<size_t>(plan.tets));
+    mesh.material = large_vector<Material>(mesh.tets.size());
     parallel_chunks(run, static_cast<int64_t>(c.tets.size()), kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
         TetWriter writer(c, numbering, mesh);
         auto out = static_cast<size_t>(plan.begin[static_cast<size_t>(chunk)]);

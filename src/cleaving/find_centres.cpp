@@ -1,4 +1,5 @@
 // Making the tables of centres: sample the vertices, list the cut edges, then the simplices above them.
+#include "base/large_pages.hpp"
 #include "base/parallel.hpp"
 #include "cleaving/centres.hpp"
 #include "cleaving/split_tet.hpp"
@@ -21,7 +22,7 @@ SampledVertices sample_vertices(const Volume& volume, const std::vector<Vec3>& p
 {
     const auto n = static_cast<int64_t>(points.size());
     SampledVertices out;
-    out.materials.resize(points.size());
+    out.materials = large_vector<MaterialSet>(points.size());
     out.count.resize(points.size());
     std::vector<std::vector<MaterialValue>> chunks(static_cast<size_t>(chunk_count(n, kGrain)));
     parallel_chunks(run, n, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
@@ -40,6 +41,14 @@ SampledVertices sample_vertices(const Volume& volume, const std::vector<Vec3>& p
     return out;
 }
 
+std::vector<Vec3> copy_of(const std::vector<Vec3>& points)
+{
+    std::vector<Vec3> copy;
+    reserve_large(copy, points.size());
+    copy.assign(points.begin(), points.end());
+    return copy;
+}
+
 // Before anything has snapped a vertex has one material.
 class Tables
 {
@@ -56,19 +65,25 @@ public:
         list_mixed();
         list_faces();
         c_.fans.resize(c_.mixed.size());
-        c_.kept.assign(c_.tets.size(), Centres::kNoMaterial);
+        c_.kept = large_vector<uint16_t>(c_.tets.size(), Centres::kNoMaterial);
         c_.doubtful.assign(c_.points.size(), 0);
     }
 
 private:
     Material material(int32_t v) const { return material_[static_cast<size_t>(v)]; }
 
+    bool has_one_material(const Tet& t) const
+    {
+        const Material m = material(t[0]);
+        return m == material(t[1]) && m == material(t[2]) && m == material(t[3]);
+    }
+
     template <class Visit>
     void for_each_cut(const Tet& t, const Visit& visit) const
     {
-        const std::array<Material, 4> m = {material(t[0]), material(t[1]), material(t[2]), material(t[3])};
-        if (m[0] == m[1] && m[0] == m[2] && m[0] == m[3])
+        if (has_one_material(t))
             return;
+        const std::array<Material, 4> m = {material(t[0]), material(t[1]), material(t[2]), material(t[3])};
         for (size_t e = 0; e < 6; ++e) {
             const auto i = static_cast<size_t>(kEdgeCorners[e][0]), j = static_cast<size_t>(kEdgeCorners[e][1]);
             if (m[i] != m[j])
@@ -87,7 +102,7 @@ private:
         }
         for (size_t v = 0; v < n; ++v)
             slot[v + 1] += slot[v];
-        std::vector<int32_t> upper(static_cast<size_t>(slot[n]));
+        std::vector<int32_t> upper = large_vector<int32_t>(static_cast<size_t>(slot[n]));
         for (size_t t = 0; t < c_.tets.size(); ++t) {
             check_now_and_then(t);
             for_each_cut(c_.tets[t], [&](size_t, int32_t lower, int32_t high) {
@@ -118,7 +133,9 @@ private:
 
     void list_mixed()
     {
-        c_.mixed_of.assign(c_.tets.size(), -1);
+        c_.mixed_of = large_vector(c_.tets.size(), -1);
+        reserve_large(c_.mixed, static_cast<size_t>(std::count_if(c_.tets.begin(), c_.tets.end(),
+                                                                  [&](const Tet& t) { return !has_one_material(t); })));
         for (size_t t = 0; t < c_.tets.size(); ++t) {
             check_now_and_then(t);
             MixedTet m{static_cast<int32_t>(t), {-1, -1, -1, -1, -1, -1}, {-1, -1, -1, -1}};
@@ -195,7 +212,7 @@ Centres find_centres(const Volume& volume, const TetMesh& background, const Run&
     SampledVertices sampled = sample_vertices(volume, background.points, run);
     Centres c{volume,
               background.tets,
-              background.points,
+              copy_of(background.points),
               std::move(sampled.materials),
               SampleStore(std::move(sampled.values), sampled.count),
               {},

@@ -1,5 +1,6 @@
 #include "cleaving/star.hpp"
 
+#include "base/large_pages.hpp"
 #include "cleaving/split_tet.hpp"
 #include "mesh/quality.hpp"
 
@@ -20,7 +21,7 @@ size_t place_in(const Tet& corners, int32_t v)
 
 }  // namespace
 
-VertexTets::VertexTets(const Centres& c, const Run& run) : first_(c.points.size() + 1, 0)
+VertexTets::VertexTets(const Centres& c, const Run& run) : first_(large_vector(c.points.size() + 1, int64_t{0}))
 {
     std::vector<uint8_t> is_at_cut(c.points.size(), 0);
     for (const CutEdge& e : c.edges)
@@ -33,7 +34,7 @@ VertexTets::VertexTets(const Centres& c, const Run& run) : first_(c.points.size(
     }
     for (size_t v = 0; v + 1 < first_.size(); ++v)
         first_[v + 1] += first_[v];
-    tets_.resize(static_cast<size_t>(first_.back()));
+    tets_ = large_vector<int32_t>(static_cast<size_t>(first_.back()));
     std::vector<int64_t> next(first_.begin(), first_.end() - 1);
     for (size_t t = 0; t < c.tets.size(); ++t) {
         if (t % kTetsACheck == 0)

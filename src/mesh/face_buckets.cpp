@@ -1,6 +1,7 @@
 #include "mesh/face_buckets.hpp"
 
 #include "base/error.hpp"
+#include "base/large_pages.hpp"
 
 namespace cleft
 {
@@ -49,7 +50,7 @@ void FaceBuckets::for_faces_of(size_t tet, int64_t point_count, const Visit& vis
 
 FaceBuckets::FaceBuckets(const std::vector<Tet>& tets, int64_t point_count, const Run& run,
                          const std::vector<uint8_t>* among)
-    : tets_(tets), among_(among), start_(static_cast<size_t>(point_count) + 1, 0)
+    : tets_(tets), among_(among), start_(large_vector(static_cast<size_t>(point_count) + 1, uint32_t{0}))
 {
     if (tets.size() >= kMostTets)
         throw Error(CLEFT_ERROR_TOO_LARGE, "a mesh of 2^30 or more tetrahedra is too large for 32-bit face numbers");
@@ -62,7 +63,7 @@ FaceBuckets::FaceBuckets(const std::vector<Tet>& tets, int64_t point_count, cons
     uint32_t end = 0;
     for (uint32_t& s : start_)
         s = end += s;
-    ids_.resize(end);
+    ids_ = large_vector<uint32_t>(end);
     for (size_t t = tets.size(); t-- > 0;) {
         if (t % kTetsACheck == 0)
             run.check();

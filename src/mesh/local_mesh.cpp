@@ -1,5 +1,6 @@
 #include "mesh/local_mesh.hpp"
 
+#include "base/large_pages.hpp"
 #include "base/parallel.hpp"
 #include "base/wide_vectors.hpp"
 #include "mesh/adjacency.hpp"
@@ -80,7 +81,7 @@ LocalMesh::LocalMesh(std::vector<Vec3> points, std::vector<Tet> tets, std::vecto
       tets_(std::move(tets)),
       materials_(std::move(material)),
       stars_(tets_, points_.size(), run),
-      quality_(tets_.size(), kUnknown)
+      quality_(large_vector(tets_.size(), kUnknown))
 {
     freeze_hull(run);
 }
@@ -240,7 +241,8 @@ double LocalMesh::worst(const std::vector<int32_t>& tets) const
 LabelledMesh LocalMesh::take()
 {
     LabelledMesh mesh;
-    std::vector<int32_t> number(points_.size(), -1);
+    reserve_large(mesh.points, points_.size());
+    std::vector<int32_t> number = large_vector(points_.size(), -1);
     for (int32_t v = 0; v < point_count(); ++v)
         if (!star(v).empty()) {
             number[at(v)] = static_cast<int32_t>(mesh.points.size());

@@ -1,4 +1,5 @@
 // Numbering along a Hilbert curve.
+#include "base/large_pages.hpp"
 #include "base/parallel.hpp"
 #include "mesh/bounding_box.hpp"
 #include "mesh/finish.hpp"
@@ -153,8 +154,8 @@ void order_tets(LabelledMesh& mesh, const Run& run)
             std::sort(order.begin() + start[p], order.begin() + start[p + 1], less);
     });
 
-    std::vector<Tet> tets(mesh.tets.size());
-    std::vector<Material> material(mesh.material.size());
+    std::vector<Tet> tets = large_vector<Tet>(mesh.tets.size());
+    std::vector<Material> material = large_vector<Material>(mesh.material.size());
     for (size_t t = 0; t < order.size(); ++t) {
         tets[t] = mesh.tets[static_cast<size_t>(order[t])];
         material[t] = mesh.material[static_cast<size_t>(order[t])];
@@ -172,7 +173,7 @@ void order_spatially(LabelledMesh& mesh, const Run& run)
     run.report(0.4, "ordering");
     std::vector<int32_t> new_number(mesh.points.size(), -1);
     std::vector<Vec3> points;
-    points.reserve(keys.size());
+    reserve_large(points, keys.size());
     for (const Key& key : keys) {
         new_number[static_cast<size_t>(key.index)] = static_cast<int32_t>(points.size());
         points.push_back(mesh.points[static_cast<size_t>(key.index)]);

@@ -1,6 +1,7 @@
 #include "mesh/point_stars.hpp"
 
 #include "base/error.hpp"
+#include "base/large_pages.hpp"
 #include "mesh/face_buckets.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ constexpr size_t kTetsACheck = size_t{1} << 16;  // between two looks for a canc
 }  // namespace
 
 PointStars::PointStars(const std::vector<Tet>& tets, size_t point_count, const Run& run)
-    : lists_(point_count, List{0, 0, 0}), pool_(4 * tets.size())
+    : lists_(large_vector(point_count, List{0, 0, 0})), pool_(large_vector<int32_t>(4 * tets.size()))
 {
     for (size_t t = 0; t < tets.size(); ++t) {
         if (t % kTetsACheck == 0)

@@ -1,5 +1,6 @@
 #include "mesh/surface_points.hpp"
 
+#include "base/large_pages.hpp"
 #include "mesh/face_buckets.hpp"
 
 namespace cleft
@@ -42,7 +43,7 @@ void add_faces(const Tet& tet, std::vector<uint64_t>& sum)
 // cancel by chance is not to be expected in any mesh that fits a computer.)
 std::vector<uint8_t> points_inside(const std::vector<Tet>& tets, size_t point_count, const Run& run)
 {
-    std::vector<uint64_t> sum(point_count, 0);
+    std::vector<uint64_t> sum = large_vector(point_count, uint64_t{0});
     for (size_t t = 0; t < tets.size(); ++t) {
         if (t % kTetsACheck == 0)
             run.check();

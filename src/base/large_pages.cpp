@@ -1,0 +1,31 @@
+#include "base/large_pages.hpp"
+
+#ifdef __linux__
+#include <sys/mman.h>
+#include <unistd.h>
+#include <cstdint>
+#endif
+
+namespace cleft
+{
+
+#ifdef __linux__
+
+void allow_large_pages(void* data, size_t bytes)
+{
+    constexpr size_t kWorthIt = size_t{4} << 20;  // a large page is 2 MiB on most machines
+    if (bytes < kWorthIt)
+        return;
+    const auto page = static_cast<uintptr_t>(sysconf(_SC_PAGESIZE));
+    const uintptr_t begin = (reinterpret_cast<uintptr_t>(data) + page - 1) / page * page;
+    const uintptr_t end = (reinterpret_cast<uintptr_t>(data) + bytes) / page * page;
+    madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);  // a system without them says so: no matter
+}
+
+#else
+
+void allow_large_pages(void*, size_t) {}
+
+#endif
+
+}  // namespace cleft

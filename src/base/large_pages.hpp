@@ -1,0 +1,31 @@
+// Arrays in large pages of memory. Stages read a mesh here and there, a hundred megabytes at random: in pages of 4 KiB
+// the processor spends much of that time finding the page.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace cleft
+{
+
+// Lets the system put this memory, not written to so far, in large pages. A hint: nothing happens where there are none.
+void allow_large_pages(void* data, size_t bytes);
+
+// reserve() of an empty vector.
+template <class T>
+void reserve_large(std::vector<T>& array, size_t count)
+{
+    array.reserve(count);
+    allow_large_pages(array.data(), count * sizeof(T));
+}
+
+template <class T>
+std::vector<T> large_vector(size_t count, const T& value = T())
+{
+    std::vector<T> array;
+    reserve_large(array, count);
+    array.assign(count, value);
+    return array;
+}
+
+}  // namespace cleft
