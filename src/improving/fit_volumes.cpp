@@ -47,11 +47,13 @@ struct Wish {
 // A point of interfaces, and how far it has been moved from its place on the tie.
 struct InterfacePoint {
     int32_t number;
+    bool stays = false;
     Vec3 moved{0, 0, 0};
 };
 
-// Numbers the corners of the triangles among themselves.
-std::vector<InterfacePoint> find_points(const LocalMesh& mesh, std::vector<InterfaceTriangle>& triangles)
+// Numbers the corners of the triangles among themselves. Those of `astray`, which have no tie to be moved off, stay.
+std::vector<InterfacePoint> find_points(const LocalMesh& mesh, const std::vector<int32_t>& astray,
+                                        std::vector<InterfaceTriangle>& triangles)
 {
     std::vector<int32_t> index(static_cast<size_t>(mesh.point_count()), 0);
     for (const InterfaceTriangle& t : triangles)
@@ -66,6 +68,10 @@ std::vector<InterfacePoint> find_points(const LocalMesh& mesh, std::vector<Inter
     for (InterfaceTriangle& t : triangles)
         for (int32_t& v : t.corners)
             v = index[static_cast<size_t>(v)];
+    std::vector<int32_t> staying = astray;
+    std::sort(staying.begin(), staying.end());
+    for (InterfacePoint& p : points)
+        p.stays = std::binary_search(staying.begin(), staying.end(), p.number);
     return points;
 }
 
@@ -220,6 +226,8 @@ int64_t Granter::grant(const std::vector<Wish>& wanted, std::vector<InterfacePoi
     for (size_t i = 0; i < points.size(); ++i) {
         if (i % kPointsACheck == 0)
             run.check();
+        if (points[i].stays)
+            continue;
         const int32_t v = points[i].number;
         const Move move = move_of(wanted[i], mesh_.frozen(v));
         if (move.shift.isZero(0))
@@ -291,7 +299,7 @@ void fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, cons
     std::vector<InterfaceTriangle> triangles = find_triangles(mesh, meetings, run);
     run.report(0.3, "fitting volumes");
     find_heights(mesh, volume, astray, triangles, run);
-    std::vector<InterfacePoint> points = find_points(mesh, triangles);
+    std::vector<InterfacePoint> points = find_points(mesh, astray, triangles);
     const std::vector<Contact> contacts = find_contacts(triangles);
     Granter granter(mesh, floor);
     const std::vector<int64_t> voxels = volume.is_label_map() ? volume.voxel_counts() : std::vector<int64_t>();

@@ -13,13 +13,14 @@ namespace
 {
 
 // Most tetrahedra are helped at no price. For the few that are left, an interface may give way by a little, more and
-// more, and then dear attempts are made.
+// more, and then dear attempts are made, at last for the sake of a tetrahedron with any that is around it.
 std::vector<Search> searches_of(Effort effort)
 {
     std::vector<Search> searches{{6, 0.0, 0.05, false, false},
                                  {3, 0.05, 0.1, true, false},
                                  {3, 0.1, 0.15, true, true},
-                                 {3, 0.2, 0.15, true, true}};
+                                 {3, 0.2, 0.15, true, true},
+                                 {6, 0.4, 0.25, true, true, true}};
     if (effort == Effort::best)
         for (Search& search : searches)
             search.passes *= 2;

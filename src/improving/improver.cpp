@@ -16,6 +16,14 @@ namespace
 // the worst get them, one in so many tetrahedra of the mesh and some more.
 constexpr size_t kThoroughOneIn = 200, kThoroughAtLeast = 200;
 constexpr size_t kAttemptsOneIn = 10000, kAttemptsAtLeast = 5;
+constexpr size_t kWideOneIn = 100000, kWideAtLeast = 5;
+
+size_t attempts_in_pass(const Search& search, size_t tets)
+{
+    if (!search.compound)
+        return 0;
+    return search.wide ? tets / kWideOneIn + kWideAtLeast : tets / kAttemptsOneIn + kAttemptsAtLeast;
+}
 
 }  // namespace
 
@@ -39,7 +47,7 @@ void Improver::work(const Search& search)
     bool changed = true;
     for (int pass = 0; pass < search.passes && changed; ++pass) {
         changed = false;
-        attempts_left_ = search.compound ? tets / kAttemptsOneIn + kAttemptsAtLeast : 0;
+        attempts_left_ = attempts_in_pass(search, tets);
         for (size_t i = 0; i < bad_.size(); ++i) {
             if (i % 16 == 0)
                 run_.report((pass + double(i) / double(bad_.size())) / search.passes, "improving");

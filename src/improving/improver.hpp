@@ -16,6 +16,7 @@ struct Search {
     double bend = 0.05;     // how far an interface may move when an edge in it is flipped, in lengths of the edge
     bool thorough = false;  // only for the worst, if there are many: also tries places far from where a point is
     bool compound = false;  // also tries operations that help only after the points around have moved
+    bool wide = false;      // compound operations at the tetrahedra around, too
 };
 
 class Improver
@@ -49,10 +50,15 @@ private:
 
     // Operations that make it better together with the moves of points that follow (rescue.cpp).
     bool rescue(int32_t t);
+    bool rescue_at(const Tet& place, const Tet& bad, double before);
+    void accept();
+    int32_t find(const Tet& corners) const;
+    std::vector<Tet> tets_around(const Tet& corners) const;
     bool attempt(int32_t t, int operation);
     bool split_in_middle(int32_t t, int corner_a, int corner_b);
-    bool pays(double before);
+    bool pays(const Tet& bad, double before);
     void smooth_cavity();
+    bool smooth_and_note(int32_t t);
     void take_back();
 
     const Run& run_;

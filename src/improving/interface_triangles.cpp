@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace cleft
 {
@@ -23,8 +24,9 @@ constexpr double kCentroidShare = 0.75;
 // surface while it keeps its volume: there points give up so much less of their place, in radii of the curvature, which
 // costs a ball three times so much of its volume; but no more than this share of a height, which vanishes with the
 // edge length.
-constexpr double kSlackOfFields = 0.0006;
+constexpr double kSlackOfFields = 0.00064;
 constexpr double kSlackShare = 0.45;
+constexpr double kMostCurved = 1.5;
 constexpr int64_t kGrain = 2048;
 constexpr int32_t kTetsACheck = 1 << 16;  // between two looks for a cancel
 
@@ -46,28 +48,30 @@ Lead side_at(const Volume& volume, const Vec3& x, const std::array<Material, 2>&
 }
 
 // Where the tie of the pair lies on the line from x along the unit normal (which looks from the first material to the
-// second): positive if beyond x. 0 if it is not met within `reach`.
-double height_of_tie(const Volume& volume, const Vec3& x, const Vec3& normal, const std::array<Material, 2>& pair,
-                     double reach, double step, Samples& samples)
+// second): positive if beyond x. None if it is not met within `reach`.
+std::optional<double> height_of_tie(const Volume& volume, const Vec3& x, const Vec3& normal,
+                                    const std::array<Material, 2>& pair, double reach, double step, Samples& samples)
 {
     Lead near = side_at(volume, x, pair, samples);
-    if (!near.ok || near.difference == 0)
-        return 0;
+    if (!near.ok)
+        return std::nullopt;
     const double direction = near.difference > 0 ? 1 : -1;
     double at = 0;
     while (at < reach) {
         const double next = std::min(reach, at + step);
         const Lead far = side_at(volume, x + direction * next * normal, pair, samples);
         if (!far.ok)
-            return 0;
+            return std::nullopt;
         if (far.difference * near.difference <= 0) {
+            if (near.difference == far.difference)
+                return direction * at;
             const double share = near.difference / (near.difference - far.difference);
             return direction * (at + share * (next - at));
         }
         at = next;
         near = far;
     }
-    return 0;
+    return std::nullopt;
 }
 
 // How much of its height a triangle gives up. The mean height of a sphere of radius R above a triangle in it is the sum
@@ -76,6 +80,30 @@ double slack_of(double height, double squared_edges)
 {
     const double radius = squared_edges / (24 * std::max(std::abs(height), 1e-300));
     return std::copysign(std::min(kSlackOfFields * radius, kSlackShare * std::abs(height)), height);
+}
+
+double squared_edges(const LocalMesh& mesh, const InterfaceTriangle& t)
+{
+    const Vec3 &a = mesh.point(t.corners[0]), &b = mesh.point(t.corners[1]), &c = mesh.point(t.corners[2]);
+    return (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
+}
+
+// Next to a gap a triangle may look at an interface that is not under it: none there is more than so much more curved
+// than all others are on the mean.
+void limit_heights(const LocalMesh& mesh, const std::vector<uint8_t>& is_limited,
+                   std::vector<InterfaceTriangle>& triangles)
+{
+    double heights = 0, squares = 0;
+    for (size_t i = 0; i < triangles.size(); ++i)
+        if (!is_limited[i]) {
+            heights += std::abs(triangles[i].height);
+            squares += squared_edges(mesh, triangles[i]);
+        }
+    for (size_t i = 0; i < triangles.size(); ++i)
+        if (is_limited[i]) {
+            const double most = squares > 0 ? kMostCurved * heights / squares * squared_edges(mesh, triangles[i]) : 0;
+            triangles[i].height = std::clamp(triangles[i].height, -most, most);
+        }
 }
 
 }  // namespace
@@ -113,24 +141,33 @@ void find_heights(const LocalMesh& mesh, const Volume& volume, const std::vector
     std::vector<uint8_t> is_astray(static_cast<size_t>(mesh.point_count()), 0);
     for (const int32_t v : astray)
         is_astray[static_cast<size_t>(v)] = 1;
-
+    std::vector<uint8_t> is_limited(triangles.size(), 0);
     const double step = kStep * volume.grid().spacing.minCoeff();
     parallel_for(run, static_cast<int64_t>(triangles.size()), kGrain, [&](int64_t begin, int64_t end) {
         Samples samples;
         for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
             InterfaceTriangle& t = triangles[i];
-            if (std::any_of(t.corners.begin(), t.corners.end(),
-                            [&](int32_t v) { return is_astray[static_cast<size_t>(v)]; }))
-                continue;
             const Vec3 &a = mesh.point(t.corners[0]), &b = mesh.point(t.corners[1]), &c = mesh.point(t.corners[2]);
             const Vec3 normal = (b - a).cross(c - a).normalized();
-            const Vec3 squares((b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm());
-            const double reach = kReach * std::sqrt(squares.maxCoeff());
-            const double height =
-                kCentroidShare * height_of_tie(volume, (a + b + c) / 3, normal, t.pair, reach, step, samples);
-            t.height = height - (volume.is_label_map() ? 0 : slack_of(height, squares.sum()));
+            const double reach =
+                kReach * std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+            const auto height_at = [&](const Vec3& x) {
+                return height_of_tie(volume, x, normal, t.pair, reach, step, samples);
+            };
+            std::optional<double> height = height_at((a + b + c) / 3);
+            for (const int32_t v : t.corners)
+                if (is_astray[static_cast<size_t>(v)]) {
+                    is_limited[i] = 1;
+                    const auto corner = height ? height_at(mesh.point(v)) : std::nullopt;
+                    height = corner ? std::optional(*height - *corner / 3) : std::nullopt;
+                }
+            t.height = kCentroidShare * height.value_or(0);
+            if (!volume.is_label_map())
+                t.height -= slack_of(t.height, squared_edges(mesh, t));
         }
     });
+    if (!astray.empty())
+        limit_heights(mesh, is_limited, triangles);
 }
 
 }  // namespace cleft

@@ -17,8 +17,8 @@ struct InterfaceTriangle {
 
 std::vector<InterfaceTriangle> find_triangles(const LocalMesh& mesh, const Meetings& meetings, const Run& run);
 
-// Sets the heights. A triangle with a corner among `astray`, which is not where its materials tie, is no chord of the
-// interface and gets none.
+// Sets the heights. Points in `astray` are not where their materials tie: heights are above the triangle that the
+// interface has under it there.
 void find_heights(const LocalMesh& mesh, const Volume& volume, const std::vector<int32_t>& astray,
                   std::vector<InterfaceTriangle>& triangles, const Run& run);
 

@@ -25,28 +25,65 @@ constexpr double kGain = 1e-3;
 
 bool Improver::rescue(int32_t t)
 {
-    const Tet corners = mesh_.tet(t);
+    const Tet bad = mesh_.tet(t);
     const double before = mesh_.quality(t);
+    if (rescue_at(bad, bad, before))
+        return true;
+    if (!search_.wide)
+        return false;
+    const std::vector<Tet> around = tets_around(bad);
+    return std::any_of(around.begin(), around.end(), [&](const Tet& place) { return rescue_at(place, bad, before); });
+}
+
+// Tries every operation at a tetrahedron for the sake of a bad one. An operation that is taken back gives tetrahedra
+// new numbers, so that they are known by their corners.
+bool Improver::rescue_at(const Tet& place, const Tet& bad, double before)
+{
     for (int operation = 0; operation < kOperations; ++operation) {
-        if (!attempt(t, operation))
+        if (!attempt(find(place), operation))
             continue;
         smooth_cavity();
-        if (pays(before)) {
-            ++counts_.compound;
-            bad_.changed(mesh_, cavity_.created);
-            for (const Move& move : moves_) {
-                star_.load(mesh_, move.point);
-                bad_.changed(mesh_, star_.tets());
-            }
+        if (const int32_t t = find(bad); t >= 0)
+            smooth_and_note(t);
+        if (pays(bad, before)) {
+            accept();
             return true;
         }
         take_back();
-        // It has a new number.
-        for (const int32_t back : cavity_.old_tets)
-            if (mesh_.tet(back) == corners)
-                t = back;
     }
     return false;
+}
+
+void Improver::accept()
+{
+    ++counts_.compound;
+    bad_.changed(mesh_, cavity_.created);
+    for (const Move& move : moves_) {
+        star_.load(mesh_, move.point);
+        bad_.changed(mesh_, star_.tets());
+    }
+}
+
+// -1 if there is none.
+int32_t Improver::find(const Tet& corners) const
+{
+    const auto star = mesh_.star(corners[0]);
+    const auto found = std::find_if(star.begin(), star.end(), [&](int32_t t) { return mesh_.tet(t) == corners; });
+    return found == star.end() ? -1 : *found;
+}
+
+std::vector<Tet> Improver::tets_around(const Tet& corners) const
+{
+    std::vector<int32_t> numbers;
+    for (const int32_t v : corners)
+        numbers.insert(numbers.end(), mesh_.star(v).begin(), mesh_.star(v).end());
+    std::vector<Tet> around;
+    for (const int32_t t : numbers)
+        if (mesh_.tet(t) != corners)
+            around.push_back(mesh_.tet(t));
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    return around;
 }
 
 bool Improver::attempt(int32_t t, int operation)
@@ -87,25 +124,33 @@ void Improver::smooth_cavity()
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
         bool moved = false;
         for (const int32_t t : cavity_.created)
-            for (const int32_t v : mesh_.tet(t)) {
-                if (mesh_.quality(t) >= target_)
-                    break;
-                const Vec3 from = mesh_.point(v);
-                if (smooth(v, false)) {
-                    moves_.push_back({v, from});
-                    moved = true;
-                }
-            }
+            moved = smooth_and_note(t) || moved;
         if (!moved)
             break;
     }
 }
 
-// Everything new or moved is better than the worst was before.
-bool Improver::pays(double before)
+bool Improver::smooth_and_note(int32_t t)
+{
+    bool moved = false;
+    for (const int32_t v : mesh_.tet(t)) {
+        if (mesh_.quality(t) >= target_)
+            break;
+        const Vec3 from = mesh_.point(v);
+        if (smooth(v, false)) {
+            moves_.push_back({v, from});
+            moved = true;
+        }
+    }
+    return moved;
+}
+
+// Everything new or moved, and the bad tetrahedron if there still is one, is better than that was before.
+bool Improver::pays(const Tet& bad, double before)
 {
     const double wanted = std::min(before + kGain, target_);
-    if (!(mesh_.worst(cavity_.created) >= wanted))
+    const int32_t t = find(bad);
+    if (!(mesh_.worst(cavity_.created) >= wanted) || (t >= 0 && !(mesh_.quality(t) >= wanted)))
         return false;
     return std::all_of(moves_.begin(), moves_.end(), [&](const Move& move) {
         star_.load(mesh_, move.point);
