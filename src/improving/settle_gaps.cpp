@@ -14,12 +14,12 @@ namespace cleft
 namespace
 {
 
-constexpr double kReach = 0.5;                   // how far to the nearest interface, in edge lengths
-constexpr double kShares[] = {1, 0.5, 0.25, 0};  // of the way to the tie
-constexpr double kPartShares[] = {0.6, 0.3};     // of the way to the interface
-constexpr double kSizeCounts = 0.1;              // power of the voxels of a label by which a distance counts
-constexpr int kRounds = 4;                       // a point that is in the way may have moved on
-constexpr size_t kPointsACheck = 1 << 8;         // between two looks for a cancel
+constexpr double kReach = 0.5;                      // how far to the nearest interface, in edge lengths
+constexpr double kShares[] = {1, 0.5, 0.25, 0};     // of the way to the tie
+constexpr double kPartShares[] = {0.6, 0.3, 0.15};  // of the way to the interface
+constexpr double kSizeCounts = 0.1;                 // power of the voxels of a label by which a distance counts
+constexpr int kRounds = 10;                         // a point that is in the way may have moved on
+constexpr size_t kPointsACheck = 1 << 8;            // between two looks for a cancel
 
 // Where a point may go.
 struct Interface {
@@ -62,6 +62,8 @@ public:
         return false;
     }
 
+    int64_t moves() const { return moves_; }
+
 private:
     std::optional<MaterialSet> materials_around() const
     {
@@ -96,7 +98,7 @@ private:
             const auto project = [&](Vec3& x) { return project_to(there.pair, x, mesh_.frozen(v)); };
             const Place place = smoother_.climb(star_, there.x, least_, free_axes(mesh_.frozen(v)), project);
             if (place.worst >= least_) {
-                mesh_.move(v, place.x);
+                move(v, place.x);
                 return true;
             }
         }
@@ -110,8 +112,14 @@ private:
             for (const Interface& there : interfaces_) {
                 const Vec3 x = from + share * (there.x - from);
                 if (star_.worst_at(x, least_) > least_)
-                    return mesh_.move(v, x);
+                    return move(v, x);
             }
+    }
+
+    void move(int32_t v, const Vec3& x)
+    {
+        mesh_.move(v, x);
+        ++moves_;
     }
 
     bool project_to(const MaterialSet& pair, Vec3& x, unsigned frozen)
@@ -149,6 +157,7 @@ private:
     Samples samples_;
     Smoother smoother_;
     std::vector<Interface> interfaces_;
+    int64_t moves_ = 0;
     double least_ = 0;  // quality that must be left around the point
 };
 
@@ -178,7 +187,9 @@ std::vector<int32_t> settle_gaps(LocalMesh& mesh, const Volume& volume, const st
     GapSettler settler(mesh, volume, voxels, floor);
     const std::vector<int32_t> found = points_in_gaps(mesh, settler, without_tie, run);
     std::vector<int32_t> left = found;
-    for (int round = 0; round < kRounds; ++round) {
+    int64_t moves = -1;
+    for (int round = 0; round < kRounds && settler.moves() != moves; ++round) {
+        moves = settler.moves();
         size_t kept = 0;
         for (size_t i = 0; i < left.size(); ++i) {
             if (i % kPointsACheck == 0)
