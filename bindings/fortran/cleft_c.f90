@@ -52,7 +52,8 @@ module cleft_c
     CLEFT_OPTION_SEED = 13, &
     CLEFT_OPTION_STRICT = 14, &
     CLEFT_OPTION_REPAIR = 15, &
-    CLEFT_OPTION_MAX_TETS = 16
+    CLEFT_OPTION_MAX_TETS = 16, &
+    CLEFT_OPTION_KEEP_THIN = 17
 
   integer(c_int32_t), parameter :: &
     CLEFT_BACKGROUND_PARTICLES = 0, &
@@ -745,6 +746,13 @@ module cleft_c
     function cleft_report_count(report) bind(C) result(answer)
       import
       type(c_ptr), value :: report
+      integer(c_int64_t) :: answer
+    end function
+
+    function cleft_report_joined(report, index) bind(C) result(answer)
+      import
+      type(c_ptr), value :: report
+      integer(c_int64_t), value :: index
       integer(c_int64_t) :: answer
     end function
 

@@ -17,6 +17,7 @@ module cleft_reports
     procedure :: create
     procedure :: count => row_count
     procedure :: label
+    procedure :: joined
     procedure :: adopt
   end type
 
@@ -54,6 +55,14 @@ contains
     row%struct_size = int(c_sizeof(row), c_int32_t)
     call conclude(cleft_report_label(self%c_handle(), int(index - 1, c_int64_t), row), &
       'the report is not there, or has no such row', stat, errmsg)
+  end function
+
+  ! Of the large pieces of row `index`, those that lie in one piece of the mesh with another; 0 if there is no such row.
+  function joined(self, index) result(count)
+    class(cleft_report), intent(in) :: self
+    integer, intent(in) :: index
+    integer :: count
+    count = int(cleft_report_joined(self%c_handle(), int(index - 1, c_int64_t)))
   end function
 
   ! Takes over a handle that cleft_c gave.

@@ -144,7 +144,8 @@ enum {
     CLEFT_OPTION_SEED = 13,
     CLEFT_OPTION_STRICT = 14,
     CLEFT_OPTION_REPAIR = 15,
-    CLEFT_OPTION_MAX_TETS = 16
+    CLEFT_OPTION_MAX_TETS = 16,
+    CLEFT_OPTION_KEEP_THIN = 17
 };
 
 enum { CLEFT_BACKGROUND_PARTICLES = 0, CLEFT_BACKGROUND_LATTICE = 1, CLEFT_BACKGROUND_OCTREE = 2 };
@@ -267,8 +268,8 @@ CLEFT_API cleft_status cleft_volume_sample(const cleft_volume* volume, const dou
 /* -------------------------------------------------------------------------------------------------- sizing -- */
 
 /** The sizing field of a volume from its features: three distance transforms (see docs/method.md), limited by the
- *  options SIZE, SIZE_MIN, SIZE_MAX, FEATURE_SCALE, GRADATION, INTERFACE_SIZE and the label sizes. With TETS, scaled to
- *  the number of tetrahedra expected. `options` may be NULL. The caller owns *out. \since 0.1 */
+ *  options SIZE, SIZE_MIN, SIZE_MAX, FEATURE_SCALE, GRADATION, INTERFACE_SIZE, KEEP_THIN and the label sizes. With
+ * TETS, scaled to the number of tetrahedra expected. `options` may be NULL. The caller owns *out. \since 0.1 */
 CLEFT_API cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* volume,
                                            const cleft_options* options, cleft_sizing** out) CLEFT_NOEXCEPT;
 /** One size everywhere. The caller owns *out. \since 0.1 */
@@ -481,6 +482,10 @@ CLEFT_API cleft_status cleft_report_create(cleft_context* context, const cleft_v
 CLEFT_API void cleft_report_destroy(cleft_report* report) CLEFT_NOEXCEPT;
 /** Number of labels of the volume; 0 for NULL. \since 0.1 */
 CLEFT_API int64_t cleft_report_count(const cleft_report* report) CLEFT_NOEXCEPT;
+/** Of the large components of the label in row `index`: those that lie in one component of the mesh with another of
+ *  them, each with half a voxel or more. They touch over an edge or a corner of voxels, or are nearer than an element
+ *  tells apart. 0 for NULL, and where there is no such row. \since 0.1 */
+CLEFT_API int64_t cleft_report_joined(const cleft_report* report, int64_t index) CLEFT_NOEXCEPT;
 /** Row `index`, in the order of cleft_volume_labels(). \since 0.1 */
 CLEFT_API cleft_status cleft_report_label(const cleft_report* report, int64_t index,
                                           cleft_label_report* out) CLEFT_NOEXCEPT;

@@ -172,6 +172,12 @@ int64_t cleft_report_count(const cleft_report* report) noexcept
     return is_sound(report) ? static_cast<int64_t>(report->rows.size()) : 0;
 }
 
+int64_t cleft_report_joined(const cleft_report* report, int64_t index) noexcept
+{
+    const bool has_row = index >= 0 && index < cleft_report_count(report);
+    return has_row ? report->rows[static_cast<size_t>(index)].large_components_joined : 0;
+}
+
 cleft_status cleft_report_label(const cleft_report* report, int64_t index, cleft_label_report* out) noexcept
 {
     return guarded(nullptr, [&] {

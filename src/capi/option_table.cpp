@@ -26,6 +26,9 @@ const OptionRow kOptionTable[kOptionCount] = {
      "greatest growth of the edge length over a distance (Lipschitz constant of the sizing field)"},
     {CLEFT_OPTION_INTERFACE_SIZE, CLEFT_OPTION_TYPE_REAL, "interface_size", 0, 0, kMost, "",
      "greatest edge length at interfaces, in world units; 0: none"},
+    {CLEFT_OPTION_KEEP_THIN, CLEFT_OPTION_TYPE_FLAG, "keep_thin", 0, 0, 1, "",
+     "edges of half the least voxel spacing, or of size_min, where a label is one voxel thick, so that such parts come "
+     "out whole"},
     {CLEFT_OPTION_TETS, CLEFT_OPTION_TYPE_INTEGER, "tets", 0, 0, 2147483647.0, "",
      "wanted number of tetrahedra, met within 10 %; 0: as the sizes say"},
     {CLEFT_OPTION_MAX_TETS, CLEFT_OPTION_TYPE_INTEGER, "max_tets", 10000000, 0, 2147483647.0, "",

@@ -19,7 +19,7 @@ struct OptionRow {
     const char* text;
 };
 
-inline constexpr size_t kOptionCount = 16;
+inline constexpr size_t kOptionCount = 17;
 extern const OptionRow kOptionTable[kOptionCount];
 
 // The row of a key, or -1.

@@ -99,6 +99,7 @@ PipelineOptions pipeline_options(const cleft_options* options)
     out.sizing.feature_scale = value(CLEFT_OPTION_FEATURE_SCALE);
     out.sizing.gradation = value(CLEFT_OPTION_GRADATION);
     out.sizing.interface_size = value(CLEFT_OPTION_INTERFACE_SIZE);
+    out.sizing.keep_thin = value(CLEFT_OPTION_KEEP_THIN) != 0;
     out.sizing.max_tets = value(CLEFT_OPTION_TETS) > 0 ? 0 : value(CLEFT_OPTION_MAX_TETS);
     if (options)
         out.sizing.label_sizes = options->label_sizes;

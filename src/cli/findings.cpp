@@ -131,16 +131,16 @@ VolumeFindings look_at_volume(const Session& session, const cleft_volume* volume
     return found;
 }
 
-std::vector<cleft_label_report> label_reports(const Session& session, const cleft_volume* volume,
-                                              const cleft_mesh* mesh)
+std::vector<LabelFindings> label_reports(const Session& session, const cleft_volume* volume, const cleft_mesh* mesh)
 {
     const auto report = session.make<Report>(EXIT_MESHING_FAILED, [&](cleft_report** out) {
         return cleft_report_create(session.context(), volume, mesh, out);
     });
-    std::vector<cleft_label_report> rows(static_cast<std::size_t>(cleft_report_count(report.get())));
+    std::vector<LabelFindings> rows(static_cast<std::size_t>(cleft_report_count(report.get())));
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        rows[i].struct_size = sizeof rows[i];
+        rows[i].struct_size = sizeof(cleft_label_report);
         session.check(cleft_report_label(report.get(), static_cast<int64_t>(i), &rows[i]), EXIT_MESHING_FAILED);
+        rows[i].large_components_joined = cleft_report_joined(report.get(), static_cast<int64_t>(i));
     }
     return rows;
 }

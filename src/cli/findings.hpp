@@ -43,8 +43,10 @@ struct VolumeFindings {
 VolumeFindings look_at_volume(const Session& session, const cleft_volume* volume);
 
 // The library's per-label report as values.
-std::vector<cleft_label_report> label_reports(const Session& session, const cleft_volume* volume,
-                                              const cleft_mesh* mesh);
+struct LabelFindings : cleft_label_report {
+    int64_t large_components_joined = 0;
+};
+std::vector<LabelFindings> label_reports(const Session& session, const cleft_volume* volume, const cleft_mesh* mesh);
 double difference_percent(const cleft_label_report& row);
 
 }  // namespace cleft_cli

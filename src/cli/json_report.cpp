@@ -83,10 +83,10 @@ Json validation_json(const cleft_validation& v, const std::string& first_fault)
             {"box_area", v.box_area}};
 }
 
-Json label_reports_json(const std::vector<cleft_label_report>& rows, const std::function<bool(int32_t)>& left_out)
+Json label_reports_json(const std::vector<LabelFindings>& rows, const std::function<bool(int32_t)>& left_out)
 {
     Json labels = Json::array();
-    for (const cleft_label_report& row : rows)
+    for (const LabelFindings& row : rows)
         labels.push_back({{"label", row.label},
                           {"left_out", left_out(row.label)},
                           {"lost", row.lost != 0 && !left_out(row.label)},
@@ -99,7 +99,8 @@ Json label_reports_json(const std::vector<cleft_label_report>& rows, const std::
                           {"mesh_components", row.mesh_components},
                           {"large_components", row.large_components},
                           {"large_components_lost", row.large_components_lost},
-                          {"large_components_broken", row.large_components_broken}});
+                          {"large_components_broken", row.large_components_broken},
+                          {"large_components_joined", row.large_components_joined}});
     return labels;
 }
 

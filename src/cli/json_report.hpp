@@ -19,7 +19,7 @@ nlohmann::ordered_json volume_json(const VolumeFindings& volume);
 nlohmann::ordered_json mesh_json(const MeshFindings& mesh);
 nlohmann::ordered_json quality_json(const cleft_quality& quality);
 nlohmann::ordered_json validation_json(const cleft_validation& validation, const std::string& first_fault);
-nlohmann::ordered_json label_reports_json(const std::vector<cleft_label_report>& rows,
+nlohmann::ordered_json label_reports_json(const std::vector<LabelFindings>& rows,
                                           const std::function<bool(int32_t label)>& left_out);
 
 // Adds what the run cost and told: stages, metrics, warnings.

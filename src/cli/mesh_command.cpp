@@ -41,7 +41,7 @@ struct MeshArguments {
 struct Result {
     VolumeFindings volume;
     MeshFindings mesh;
-    std::vector<cleft_label_report> labels;
+    std::vector<LabelFindings> labels;
     std::vector<OutputFile> outputs;
 };
 
@@ -139,7 +139,7 @@ void check_result(Session& session, const MeshArguments& arguments, const cleft_
 
 void warn_of_lost_labels(Session& session, const MeshArguments& arguments, const Result& result)
 {
-    for (const cleft_label_report& row : result.labels) {
+    for (const LabelFindings& row : result.labels) {
         if (arguments.left_out(row.label))
             continue;
         const std::string name = "label " + std::to_string(row.label);

@@ -26,6 +26,7 @@ const char* group_of(cleft_option key)
         case CLEFT_OPTION_FEATURE_SCALE:
         case CLEFT_OPTION_GRADATION:
         case CLEFT_OPTION_INTERFACE_SIZE:
+        case CLEFT_OPTION_KEEP_THIN:
         case CLEFT_OPTION_TETS:
             return sizes_group;
         default:

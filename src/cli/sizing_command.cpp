@@ -37,6 +37,7 @@ bool shapes_the_field(cleft_option key)
         case CLEFT_OPTION_FEATURE_SCALE:
         case CLEFT_OPTION_GRADATION:
         case CLEFT_OPTION_INTERFACE_SIZE:
+        case CLEFT_OPTION_KEEP_THIN:
         case CLEFT_OPTION_TETS:
         case CLEFT_OPTION_SMOOTH:
             return true;

@@ -114,13 +114,35 @@ std::string dihedral_histogram(const cleft_quality& quality)
     return text;
 }
 
-std::string label_report_table(const std::vector<cleft_label_report>& rows,
-                               const std::function<bool(int32_t)>& left_out, std::size_t limit)
+namespace
 {
-    std::vector<cleft_label_report> kept;
-    for (const cleft_label_report& row : rows)
+
+// Empty if all large pieces are as they were.
+std::string pieces_line(const std::vector<LabelFindings>& rows)
+{
+    int64_t all = 0, lost = 0, broken = 0, joined = 0;
+    for (const LabelFindings& row : rows) {
+        all += row.large_components;
+        lost += row.large_components_lost;
+        broken += row.large_components_broken;
+        joined += row.large_components_joined;
+    }
+    if (lost + broken + joined == 0)
+        return "";
+    return "of " + grouped(all) + " pieces of more than 30 voxels " + grouped(lost) + " are lost, " + grouped(broken) +
+           " broke, and " + grouped(joined) + " grew together with others of their label\n";
+}
+
+}  // namespace
+
+std::string label_report_table(const std::vector<LabelFindings>& rows, const std::function<bool(int32_t)>& left_out,
+                               std::size_t limit)
+{
+    std::vector<LabelFindings> kept;
+    for (const LabelFindings& row : rows)
         if (!left_out(row.label))
             kept.push_back(row);
+    const std::string pieces_of_all = pieces_line(kept);
     std::string text = "Labels";
     if (rows.size() > kept.size())
         text += ", " + grouped(static_cast<int64_t>(rows.size() - kept.size())) + " left out as asked";
@@ -135,14 +157,14 @@ std::string label_report_table(const std::vector<cleft_label_report>& rows,
     text += "\n";
     const std::vector<std::size_t> widths = {11, 12, 13, 13, 8, 12, 11};
     text += row_of({"label", "voxels", "voxel volume", "mesh volume", "differ", "tetrahedra", "pieces"}, widths);
-    for (const cleft_label_report& row : kept) {
+    for (const LabelFindings& row : kept) {
         const std::string pieces = std::to_string(row.voxel_components) + " -> " + std::to_string(row.mesh_components);
         text += row_of({std::to_string(row.label), grouped(row.voxels), significant(row.voxel_volume, 6),
                         significant(row.mesh_volume, 6), decimals(difference_percent(row), 2) + " %", grouped(row.tets),
                         row.lost != 0 ? "LOST" : pieces},
                        widths);
     }
-    return text;
+    return text + pieces_of_all;
 }
 
 std::string time_line(const Session& session, int64_t tets)

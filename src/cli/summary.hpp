@@ -19,7 +19,7 @@ std::string mesh_lines(const MeshFindings& mesh);
 std::string dihedral_histogram(const cleft_quality& quality);
 
 // One line a label; at most `limit` of them, those whose volumes differ most.
-std::string label_report_table(const std::vector<cleft_label_report>& rows,
+std::string label_report_table(const std::vector<LabelFindings>& rows,
                                const std::function<bool(int32_t label)>& left_out, std::size_t limit);
 
 std::string time_line(const Session& session, int64_t tets);

@@ -37,23 +37,39 @@ void add(std::vector<Shared>& shared, const Shared& next)
         shared.push_back(next);
 }
 
-// By component: in how many parts of the mesh it is, small ones not counted, up to 2.
-std::vector<uint8_t> parts_of_components(std::vector<Shared>& shared, size_t components, double least)
+// Each pair once, those of little volume left out, by component and then by part.
+std::vector<Shared> summed(std::vector<Shared> shared, double least)
 {
     std::sort(shared.begin(), shared.end(), [](const Shared& a, const Shared& b) {
         return a.component != b.component ? a.component < b.component : a.part < b.part;
     });
-    std::vector<uint8_t> parts(components, 0);
-    for (auto first = shared.begin(); first != shared.end();) {
-        double volume = 0;
-        auto last = first;
-        for (; last != shared.end() && last->component == first->component && last->part == first->part; ++last)
-            volume += last->volume;
-        uint8_t& count = parts[static_cast<size_t>(first->component)];
-        count = static_cast<uint8_t>(count + (volume >= least && count < 2));
-        first = last;
-    }
-    return parts;
+    std::vector<Shared> pairs;
+    for (const Shared& next : shared)
+        add(pairs, next);
+    pairs.erase(std::remove_if(pairs.begin(), pairs.end(), [&](const Shared& s) { return s.volume < least; }),
+                pairs.end());
+    return pairs;
+}
+
+// By component: whether it is in several parts of the mesh.
+std::vector<uint8_t> broken_components(const std::vector<Shared>& pairs, size_t components)
+{
+    std::vector<uint8_t> broken(components, 0);
+    for (size_t i = 1; i < pairs.size(); ++i)
+        if (pairs[i].component == pairs[i - 1].component)
+            broken[static_cast<size_t>(pairs[i].component)] = 1;
+    return broken;
+}
+
+// By component: whether it shares a part of the mesh with another.
+std::vector<uint8_t> joined_components(std::vector<Shared> pairs, size_t components)
+{
+    std::stable_sort(pairs.begin(), pairs.end(), [](const Shared& a, const Shared& b) { return a.part < b.part; });
+    std::vector<uint8_t> joined(components, 0);
+    for (size_t i = 1; i < pairs.size(); ++i)
+        if (pairs[i].part == pairs[i - 1].part)
+            joined[static_cast<size_t>(pairs[i].component)] = joined[static_cast<size_t>(pairs[i - 1].component)] = 1;
+    return joined;
 }
 
 }  // namespace
@@ -91,14 +107,17 @@ std::vector<LabelRow> label_report(const Volume& volume, const LabelledMesh& mes
         if (components.voxels[c] > kLargeComponent)
             add(shared, {component, part[t], orient(point(0), point(1), point(2), point(3)) / 6});
     }
-    const std::vector<uint8_t> in_parts = parts_of_components(shared, is_met.size(), kLeastPart * grid.spacing.prod());
+    const std::vector<Shared> pairs = summed(std::move(shared), kLeastPart * grid.spacing.prod());
+    const std::vector<uint8_t> broken = broken_components(pairs, is_met.size());
+    const std::vector<uint8_t> joined = joined_components(pairs, is_met.size());
     for (size_t c = 0; c < is_met.size(); ++c) {
         LabelRow& row = rows[static_cast<size_t>(components.material[c])];
         ++row.voxel_components;
         if (components.voxels[c] > kLargeComponent) {
             ++row.large_components;
             row.large_components_lost += is_met[c] == 0;
-            row.large_components_broken += in_parts[c] > 1;
+            row.large_components_broken += broken[c];
+            row.large_components_joined += joined[c];
         }
     }
     return rows;

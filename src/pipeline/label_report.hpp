@@ -17,6 +17,7 @@ struct LabelRow {
     int64_t voxel_components = 0, mesh_components = 0;
     // Of more than kLargeComponent voxels: all, those without a tetrahedron, and those in several parts of the mesh.
     int64_t large_components = 0, large_components_lost = 0, large_components_broken = 0;
+    int64_t large_components_joined = 0;  // those in a part of the mesh with another of them
 };
 
 inline constexpr int64_t kLargeComponent = 30;

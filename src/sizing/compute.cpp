@@ -3,6 +3,7 @@
 #include "base/stage_timer.hpp"
 #include "sizing/feature_size.hpp"
 #include "sizing/gradient_limit.hpp"
+#include "sizing/one_voxel.hpp"
 
 #include <cmath>
 #include <limits>
@@ -43,6 +44,7 @@ struct Limits {
     double greatest;       // where nothing asks for less
     double least_feature;  // no feature asks for less
     double least;          // nothing asks for less
+    double thin;           // of parts that are one voxel thick, if they are to be kept
 };
 
 double default_size_max(const Grid& grid)
@@ -53,13 +55,14 @@ double default_size_max(const Grid& grid)
 
 Limits limits_of(const Grid& grid, const SizingOptions& options)
 {
+    const double thin = std::max(options.size_min, 0.5 * grid.spacing.minCoeff());
     if (options.size > 0)
-        return {options.size, options.size, std::min(options.size, options.size_min)};
+        return {options.size, options.size, std::min(options.size, options.size_min), thin};
     double greatest = options.size_max > 0 ? options.size_max : default_size_max(grid);
     if (options.size_max <= 0)
         greatest = std::max(greatest, options.size_min);
     const double least = options.size_min > 0 ? options.size_min : std::min(grid.spacing.minCoeff(), greatest);
-    return {greatest, least, options.size_min};
+    return {greatest, least, options.size_min, thin};
 }
 
 // The greatest size in each material: the limit, or the size of its label.
@@ -108,6 +111,15 @@ void lower_to_features(const FeatureSizes& features, const SizingOptions& option
     }
 }
 
+void lower_to_one_voxel_parts(const Labelling& labelling, const Limits& limits, std::vector<float>& h,
+                              const Progress& progress)
+{
+    const std::vector<uint8_t> near = near_one_voxel_parts(labelling, progress);
+    for (size_t v = 0; v < h.size(); ++v)
+        if (near[v])
+            h[v] = std::min(h[v], static_cast<float>(limits.thin));
+}
+
 void lower_to_user(const float* user, const Limits& limits, std::vector<float>& h)
 {
     for (size_t v = 0; v < h.size(); ++v) {
@@ -147,6 +159,8 @@ SizingField field_of(const Sources& from, const Limits& limits, const Progress& 
     if (!from.options.label_sizes.empty())
         lower_to_material_sizes(from.labelling, material_sizes(from.labels, from.options, limits, progress.run),
                                 field.h, progress.part(0, 0.15));
+    if (from.options.keep_thin)
+        lower_to_one_voxel_parts(from.labelling, limits, field.h, progress.part(0, 0.15));
     if (from.options.user)
         lower_to_user(from.options.user, limits, field.h);
     limit_gradient(grid, from.options.gradation, field.h, progress.part(0.15, 1));
@@ -165,8 +179,9 @@ void keep_to_number(const Sources& from, Limits limits, SizingField& field, cons
         return;
     double expected = asked;
     for (int round = 0; round < kRounds && expected > 1.02 * wanted; ++round) {
-        limits.least_feature =
-            std::max(limits.least_feature * std::pow(expected / wanted, 1 / kPower), 1.02 * limits.least_feature);
+        const double factor = std::max(std::pow(expected / wanted, 1 / kPower), 1.02);
+        limits.least_feature *= factor;
+        limits.thin *= factor;
         limits.greatest = std::max(limits.greatest, limits.least_feature);
         field = SizingField();
         field = field_of(from, limits, progress);

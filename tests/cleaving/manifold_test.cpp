@@ -1,11 +1,7 @@
 // Where only two labels meet, they meet in surfaces: on every background, of any volume.
-#include "cleft/cleft.h"
 #include "support/cmocka.hpp"
+#include "support/meshing.hpp"
 #include "support/pinches.hpp"
-#include "support/volumes.hpp"
-
-#include <cstring>
-#include <string>
 
 using namespace cleft_test;
 
@@ -61,17 +57,6 @@ std::vector<LabelVolume> volumes()
             random_walk(dims, true, 2)};
 }
 
-int64_t metric(const cleft_context* context, const char* wanted)
-{
-    for (int64_t i = 0; i < cleft_context_metric_count(context); ++i) {
-        const char* name = nullptr;
-        double value = 0;
-        if (cleft_context_metric(context, i, &name, &value) == CLEFT_OK && !std::strcmp(name, wanted))
-            return static_cast<int64_t>(value);
-    }
-    return -1;
-}
-
 struct Outcome {
     std::string failure;
     Pinches pinches;
@@ -79,35 +64,11 @@ struct Outcome {
     std::vector<int32_t> labels;
 };
 
-Outcome mesh_of(const LabelVolume& labels, const char* background, const char* improve)
+Outcome outcome_of(const LabelVolume& labels, const char* background, const char* improve)
 {
-    Outcome outcome;
-    cleft_context* context = nullptr;
-    cleft_options* options = nullptr;
-    cleft_volume* volume = nullptr;
-    cleft_mesh* mesh = nullptr;
-    const int64_t dims[3] = {labels.dims[0], labels.dims[1], labels.dims[2]};
-    const bool done = cleft_context_create(&context) == CLEFT_OK && cleft_options_create(&options) == CLEFT_OK &&
-                      cleft_options_set_text(options, "background", background) == CLEFT_OK &&
-                      cleft_options_set_text(options, "improve", improve) == CLEFT_OK &&
-                      cleft_volume_create_labels(context, CLEFT_TYPE_UINT8, labels.voxels.data(), dims, nullptr,
-                                                 options, &volume) == CLEFT_OK &&
-                      cleft_mesh_volume(context, volume, nullptr, nullptr, options, &mesh) == CLEFT_OK;
-    if (done) {
-        std::vector<std::array<int32_t, 4>> tets(static_cast<size_t>(cleft_mesh_tet_count(mesh)));
-        std::memcpy(tets.data(), cleft_mesh_tets(mesh), tets.size() * sizeof(tets[0]));
-        outcome.labels.assign(cleft_mesh_tet_labels(mesh), cleft_mesh_tet_labels(mesh) + tets.size());
-        outcome.pinches = count_pinches(tets, outcome.labels);
-        outcome.pinched = metric(context, "cleaving.pinched");
-        outcome.left = metric(context, "cleaving.left_pinched");
-    } else {
-        outcome.failure = context ? cleft_context_last_error(context) : "no context";
-    }
-    cleft_mesh_destroy(mesh);
-    cleft_volume_destroy(volume);
-    cleft_options_destroy(options);
-    cleft_context_destroy(context);
-    return outcome;
+    const Meshed mesh = mesh_of(labels, {{"background", background}, {"improve", improve}});
+    return {mesh.failure, count_pinches(mesh.tets, mesh.labels), static_cast<int64_t>(mesh.metric("cleaving.pinched")),
+            static_cast<int64_t>(mesh.metric("cleaving.left_pinched")), mesh.labels};
 }
 
 }  // namespace
@@ -117,7 +78,7 @@ static void no_edge_of_two_labels_is_pinched(void**)
     int64_t pinched = 0;
     for (const LabelVolume& labels : volumes())
         for (const char* background : kBackgrounds) {
-            const Outcome outcome = mesh_of(labels, background, "fast");
+            const Outcome outcome = outcome_of(labels, background, "fast");
             assert_string_equal(outcome.failure.c_str(), "");
             assert_int_equal(outcome.pinches.edges, 0);
             assert_true(outcome.pinches.points <= outcome.left);
@@ -131,7 +92,7 @@ static void improving_pinches_nothing(void**)
 {
     for (const char* background : kBackgrounds) {
         const LabelVolume labels = noise({10, 10, 10}, 2);
-        const Outcome before = mesh_of(labels, background, "off"), after = mesh_of(labels, background, "best");
+        const Outcome before = outcome_of(labels, background, "off"), after = outcome_of(labels, background, "best");
         assert_string_equal((before.failure + after.failure).c_str(), "");
         assert_int_equal(before.pinches.edges + after.pinches.edges, 0);
         assert_int_equal(before.pinches.points, after.pinches.points);
@@ -145,7 +106,7 @@ static void rare_labels_are_kept(void**)
     for (uint8_t label = 2; label < 8; ++label)
         labels.voxels[label * 111u] = label;
     for (const char* background : {"octree", "lattice"}) {
-        const Outcome outcome = mesh_of(labels, background, "off");
+        const Outcome outcome = outcome_of(labels, background, "off");
         assert_string_equal(outcome.failure.c_str(), "");
         for (int32_t label = 0; label < 8; ++label)
             assert_true(std::count(outcome.labels.begin(), outcome.labels.end(), label) > 0);

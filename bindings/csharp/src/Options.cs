@@ -77,6 +77,13 @@ namespace Cleft
             set { Set(CleftNative.CLEFT_OPTION_TETS, value); }
         }
 
+        /// <summary>Do parts of labels that are one voxel thick get edges so short that they come out whole?</summary>
+        public bool KeepThin
+        {
+            get { return Integer(CleftNative.CLEFT_OPTION_KEEP_THIN) != 0; }
+            set { Set(CleftNative.CLEFT_OPTION_KEEP_THIN, value ? 1L : 0L); }
+        }
+
         /// <summary>About how many tetrahedra there may be: where SizeMin is 0, the least edge is raised for it; 0: no limit.</summary>
         public long MaxTets
         {

@@ -218,7 +218,7 @@ namespace Cleft
     /// <summary>What became of one label. Volumes are in world units cubed.</summary>
     public sealed class LabelReport
     {
-        internal LabelReport(NativeLabelReport row)
+        internal LabelReport(NativeLabelReport row, long joined)
         {
             Label = row.label;
             Voxels = row.voxels;
@@ -229,6 +229,8 @@ namespace Cleft
             MeshComponents = row.mesh_components;
             LargeComponents = row.large_components;
             LargeComponentsLost = row.large_components_lost;
+            LargeComponentsBroken = row.large_components_broken;
+            LargeComponentsJoined = joined;
             Lost = row.lost != 0;
         }
 
@@ -250,6 +252,10 @@ namespace Cleft
         public long LargeComponents { get; }
         /// <summary>Of those, the ones in which no tetrahedron of the label lies.</summary>
         public long LargeComponentsLost { get; }
+        /// <summary>Of those, the ones that lie in several components of the mesh.</summary>
+        public long LargeComponentsBroken { get; }
+        /// <summary>Of those, the ones that lie in one component of the mesh with another.</summary>
+        public long LargeComponentsJoined { get; }
         /// <summary>Has the label voxels, but no tetrahedron?</summary>
         public bool Lost { get; }
 

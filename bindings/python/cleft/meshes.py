@@ -116,7 +116,8 @@ class Mesh(Owner):
         for index in range(native.cleft_report_count(handle)):
             struct = native.NativeLabelReport()
             raise_for(native.cleft_report_label(handle, index, struct), "no such row")
-            rows_of_report.append(from_struct(LabelReport, struct))
+            joined = native.cleft_report_joined(handle, index)
+            rows_of_report.append(from_struct(LabelReport, struct, large_components_joined=joined))
         return rows_of_report
 
     def write(self, path: str | os.PathLike[str], format: str | None = None, *, mesher: Mesher | None = None) -> None:

@@ -23,6 +23,7 @@ class OptionKeywords(TypedDict, total=False):
     feature_scale: float
     gradation: float
     interface_size: float
+    keep_thin: bool
     tets: int
     max_tets: int
     smooth: int

@@ -67,6 +67,8 @@ class LabelReport:
     mesh_components: int
     large_components: int  #: voxel components of more than 30 voxels
     large_components_lost: int  #: of those, the ones in which no tetrahedron of the label lies
+    large_components_broken: int  #: of those, the ones that lie in several components of the mesh
+    large_components_joined: int  #: of those, the ones that lie in one component of the mesh with another
     lost: bool  #: the label has voxels but no tetrahedron
 
 

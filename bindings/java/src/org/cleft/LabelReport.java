@@ -12,6 +12,8 @@ package org.cleft;
  * @param meshComponents pieces of its tetrahedra, joined by faces
  * @param largeComponents voxel components of more than 30 voxels
  * @param largeComponentsLost of those, the ones in which no tetrahedron of the label lies
+ * @param largeComponentsBroken of those, the ones that lie in several components of the mesh
+ * @param largeComponentsJoined of those, the ones that lie in one component of the mesh with another
  * @param lost whether the label has voxels but no tetrahedron
  */
 public record LabelReport(
@@ -24,10 +26,12 @@ public record LabelReport(
         long meshComponents,
         long largeComponents,
         long largeComponentsLost,
+        long largeComponentsBroken,
+        long largeComponentsJoined,
         boolean lost) {
-    static LabelReport of(NativeLabelReport row) {
+    static LabelReport of(NativeLabelReport row, long joined) {
         return new LabelReport(row.getLabel(), row.getVoxels(), row.getVoxel_volume(), row.getMesh_volume(),
                 row.getTets(), row.getVoxel_components(), row.getMesh_components(), row.getLarge_components(),
-                row.getLarge_components_lost(), row.getLost() != 0);
+                row.getLarge_components_lost(), row.getLarge_components_broken(), joined, row.getLost() != 0);
     }
 }

@@ -455,7 +455,7 @@ public final class Mesher extends NativeObject {
             List<LabelReport> rows = new ArrayList<>();
             for (long index = 0; index < CleftNative.cleft_report_count(report); ++index) {
                 CleftException.check(CleftNative.cleft_report_label(report, index, row));
-                rows.add(LabelReport.of(row));
+                rows.add(LabelReport.of(row, CleftNative.cleft_report_joined(report, index)));
             }
             return List.copyOf(rows);
         } finally {

@@ -173,6 +173,25 @@ public final class Options extends NativeObject {
     }
 
     /**
+     * Sets whether parts of labels that are one voxel thick get edges so short that they come out whole.
+     *
+     * @param value the new value
+     * @return these options
+     */
+    public Options keepThin(boolean value) {
+        return set(CleftNative.CLEFT_OPTION_KEEP_THIN, value ? 1L : 0L);
+    }
+
+    /**
+     * Whether parts of labels that are one voxel thick get edges so short that they come out whole.
+     *
+     * @return the value
+     */
+    public boolean keepThin() {
+        return integer(CleftNative.CLEFT_OPTION_KEEP_THIN) != 0;
+    }
+
+    /**
      * Sets about how many tetrahedra there may be: where sizeMin is 0, the least edge length is raised for it; 0: no limit.
      *
      * @param value the new value
