@@ -103,7 +103,20 @@ std::array<int32_t, 3> cell_counts(const Vec3& extent, double size)
     return cells;
 }
 
+constexpr double kTetsACell = 12;
+
 }  // namespace
+
+double expected_lattice_tets(const Grid& grid, double size)
+{
+    const double side = size / kMeanEdge;
+    return kTetsACell * grid.extent().prod() / (side * side * side);
+}
+
+double lattice_size_for(const Grid& grid, double tets)
+{
+    return kMeanEdge * std::cbrt(kTetsACell * grid.extent().prod() / tets);
+}
 
 TetMesh lattice_background(const Grid& grid, double size, const Run& run)
 {

@@ -47,6 +47,33 @@ void warn_of_coarse_lattice(const SizingField& field, const Run& run)
                                        " resolves them, or a graded background with fewer tetrahedra");
 }
 
+// The least that the field asks for. Where only features ask for it, not the user, a lattice that would have more than
+// max_tets is made coarser: one thin part would make it fill the memory.
+double lattice_size(const SizingField& field, const PipelineOptions& options, const Run& run)
+{
+    const double least = field.least(), most = options.sizing.max_tets;
+    const bool is_asked_for = options.sizing.size > 0 || options.sizing.size_min > 0 || least == field.greatest();
+    const double asked = expected_lattice_tets(field.grid, least);
+    if (most <= 0 || is_asked_for || asked <= most)
+        return least;
+    const double size = lattice_size_for(field.grid, most);
+    run.say(CLEFT_LOG_WARNING, "a lattice of the least size, " + std::to_string(least) + ", has about " +
+                                   std::to_string(std::llround(asked)) + " tetrahedra: its size was raised to " +
+                                   std::to_string(size) + " to keep to max_tets, " +
+                                   std::to_string(std::llround(most)));
+    return size;
+}
+
+// Where the search for a number begins: a lattice as fine as the field asks for could fill the memory.
+double first_factor(const SizingField& field, const PipelineOptions& options)
+{
+    constexpr double kCleavedOverBackground = 1.2;
+    if (options.background != BackgroundKind::lattice)
+        return 1;
+    const double wanted = static_cast<double>(options.tets) / kCleavedOverBackground;
+    return std::max(1.0, lattice_size_for(field.grid, wanted) / field.least());
+}
+
 LabelledMesh finished(const Volume& volume, LabelledMesh mesh, const PipelineOptions& options, const Run& run)
 {
     if (options.strict)
@@ -103,10 +130,10 @@ LabelledMesh attempt_number(const Volume& volume, SizingField& field, const Pipe
     NumberSearch search(wanted);
     Run silent = run;  // warnings are of the mesh that is kept
     silent.log = nullptr;
-    double factor = 1, next = 1;
+    double factor = 1, next = first_factor(field, options);
     LabelledMesh mesh;
     for (int round = 0; round < kRounds; ++round) {
-        if (round > 0)
+        if (next != factor)
             scale_sizing(field, next / factor, run);
         factor = next;
         mesh = LabelledMesh();
@@ -160,7 +187,7 @@ TetMesh make_background(const SizingField& field, const PipelineOptions& options
             break;
         case BackgroundKind::lattice:
             warn_of_coarse_lattice(field, run);
-            mesh = lattice_background(field.grid, field.least(), run);
+            mesh = lattice_background(field.grid, lattice_size(field, options, run), run);
             break;
         case BackgroundKind::octree:
             mesh = octree_background(field, run);
