@@ -31,7 +31,7 @@ def mesh(cleft, files, options, folder):
                *map(str, options)]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode != 0:
-        return None, done.stderr.strip().splitlines()[-1]
+        return None, (done.stderr.strip() or "ended by %d" % done.returncode).splitlines()[-1]
     return json.loads(report.read_text()), surface
 
 
