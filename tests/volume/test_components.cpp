@@ -13,8 +13,8 @@ namespace
 Volume noise(const Dims& dims, int labels)
 {
     Random random(7);
-    const LabelVolume map = make_labels(
-        dims, [&](int32_t, int32_t, int32_t) { return static_cast<int>(random.unit() * labels); });
+    const LabelVolume map =
+        make_labels(dims, [&](int32_t, int32_t, int32_t) { return static_cast<int>(random.unit() * labels); });
     Grid grid;
     grid.dims = dims;
     return Volume::from_labels(VoxelType::uint8, map.voxels.data(), grid, 5, Run());
