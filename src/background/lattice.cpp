@@ -107,12 +107,6 @@ constexpr double kTetsACell = 12;
 
 }  // namespace
 
-double expected_lattice_tets(const Grid& grid, double size)
-{
-    const double side = size / kMeanEdge;
-    return kTetsACell * grid.extent().prod() / (side * side * side);
-}
-
 double lattice_size_for(const Grid& grid, double tets)
 {
     return kMeanEdge * std::cbrt(kTetsACell * grid.extent().prod() / tets);

@@ -14,8 +14,7 @@ namespace cleft
 // Needs no Delaunay engine. Dihedral angles of cubic cells: 60 and 90 degrees inside, 45 and more at the walls.
 TetMesh lattice_background(const Grid& grid, double size, const Run& run);
 
-// How many tetrahedra it has, about, and the size that gives a number of them.
-double expected_lattice_tets(const Grid& grid, double size);
+// The size that gives about so many tetrahedra.
 double lattice_size_for(const Grid& grid, double tets);
 
 }  // namespace cleft

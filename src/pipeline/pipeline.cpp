@@ -53,10 +53,12 @@ double lattice_size(const SizingField& field, const PipelineOptions& options, co
 {
     const double least = field.least(), most = options.sizing.max_tets;
     const bool is_asked_for = options.sizing.size > 0 || options.sizing.size_min > 0 || least == field.greatest();
-    const double asked = expected_lattice_tets(field.grid, least);
-    if (most <= 0 || is_asked_for || asked <= most)
+    if (most <= 0 || is_asked_for)
         return least;
     const double size = lattice_size_for(field.grid, most);
+    if (size <= least)
+        return least;
+    const double asked = most * std::pow(size / least, 3);
     run.say(CLEFT_LOG_WARNING, "a lattice of the least size, " + std::to_string(least) + ", has about " +
                                    std::to_string(std::llround(asked)) + " tetrahedra: its size was raised to " +
                                    std::to_string(size) + " to keep to max_tets, " +
