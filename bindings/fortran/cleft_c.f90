@@ -436,6 +436,21 @@ module cleft_c
       type(c_ptr) :: answer
     end function
 
+    function cleft_volume_set_label_name(volume, label, name) bind(C) result(answer)
+      import
+      type(c_ptr), value :: volume
+      integer(c_int32_t), value :: label
+      type(c_ptr), value :: name
+      integer(c_int32_t) :: answer
+    end function
+
+    function cleft_volume_label_name(volume, label) bind(C) result(answer)
+      import
+      type(c_ptr), value :: volume
+      integer(c_int32_t), value :: label
+      type(c_ptr) :: answer
+    end function
+
     function cleft_volume_copy_voxel_counts(volume, counts, capacity) bind(C) result(answer)
       import
       type(c_ptr), value :: volume
@@ -617,6 +632,21 @@ module cleft_c
     function cleft_mesh_labels(mesh) bind(C) result(answer)
       import
       type(c_ptr), value :: mesh
+      type(c_ptr) :: answer
+    end function
+
+    function cleft_mesh_set_label_name(mesh, label, name) bind(C) result(answer)
+      import
+      type(c_ptr), value :: mesh
+      integer(c_int32_t), value :: label
+      type(c_ptr), value :: name
+      integer(c_int32_t) :: answer
+    end function
+
+    function cleft_mesh_label_name(mesh, label) bind(C) result(answer)
+      import
+      type(c_ptr), value :: mesh
+      integer(c_int32_t), value :: label
       type(c_ptr) :: answer
     end function
 

@@ -13,8 +13,9 @@
  *    untouched, for numbers and buffers) on failure: there is never half a result.
  *  - Handles are opaque. `_create` gives a handle that the caller owns and gives back to `_destroy`; `_destroy` takes
  *    NULL. Handles other than contexts and options are immutable once made and may be read from many threads at once,
- *    also after the context that made them is gone. A context serves one thread at a time, except
- *    cleft_context_cancel(). The library has no global or thread-local state and prints nothing.
+ *    also after the context that made them is gone. (Names of labels are the one exception: set them before.) A context
+ * serves one thread at a time, except cleft_context_cancel(). The library has no global or thread-local state and
+ * prints nothing.
  *  - Arrays that come in are copied. Arrays that go out are either borrowed (`const` pointers, valid until the handle
  *    is destroyed; NULL if there are no elements) or copied into the caller's buffer (`_copy_`).
  *  - Counts are int64_t. Point numbers are int32_t, from 0 unless a function takes an index base. Coordinates are
@@ -257,6 +258,14 @@ CLEFT_API cleft_status cleft_volume_affine(const cleft_volume* volume, double af
 CLEFT_API int64_t cleft_volume_label_count(const cleft_volume* volume) CLEFT_NOEXCEPT;
 /** The label of each material, ascending for a label map; borrowed. \since 0.1 */
 CLEFT_API const int32_t* cleft_volume_labels(const cleft_volume* volume) CLEFT_NOEXCEPT;
+/** Names a label, in one line of UTF-8, which is copied; NULL or "" takes the name away. Meshes of the volume have its
+ *  names. Set them before others read the volume. CLEFT_ERROR_ARGUMENT if the volume has no such label, or if the name
+ *  is not UTF-8 or has a control character in it. \since 0.1 */
+CLEFT_API cleft_status cleft_volume_set_label_name(cleft_volume* volume, int32_t label,
+                                                   const char* name) CLEFT_NOEXCEPT;
+/** The name of a label, UTF-8, "" if it has none; borrowed until it is set again or the volume is destroyed.
+ *  \since 0.1 */
+CLEFT_API const char* cleft_volume_label_name(const cleft_volume* volume, int32_t label) CLEFT_NOEXCEPT;
 /** Voxels of each material, `capacity` >= label count. \since 0.1 */
 CLEFT_API cleft_status cleft_volume_copy_voxel_counts(const cleft_volume* volume, int64_t* counts,
                                                       int64_t capacity) CLEFT_NOEXCEPT;
@@ -350,6 +359,13 @@ CLEFT_API const int32_t* cleft_mesh_tet_labels(const cleft_mesh* mesh) CLEFT_NOE
 CLEFT_API int64_t cleft_mesh_label_count(const cleft_mesh* mesh) CLEFT_NOEXCEPT;
 /** The different labels, ascending; borrowed. \since 0.1 */
 CLEFT_API const int32_t* cleft_mesh_labels(const cleft_mesh* mesh) CLEFT_NOEXCEPT;
+
+/** Names a label of the mesh: see cleft_volume_set_label_name(). Meshes made of a volume have its names, of the labels
+ *  that they have; cleft_mesh_improve() and cleft_mesh_strip() keep a mesh's. \since 0.1 */
+CLEFT_API cleft_status cleft_mesh_set_label_name(cleft_mesh* mesh, int32_t label, const char* name) CLEFT_NOEXCEPT;
+/** The name of a label, UTF-8, "" if it has none; borrowed until it is set again or the mesh is destroyed. \since 0.1
+ */
+CLEFT_API const char* cleft_mesh_label_name(const cleft_mesh* mesh, int32_t label) CLEFT_NOEXCEPT;
 
 /** Copies the points; `capacity` is in doubles and must be at least 3 * point count. \since 0.1 */
 CLEFT_API cleft_status cleft_mesh_copy_points(const cleft_mesh* mesh, double* points, int64_t capacity) CLEFT_NOEXCEPT;

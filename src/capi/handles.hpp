@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/metrics.hpp"
+#include "capi/label_names.hpp"
 #include "capi/option_table.hpp"
 #include "mesh/interfaces.hpp"
 #include "mesh/tet_mesh.hpp"
@@ -61,6 +62,7 @@ struct cleft_volume {
     cleft::capi::Mark mark = cleft::capi::Mark::volume;
     cleft::Frame frame;
     cleft::Volume volume;
+    cleft::capi::LabelNames names;
 };
 
 struct cleft_sizing {
@@ -74,6 +76,7 @@ struct cleft_mesh {
     std::optional<cleft::Frame> frame;  // of the volume or sizing field that it came from
     cleft::LabelledMesh mesh;           // world coordinates; `material` holds the user's labels
     std::vector<int32_t> labels;        // the different ones, ascending
+    cleft::capi::LabelNames names;
 };
 
 struct cleft_surface {

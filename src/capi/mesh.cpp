@@ -117,6 +117,19 @@ const int32_t* cleft_mesh_labels(const cleft_mesh* mesh) noexcept
     return is_sound(mesh) ? data_or_null(mesh->labels) : nullptr;
 }
 
+cleft_status cleft_mesh_set_label_name(cleft_mesh* mesh, int32_t label, const char* name) noexcept
+{
+    return guarded(nullptr, [&] {
+        cleft_mesh& m = checked(mesh, "mesh");
+        set_label_name(m.names, m.labels, label, name, "the mesh");
+    });
+}
+
+const char* cleft_mesh_label_name(const cleft_mesh* mesh, int32_t label) noexcept
+{
+    return is_sound(mesh) ? label_name(mesh->names, label) : "";
+}
+
 cleft_status cleft_mesh_copy_points(const cleft_mesh* mesh, double* points, int64_t capacity) noexcept
 {
     return guarded(nullptr, [&] {

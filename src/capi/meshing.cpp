@@ -6,6 +6,7 @@
 #include "mesh/finish.hpp"
 
 #include <algorithm>
+#include <utility>
 
 using namespace cleft::capi;
 using cleft::Error;
@@ -43,6 +44,16 @@ void strip(cleft_mesh& mesh, const cleft_options* options)
     for (int32_t& label : mesh.mesh.material)
         label = mesh.labels[static_cast<size_t>(label)];
     mesh.labels = distinct_labels(mesh.mesh.material);
+    const LabelNames all = std::exchange(mesh.names, {});
+    add_label_names(mesh.names, all, mesh.labels);
+}
+
+// A mesh of a volume, under the volume's labels and their names.
+cleft_mesh to_user(LabelledMesh&& mesh, const cleft_volume& volume)
+{
+    cleft_mesh out = cleft::capi::to_user(std::move(mesh), volume.frame, volume.volume.labels());
+    add_label_names(out.names, volume.names, out.labels);
+    return out;
 }
 
 // Stages build on positively oriented, conforming backgrounds; a user's own mesh is looked at first.
@@ -97,7 +108,7 @@ cleft_status cleft_background_create(cleft_context* context, const cleft_sizing*
         cleft::TetMesh mesh = cleft::make_background(s.field, pipeline_options(options), run);
         LabelledMesh labelled{std::move(mesh.points), std::move(mesh.tets), {}};
         labelled.material.assign(labelled.tets.size(), 0);
-        return to_user(std::move(labelled), s.frame, {0});
+        return cleft::capi::to_user(std::move(labelled), s.frame, {0});
     });
 }
 
@@ -110,8 +121,7 @@ cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volum
         p.improve.effort = cleft::Effort::off;
         cleft::TetMesh mesh = checked_background(checked(background, "background"), v.frame);
         cleft::repair_background(mesh, p, cleft::part_of(run, 0.0, 0.3));
-        return to_user(cleft::cleave_and_improve(v.volume, mesh, p, cleft::part_of(run, 0.3, 1.0)), v.frame,
-                       v.volume.labels());
+        return to_user(cleft::cleave_and_improve(v.volume, mesh, p, cleft::part_of(run, 0.3, 1.0)), v);
     });
 }
 
@@ -121,10 +131,14 @@ cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volu
     return guarded_create(context, out, [&](const Run& run) {
         const cleft_volume& v = checked(volume, "volume");
         const cleft::PipelineOptions p = pipeline_options(options);
-        LabelledMesh work = to_stage(checked(mesh, "mesh"), v);
+        const cleft_mesh& from = checked(mesh, "mesh");
+        LabelledMesh work = to_stage(from, v);
         const cleft::StageTimer timer(run, "improving");
         cleft::improve(work, v.volume, p.improve, run);
-        return to_user(std::move(work), v.frame, v.volume.labels());
+        cleft_mesh result = cleft::capi::to_user(std::move(work), v.frame, v.volume.labels());
+        add_label_names(result.names, from.names, result.labels);
+        add_label_names(result.names, v.names, result.labels);
+        return result;
     });
 }
 
@@ -144,7 +158,7 @@ cleft_status cleft_mesh_volume(cleft_context* context, const cleft_volume* volum
     return guarded_create(context, out, [&](const Run& run) {
         const cleft_volume& v = checked(volume, "volume");
         LabelledMesh mesh = meshed(v, sizing, background, pipeline_options(options), run);
-        cleft_mesh result = to_user(std::move(mesh), v.frame, v.volume.labels());
+        cleft_mesh result = to_user(std::move(mesh), v);
         strip(result, options);
         note_result(run, result.mesh);
         return result;

@@ -53,8 +53,8 @@ cleft_status cleft_volume_create_labels(cleft_context* context, cleft_type type,
         const cleft::Frame frame = cleft::make_frame(required(dims, "dims"), affine);
         const int kernel = static_cast<int>(option_value(options, CLEFT_OPTION_SMOOTH));
         const cleft::StageTimer timer(run, "volume");
-        return cleft_volume{Mark::volume, frame,
-                            cleft::Volume::from_labels(voxel_type(type), voxels, frame.grid, kernel, run)};
+        return cleft_volume{
+            Mark::volume, frame, cleft::Volume::from_labels(voxel_type(type), voxels, frame.grid, kernel, run), {}};
     });
 }
 
@@ -69,9 +69,9 @@ cleft_status cleft_volume_create_indicators(cleft_context* context, cleft_type t
         const cleft::Frame frame = cleft::make_frame(required(dims, "dims"), affine);
         const cleft::StageTimer timer(run, "volume");
         if (type == CLEFT_TYPE_FLOAT32)
-            return cleft_volume{Mark::volume, frame, indicators<float>(fields, count, frame.grid, labels, run)};
+            return cleft_volume{Mark::volume, frame, indicators<float>(fields, count, frame.grid, labels, run), {}};
         if (type == CLEFT_TYPE_FLOAT64)
-            return cleft_volume{Mark::volume, frame, indicators<double>(fields, count, frame.grid, labels, run)};
+            return cleft_volume{Mark::volume, frame, indicators<double>(fields, count, frame.grid, labels, run), {}};
         throw Error(CLEFT_ERROR_ARGUMENT, "indicator functions must be FLOAT32 or FLOAT64");
     });
 }
@@ -102,6 +102,19 @@ int64_t cleft_volume_label_count(const cleft_volume* volume) noexcept
 const int32_t* cleft_volume_labels(const cleft_volume* volume) noexcept
 {
     return is_sound(volume) ? volume->volume.labels().data() : nullptr;
+}
+
+cleft_status cleft_volume_set_label_name(cleft_volume* volume, int32_t label, const char* name) noexcept
+{
+    return guarded(nullptr, [&] {
+        cleft_volume& v = checked(volume, "volume");
+        set_label_name(v.names, v.volume.labels(), label, name, "the volume");
+    });
+}
+
+const char* cleft_volume_label_name(const cleft_volume* volume, int32_t label) noexcept
+{
+    return is_sound(volume) ? label_name(volume->names, label) : "";
 }
 
 cleft_status cleft_volume_copy_voxel_counts(const cleft_volume* volume, int64_t* counts, int64_t capacity) noexcept
