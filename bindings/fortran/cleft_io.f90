@@ -142,6 +142,7 @@ contains
     reading%kind = CLEFT_IO_KIND_AUTO
     reading%reserved = 0
     reading%spacing = 0
+    reading%scale = 0
     if (present(world)) reading%world = world
     if (present(kind)) reading%kind = kind
     if (present(spacing)) reading%spacing = spacing

@@ -54,6 +54,7 @@ module cleft_io_c
     integer(c_int32_t) :: kind
     integer(c_int32_t) :: reserved
     real(c_double) :: spacing(3)
+    real(c_double) :: scale
   end type
 
   type, bind(C) :: cleft_io_raw

@@ -101,7 +101,10 @@ typedef struct cleft_io_reading {
     cleft_io_world world;
     cleft_io_kind kind;
     int32_t reserved;
-    double spacing[3]; /**< > 0: taken instead of the file's spacing along that axis of the voxels; 0: the file's */
+    double spacing[3]; /**< > 0: taken instead of the file's spacing along that axis of the voxels; 0: the file's. It is
+                        *   not multiplied by `scale`. The origin stays as the file has it */
+    double scale;      /**< > 0: the origin and the spacing of the file are multiplied by it, so that 0.001 makes metres
+                        *   of millimetres; 0: 1. Anything else is CLEFT_ERROR_ARGUMENT */
 } cleft_io_reading;
 
 /** Reads a volume. `options` (may be NULL) are those of cleft_volume_create_labels(); `reading` may be NULL for the
@@ -150,8 +153,8 @@ CLEFT_IO_API cleft_status cleft_io_write_sizing(cleft_context* context, const cl
                                                 cleft_io_world world) CLEFT_NOEXCEPT;
 
 /** Reads a field of one number a voxel, of any type, from whatever cleft_io_read_volume() reads. `dims` and `affine`
- *  (index to world, as in cleft_volume_create_labels()) may be NULL. *values is x fastest; the caller gives it back to
- *  cleft_io_free(). \since 0.1 */
+ *  (index to world, as in cleft_volume_create_labels()) may be NULL. *values is x fastest, as in the file: a scale does
+ *  not multiply the numbers. The caller gives it back to cleft_io_free(). \since 0.1 */
 CLEFT_IO_API cleft_status cleft_io_read_field(cleft_context* context, const char* path, const cleft_io_reading* reading,
                                               int64_t dims[3], double affine[12], double** values) CLEFT_NOEXCEPT;
 /** Frees an array of cleft_io_read_field(); NULL is allowed. \since 0.1 */
@@ -159,8 +162,8 @@ CLEFT_IO_API void cleft_io_free(void* array) CLEFT_NOEXCEPT;
 
 /** Reads the user's own sizing field from a file and makes a cleft_sizing of it by cleft_sizing_create_values(). The
  *  file must have as many voxels along each axis as the volume, at the same places within a hundredth of a voxel:
- *  CLEFT_ERROR_ARGUMENT if not. `reading` (may be NULL) must name the world in which the volume was read. The caller
- *  owns *out. \since 0.1 */
+ *  CLEFT_ERROR_ARGUMENT if not. `reading` (may be NULL) must name the world in which the volume was read; its scale
+ *  multiplies the edge lengths in the file, too. The caller owns *out. \since 0.1 */
 CLEFT_IO_API cleft_status cleft_io_read_sizing(cleft_context* context, const cleft_volume* volume, const char* path,
                                                const cleft_io_reading* reading, int32_t combine,
                                                const cleft_options* options, cleft_sizing** out) CLEFT_NOEXCEPT;

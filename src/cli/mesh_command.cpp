@@ -68,7 +68,8 @@ Sizing read_sizing(Session& session, const MeshArguments& arguments, const cleft
 {
     if (arguments.sizing_file.empty())
         return {};
-    const cleft_io_reading reading = arguments.input.reading();
+    cleft_io_reading reading = arguments.input.reading();
+    reading.scale = 1;  // the field is in the unit of the mesh, as `cleft sizing` writes it
     Sizing sizing;
     session.timed("read_sizing", "reading the sizing field", [&] {
         sizing = session.make<Sizing>(EXIT_CANNOT_READ, [&](cleft_sizing** out) {

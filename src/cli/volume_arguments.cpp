@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 namespace cleft_cli
@@ -23,6 +24,17 @@ std::vector<std::string> type_names()
     for (const auto& [name, number] : voxel_types)
         names.push_back(name);
     return names;
+}
+
+// CLI::PositiveNumber lets "nan" and "inf" through.
+CLI::Validator positive_length()
+{
+    return {[](const std::string& text) {
+                double value = 0;
+                const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0;
+                return good ? std::string() : "'" + text + "' is not a positive number";
+            },
+            ""};
 }
 
 cleft_io_raw raw_layout(const VolumeArguments& arguments)
@@ -67,14 +79,21 @@ void VolumeArguments::add_reading_to(CLI::App& app)
     app.add_option("--spacing", spacing, "Size of a voxel, instead of the file's")
         ->expected(3)
         ->delimiter(',')
-        ->check(CLI::PositiveNumber.description(""))
+        ->check(positive_length())
         ->type_name("H")
         ->group(group);
+    CLI::Option* unit = app.add_option("--scale", scale,
+                                       "Multiply origin and spacing of the file by S: 0.001 makes metres of\n"
+                                       "millimetres. A --spacing beside it is taken as it is")
+                            ->check(positive_length())
+                            ->type_name("S")
+                            ->group(group);
     app.add_option("--dims", dims, "Read raw voxels without a header: voxels along x (fastest), y, z")
         ->expected(3)
         ->delimiter(',')
         ->check(CLI::PositiveNumber.description(""))
         ->type_name("N")
+        ->excludes(unit)
         ->group(group);
     app.add_option("--type", type,
                    "Type of raw voxels: uint8, uint16, int16, uint32, int32, float32,\nfloat64 (default uint8)")
@@ -97,6 +116,7 @@ cleft_io_reading VolumeArguments::reading() const
                    : kind == "indicators" ? CLEFT_IO_KIND_INDICATORS
                                           : CLEFT_IO_KIND_AUTO;
     std::copy(spacing.begin(), spacing.end(), reading.spacing);
+    reading.scale = scale;
     return reading;
 }
 

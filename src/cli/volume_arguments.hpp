@@ -16,6 +16,7 @@ struct VolumeArguments {
     std::string world = "lps";
     std::string kind = "auto";
     std::vector<double> spacing;  // empty: the file's
+    double scale = 0;             // 0: none
     std::vector<int64_t> dims;    // not empty: a raw file
     std::string type = "uint8";
     int64_t skip = 0;

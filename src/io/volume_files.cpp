@@ -29,6 +29,10 @@ cleft_io_reading reading_or_defaults(const cleft_io_reading* given)
         throw Error(CLEFT_ERROR_ARGUMENT, "there is no world " + std::to_string(reading.world));
     if (reading.kind < CLEFT_IO_KIND_AUTO || reading.kind > CLEFT_IO_KIND_INDICATORS)
         throw Error(CLEFT_ERROR_ARGUMENT, "there is no kind " + std::to_string(reading.kind));
+    if (!std::isfinite(reading.scale) || reading.scale < 0)
+        throw Error(CLEFT_ERROR_ARGUMENT, "the scale of origin and spacing must be positive");
+    if (reading.scale == 0)
+        reading.scale = 1;
     return reading;
 }
 
@@ -186,7 +190,7 @@ cleft_status cleft_io_read_raw(cleft_context* context, const cleft_options* opti
         std::vector<Image> images;
         for (int64_t i = 0; i < count; ++i)
             images.push_back(read_raw_image(required(paths[i], "a path"), layout));
-        const Affine affine = affine_of(images.front(), cleft_io_reading{});
+        const Affine affine = affine_of(images.front(), reading_or_defaults(nullptr));
         if (is_floating(images.front().component)) {
             create_indicators(context, images, affine, file_list(paths, count), out);
         } else if (count == 1) {
@@ -253,7 +257,9 @@ cleft_status cleft_io_read_sizing(cleft_context* context, const cleft_volume* vo
         check(context, cleft_volume_dims(required(volume, "volume"), dims.data()), "volume: ");
         check(context, cleft_volume_affine(volume, affine.data()), "volume: ");
         Affine map{};
-        const Image image = read_field_image(required(path, "path"), reading_or_defaults(reading), map);
+        const cleft_io_reading how = reading_or_defaults(reading);
+        Image image = read_field_image(required(path, "path"), how, map);
+        scale_values(how.scale, image);
         naming_file(path, [&] {
             check_same_grid(affine, dims, map, image.dims, "the volume");
             check(context, cleft_sizing_create_values(context, volume, type_of(image.component), image.voxels.get(),

@@ -94,7 +94,7 @@ double spacing_along(size_t axis, const Image& image, const cleft_io_reading& re
     const double wanted = reading.spacing[axis];
     if (!std::isfinite(wanted) || wanted < 0)
         throw Error(CLEFT_ERROR_ARGUMENT, "the spacing that replaces the file's must be positive");
-    const double spacing = wanted > 0 ? wanted : image.spacing[axis];
+    const double spacing = wanted > 0 ? wanted : reading.scale * image.spacing[axis];
     if (spacing == 0 || !std::isfinite(spacing))
         throw Error(CLEFT_ERROR_FORMAT, "its spacing along axis " + std::to_string(axis) + " is " +
                                             std::to_string(spacing) + ": give the spacing yourself");
@@ -132,7 +132,7 @@ std::array<double, 12> affine_of(const Image& image, const cleft_io_reading& rea
             affine[4 * row + axis] = spacing * image.directions[axis][row] + 0.0;  // no -0
     }
     for (size_t row = 0; row < 3; ++row)
-        affine[4 * row + 3] = image.origin[row];
+        affine[4 * row + 3] = reading.scale * image.origin[row];
     if (reading.world == CLEFT_IO_WORLD_RAS)
         flip_world(affine);
     return affine;
@@ -215,6 +215,16 @@ void widen(Image& image)
 {
     if (image.component == Component::float32)
         convert_voxels<double, float>(image, Component::float64, [](float v) { return double{v}; });
+}
+
+void scale_values(double factor, Image& image)
+{
+    if (factor == 1)
+        return;
+    if (image.component == Component::float32)
+        convert_voxels<float, float>(image, image.component, [&](float v) { return static_cast<float>(factor * v); });
+    else
+        convert_voxels<double, double>(image, image.component, [&](double v) { return factor * v; });
 }
 
 }  // namespace cleft::io

@@ -7,7 +7,8 @@
 namespace cleft::io
 {
 
-// The affine map from voxel indices to the wanted world. Throws if it would flatten the volume.
+// The affine map from voxel indices to the wanted world, with a scale that is not 0. Throws if it would flatten the
+// volume.
 std::array<double, 12> affine_of(const Image& image, const cleft_io_reading& reading);
 // The same map taken apart again, back in ITK's world.
 void set_geometry(std::array<double, 12> affine, cleft_io_world world, Image& image);
@@ -21,5 +22,7 @@ void make_labels(Image& image);
 void make_floating(Image& image);
 // From float to double.
 void widen(Image& image);
+// Multiplies voxels of float or double.
+void scale_values(double factor, Image& image);
 
 }  // namespace cleft::io

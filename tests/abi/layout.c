@@ -34,8 +34,9 @@ PLACE(cleft_label_report, label, 4);
 PLACE(cleft_label_report, voxel_volume, 16);
 PLACE(cleft_label_report, lost, 72);
 
-HOLDS(sizeof(cleft_io_reading) == 40);
+HOLDS(sizeof(cleft_io_reading) == 48);
 PLACE(cleft_io_reading, spacing, 16);
+PLACE(cleft_io_reading, scale, 40);
 HOLDS(sizeof(cleft_io_raw) == 72);
 PLACE(cleft_io_raw, skip, 16);
 PLACE(cleft_io_raw, dims, 24);

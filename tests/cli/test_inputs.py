@@ -1,7 +1,8 @@
 """What can be read: raw voxels, indicator functions, both worlds."""
+import json
 import unittest
 
-from support import DATA, CommandTest, balls, write_nrrd
+from support import CANNOT_READ, DATA, USAGE, CommandTest, balls, cleft, write_nrrd
 
 
 class Inputs(CommandTest):
@@ -36,6 +37,36 @@ class Inputs(CommandTest):
     def test_spacing_replaces_that_of_the_file(self):
         report = self.mesh(self.volume, "--spacing", "2,2,2")
         self.assertAlmostEqual(report["quality"]["total_volume"], 32 ** 3, places=6)
+
+    def test_scale_takes_spacing_and_origin(self):
+        write_nrrd(self.path("mm.nrrd"), (16, 16, 16), balls(), spacing=(1, 2, 1), origin=(40, -30, 20))
+        box = self.mesh(self.path("mm.nrrd"), "--scale", 0.001)["mesh"]
+        for got, wanted in zip(box["low"] + box["high"], (39.5, -31, 19.5, 55.5, 1, 35.5)):
+            self.assertAlmostEqual(got, wanted / 1000, places=9)
+        box = self.mesh(self.path("mm.nrrd"), "--scale", 0.001, "--spacing", "0.001,0.001,0.001")["mesh"]
+        for got, wanted in zip(box["low"] + box["high"], (39.5, -30.5, 19.5, 55.5, -14.5, 35.5)):
+            self.assertAlmostEqual(got, wanted / 1000, places=9)
+
+    def test_scale_in_every_command_that_reads_volumes(self):
+        write_nrrd(self.path("mm.nrrd"), (16, 16, 16), balls(), origin=(40, -30, 20))
+        wanted = [0.001, 0, 0, 0.04, 0, 0.001, 0, -0.03, 0, 0, 0.001, 0.02]
+        info = self.run_ok("info", self.path("mm.nrrd"), "--scale", 0.001, "--json", "-")
+        self.run_ok("sizing", self.path("mm.nrrd"), "--scale", 0.001, "-o", self.path("h.nrrd"))
+        field = self.run_ok("info", self.path("h.nrrd"), "--as", "indicators", "--json", "-")
+        for done in (info, field):
+            for got, value in zip(json.loads(done.stdout)["volume"]["affine"], wanted):
+                self.assertAlmostEqual(got, value, places=9)
+        made = self.mesh(self.path("mm.nrrd"), "--scale", 0.001, "--sizing", self.path("h.nrrd"))
+        self.assertLess(made["mesh"]["high"][0], 0.06)
+        self.run_ok("sizing", self.path("mm.nrrd"), "-o", self.path("mm_h.nrrd"))
+        done = cleft("mesh", self.path("mm.nrrd"), "--scale", 0.001, "--sizing", self.path("mm_h.nrrd"), "--estimate")
+        self.assert_fails(CANNOT_READ, done, "places")
+
+    def test_scale_is_positive_and_not_for_raw_voxels(self):
+        for value in (0, -1, "nan", "inf", "mm"):
+            self.assert_fails(USAGE, cleft("info", self.volume, "--scale", value), "--scale")
+            self.assert_fails(USAGE, cleft("info", self.volume, "--spacing", 1, value, 1), "--spacing")
+        self.assert_fails(USAGE, cleft("info", self.volume, "--scale", 2, "--dims", 16, 16, 16), "--scale")
 
     def test_worlds_differ_by_two_signs(self):
         write_nrrd(self.path("moved.nrrd"), (16, 16, 16), balls(), spacing=(1, 2, 1), origin=(10, 20, 30))

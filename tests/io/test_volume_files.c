@@ -270,6 +270,53 @@ static void test_sizing_of_another_grid_is_refused(void** state)
     cleft_volume_destroy(volume);
 }
 
+/* Geometry that is read with a scale of a thousandth, with another spacing along y if one is given. */
+static void check_scaled(fixture* f, const double affine[12], double spacing)
+{
+    cleft_io_reading reading = {.struct_size = sizeof reading, .scale = 1e-3, .spacing = {0, spacing, 0}};
+    double read_affine[12];
+    double* values = NULL;
+    assert_int_equal(cleft_io_read_field(f->context, f->path, &reading, NULL, read_affine, &values), CLEFT_OK);
+    const double length = sqrt(affine[1] * affine[1] + affine[5] * affine[5] + affine[9] * affine[9]);
+    for (int a = 0; a < 12; ++a)
+        assert_true(fabs(read_affine[a] - affine[a] * (a % 4 == 1 && spacing > 0 ? spacing / length : 1e-3)) < 1e-9);
+    assert_true(values[0] == 1);
+    cleft_io_free(values);
+}
+
+static void test_scale_takes_origin_and_spacing(void** state)
+{
+    fixture* f = *state;
+    double affine[12];
+    double scaled[12];
+    make_affine(0, affine);
+    cleft_volume* volume = make_volume(f, affine);
+    cleft_sizing* sizing = make_sizing(f, volume);
+    assert_int_equal(cleft_io_write_sizing(f->context, sizing, path_of(f, "a.nrrd"), 0), CLEFT_OK);
+    check_scaled(f, affine, 0);
+    check_scaled(f, affine, 0.25);
+
+    for (int a = 0; a < 12; ++a)
+        scaled[a] = 1e-3 * affine[a];
+    cleft_volume* small = make_volume(f, scaled);
+    cleft_sizing* read = NULL;
+    cleft_io_reading reading = {.struct_size = sizeof reading, .scale = 1e-3};
+    assert_int_equal(cleft_io_read_sizing(f->context, small, f->path, &reading, 0, NULL, &read), CLEFT_OK);
+    for (int v = 0; v < VOXELS; ++v)
+        assert_true(fabs(cleft_sizing_values(read)[v] - 1e-3 * cleft_sizing_values(sizing)[v]) < 1e-8);
+    cleft_sizing_destroy(read);
+
+    static const double refused[] = {-1, NAN, INFINITY};
+    for (size_t i = 0; i < sizeof refused / sizeof *refused; ++i) {
+        reading.scale = refused[i];
+        assert_refused(f, cleft_io_read_sizing(f->context, small, f->path, &reading, 0, NULL, &read),
+                       CLEFT_ERROR_ARGUMENT, "scale");
+    }
+    cleft_volume_destroy(small);
+    cleft_sizing_destroy(sizing);
+    cleft_volume_destroy(volume);
+}
+
 static void test_full_disk_keeps_the_old_field(void** state)
 {
     static const char* const names[] = {"a.nrrd", "a.nii", "a.nii.gz", "a.mha"};
@@ -309,6 +356,7 @@ int main(void)
         TEST(test_sizing_comes_back),
         TEST(test_sizing_of_sheared_grids),
         TEST(test_sizing_of_another_grid_is_refused),
+        TEST(test_scale_takes_origin_and_spacing),
         TEST(test_full_disk_keeps_the_old_field),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
