@@ -1,9 +1,7 @@
+// The tetrahedra and labels of a VTK file, text or XML.
 #include "io/cell_labels.hpp"
 
 #include "base/error.hpp"
-
-#include <cmath>
-#include <limits>
 
 namespace cleft::io
 {
@@ -20,7 +18,7 @@ bool holds_labels(const CellArray& array, size_t cells)
     if (array.components != 1 || array.values.size() != cells)
         return false;
     for (const double value : array.values)
-        if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int32_t>::max())
+        if (!is_label(value))
             return false;
     return true;
 }

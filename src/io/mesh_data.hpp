@@ -1,7 +1,9 @@
 // A mesh as the readers give it.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,13 @@ struct MeshData {
     std::vector<int32_t> tets;    // four corners each, from 0
     std::vector<int32_t> labels;  // one a tetrahedron, or empty if the file has none
 };
+
+// May a number of a file be a label? Whole, of 32 bits, the least one too.
+inline bool is_label(double value)
+{
+    using Range = std::numeric_limits<int32_t>;
+    return value == std::floor(value) && value >= Range::min() && value <= Range::max();
+}
 
 // One function a format; all throw Error. Numbers of points are checked.
 MeshData read_vtu(const std::string& path);

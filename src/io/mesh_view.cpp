@@ -1,4 +1,7 @@
+// Gathers what writers need of a mesh: its arrays, and its surface as named and numbered groups.
 #include "io/mesh_view.hpp"
+
+#include "io/group_numbers.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -35,7 +38,7 @@ void add_interfaces(const cleft_surface* surface, std::vector<SurfaceGroup>& gro
         const int32_t b = pairs[2 * t + 1];
         if (t == 0 || groups.back().first != a || groups.back().second != b)
             groups.push_back(
-                {"interface_" + word_of(a) + "_" + word_of(b), SurfaceGroup::no_side, a, b, triangles + 3 * t, 0});
+                {"interface_" + word_of(a) + "_" + word_of(b), SurfaceGroup::no_side, a, b, triangles + 3 * t, 0, 0});
         ++groups.back().count;
     }
 }
@@ -48,7 +51,7 @@ void add_hull(const cleft_surface* surface, std::vector<SurfaceGroup>& groups)
     const int32_t* sides = cleft_surface_hull_sides(surface);
     for (int64_t t = 0; t < count; ++t) {
         if (t == 0 || groups.back().first != labels[t] || groups.back().side != sides[t])
-            groups.push_back({hull_name(sides[t], labels[t]), sides[t], labels[t], labels[t], triangles + 3 * t, 0});
+            groups.push_back({hull_name(sides[t], labels[t]), sides[t], labels[t], labels[t], triangles + 3 * t, 0, 0});
         ++groups.back().count;
     }
 }
@@ -80,6 +83,7 @@ MeshView view_of(const cleft_mesh* mesh, const cleft_surface* surface)
     view.labels.assign(labels, labels + cleft_mesh_label_count(mesh));
     add_interfaces(surface, view.groups);
     add_hull(surface, view.groups);
+    number_groups(view);
     return view;
 }
 

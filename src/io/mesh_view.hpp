@@ -21,6 +21,7 @@ struct SurfaceGroup {
     int32_t second = 0;      // the label that they point to; of the hull: `first` again
     const int32_t* triangles = nullptr;
     int64_t count = 0;
+    int32_t number = 0;  // in formats that number groups, see number_groups()
 
     bool is_interface() const { return side == no_side; }
     // Does it lie inside the box, where a surface is worth looking at?
@@ -33,9 +34,9 @@ struct MeshView {
     int64_t tet_count = 0;
     const int32_t* tets = nullptr;
     const int32_t* tet_labels = nullptr;
-    std::vector<int32_t> labels;  // ascending
-    // Interfaces first, then the hull; empty if the surface was not asked for. Group i has the number i + 1 in formats
-    // that number groups.
+    std::vector<int32_t> labels;          // ascending
+    std::vector<int32_t> volume_numbers;  // of the labels, in formats whose numbers must be positive
+    // Interfaces first, then the hull; empty if the surface was not asked for.
     std::vector<SurfaceGroup> groups;
 
     int64_t triangle_count() const;

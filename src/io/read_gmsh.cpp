@@ -119,7 +119,11 @@ void GmshReader::add_tetrahedron(const std::array<int64_t, 4>& numbers, int32_t 
 int32_t GmshReader::label_of_group(int64_t group) const
 {
     const auto named = named_labels_.find(group);
-    return named != named_labels_.end() ? named->second : static_cast<int32_t>(group);
+    if (named != named_labels_.end())
+        return named->second;
+    if (!is_label(static_cast<double>(group)))
+        in_.fail("the number " + std::to_string(group) + " of a volume is not one of 32 bits");
+    return static_cast<int32_t>(group);
 }
 
 void GmshReader::read_format()
@@ -285,7 +289,8 @@ void GmshReader::read_elements_41()
         const ElementType& type = type_of(small());
         const int64_t count = large_count(2 + 2 * type.points, "elements");
         const auto group = groups_of_volumes_.find(entity);
-        const int32_t label = label_of_group(group != groups_of_volumes_.end() ? group->second : entity);
+        const bool named = group != groups_of_volumes_.end();
+        const int32_t label = type.dimension == 3 ? label_of_group(named ? group->second : entity) : 0;
         for (int64_t i = 0; i < count; ++i) {
             large();
             std::array<int64_t, 4> corners{};

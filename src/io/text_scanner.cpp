@@ -1,6 +1,8 @@
+// Reads words, numbers and binary values from a file, and says where one is wrong.
 #include "io/text_scanner.hpp"
 
 #include "base/error.hpp"
+#include "io/mesh_data.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -167,7 +169,7 @@ int64_t TextScanner::integer()
 int32_t TextScanner::label()
 {
     const double value = real();
-    if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int32_t>::max())
+    if (!is_label(value))
         fail("a material must be a whole number of 32 bits");
     return static_cast<int32_t>(value);
 }

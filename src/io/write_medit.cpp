@@ -12,14 +12,11 @@ namespace
 void write_triangles(const MeshView& mesh, AtomicFile& file)
 {
     file.print("\nTriangles\n", mesh.triangle_count(), '\n');
-    int32_t reference = 0;
-    for (const SurfaceGroup& group : mesh.groups) {
-        ++reference;
+    for (const SurfaceGroup& group : mesh.groups)
         for (int64_t t = 0; t < group.count; ++t) {
             const int32_t* c = group.triangles + 3 * t;
-            file.print(c[0] + int64_t{1}, ' ', c[1] + int64_t{1}, ' ', c[2] + int64_t{1}, ' ', reference, '\n');
+            file.print(c[0] + int64_t{1}, ' ', c[1] + int64_t{1}, ' ', c[2] + int64_t{1}, ' ', group.number, '\n');
         }
-    }
 }
 
 }  // namespace
@@ -28,8 +25,8 @@ void write_medit(const MeshView& mesh, const std::string& path)
 {
     AtomicFile file(path);
     file.print("MeshVersionFormatted 2\n# tetrahedra: the reference is the material; triangles:\n");
-    for (size_t g = 0; g < mesh.groups.size(); ++g)
-        file.print("# ", g + 1, " = ", mesh.groups[g].name, '\n');
+    for (const SurfaceGroup& group : mesh.groups)
+        file.print("# ", group.number, " = ", group.name, '\n');
     file.print("Dimension 3\n\nVertices\n", mesh.point_count, '\n');
     for (int64_t i = 0; i < mesh.point_count; ++i) {
         const double* p = mesh.points + 3 * i;

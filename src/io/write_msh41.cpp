@@ -33,7 +33,6 @@ struct Box {
 
 // The mesh in the order of its entities: surfaces first, then volumes.
 struct Entities {
-    std::vector<int32_t> volumes;                  // numbers
     std::vector<std::vector<int64_t>> tets;        // of each volume
     std::vector<std::vector<int32_t>> points;      // of each surface, then of each volume
     std::vector<Box> boxes;                        // of each surface, then of each volume
@@ -52,10 +51,9 @@ void collect_surfaces(const MeshView& mesh, std::vector<bool>& taken, Entities& 
             taken[static_cast<size_t>(p)] = true;
         }
         // Normals point out of the first volume and into the second.
-        const int32_t number = static_cast<int32_t>(g) + 1;
-        entities.boundaries[mesh.label_index(group.first)].push_back(number);
+        entities.boundaries[mesh.label_index(group.first)].push_back(group.number);
         if (group.is_interface())
-            entities.boundaries[mesh.label_index(group.second)].push_back(-number);
+            entities.boundaries[mesh.label_index(group.second)].push_back(-group.number);
     }
 }
 
@@ -73,7 +71,7 @@ void collect_volumes(const MeshView& mesh, std::vector<bool>& taken, Entities& e
             taken[static_cast<size_t>(p)] = true;
         }
     }
-    for (int32_t p = 0; p < mesh.point_count && !entities.volumes.empty(); ++p)
+    for (int32_t p = 0; p < mesh.point_count && !mesh.labels.empty(); ++p)
         if (!taken[static_cast<size_t>(p)])
             entities.points.back().push_back(p);  // in no tetrahedron, but every point must belong somewhere
 }
@@ -82,7 +80,6 @@ void collect_volumes(const MeshView& mesh, std::vector<bool>& taken, Entities& e
 Entities collect_entities(const MeshView& mesh)
 {
     Entities entities;
-    entities.volumes = gmsh_volume_numbers(mesh);
     entities.tets.resize(mesh.labels.size());
     entities.boundaries.resize(mesh.labels.size());
     entities.points.resize(mesh.groups.size() + mesh.labels.size());
@@ -95,15 +92,22 @@ Entities collect_entities(const MeshView& mesh)
     return entities;
 }
 
+// Of entity e: surfaces come first.
+int32_t entity_number(const MeshView& mesh, size_t e)
+{
+    const size_t surfaces = mesh.groups.size();
+    return e < surfaces ? mesh.groups[e].number : mesh.volume_numbers[e - surfaces];
+}
+
 void write_entities(const MeshView& mesh, const Entities& entities, AtomicFile& file)
 {
     const size_t surfaces = mesh.groups.size();
     file.print("$Entities\n");
-    for (const size_t count : {size_t{0}, size_t{0}, surfaces, entities.volumes.size()})
+    for (const size_t count : {size_t{0}, size_t{0}, surfaces, mesh.labels.size()})
         file.binary(count);
     for (size_t e = 0; e < entities.points.size(); ++e) {
         const bool is_surface = e < surfaces;
-        const int32_t number = is_surface ? static_cast<int32_t>(e) + 1 : entities.volumes[e - surfaces];
+        const int32_t number = entity_number(mesh, e);
         file.binary(number);
         file.binary(entities.boxes[e].bounds);
         file.binary(size_t{1});
@@ -123,9 +127,8 @@ void write_nodes(const MeshView& mesh, const Entities& entities, AtomicFile& fil
     for (const size_t number : {entities.points.size(), points, std::min(points, size_t{1}), points})
         file.binary(number);
     for (size_t e = 0; e < entities.points.size(); ++e) {
-        const bool is_surface = e < surfaces;
-        file.binary(int32_t{is_surface ? 2 : 3});
-        file.binary(is_surface ? static_cast<int32_t>(e) + 1 : entities.volumes[e - surfaces]);
+        file.binary(int32_t{e < surfaces ? 2 : 3});
+        file.binary(entity_number(mesh, e));
         file.binary(int32_t{0});
         file.binary(entities.points[e].size());
         for (const int32_t p : entities.points[e])
@@ -151,15 +154,14 @@ void write_elements(const MeshView& mesh, const Entities& entities, AtomicFile& 
     for (const size_t number : {entities.points.size(), total, std::min(total, size_t{1}), total})
         file.binary(number);
     size_t element = 0;
-    for (size_t g = 0; g < mesh.groups.size(); ++g) {
-        const SurfaceGroup& group = mesh.groups[g];
-        file.binary(std::array<int32_t, 3>{2, static_cast<int32_t>(g) + 1, gmsh_triangle});
+    for (const SurfaceGroup& group : mesh.groups) {
+        file.binary(std::array<int32_t, 3>{2, group.number, gmsh_triangle});
         file.binary(static_cast<size_t>(group.count));
         for (int64_t t = 0; t < group.count; ++t)
             write_element(file, ++element, group.triangles + 3 * t, 3);
     }
-    for (size_t v = 0; v < entities.volumes.size(); ++v) {
-        file.binary(std::array<int32_t, 3>{3, entities.volumes[v], gmsh_tetrahedron});
+    for (size_t v = 0; v < entities.tets.size(); ++v) {
+        file.binary(std::array<int32_t, 3>{3, mesh.volume_numbers[v], gmsh_tetrahedron});
         file.binary(entities.tets[v].size());
         for (const int64_t t : entities.tets[v])
             write_element(file, ++element, mesh.tets + 4 * t, 4);
@@ -177,7 +179,7 @@ void write_msh41(const MeshView& mesh, const std::string& path)
     file.print("$MeshFormat\n4.1 1 8\n");
     file.binary(int32_t{1});
     file.print("\n$EndMeshFormat\n");
-    write_physical_names(mesh, entities.volumes, file);
+    write_physical_names(mesh, file);
     write_entities(mesh, entities, file);
     write_nodes(mesh, entities, file);
     write_elements(mesh, entities, file);

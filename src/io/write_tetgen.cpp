@@ -33,16 +33,14 @@ void write_faces(const MeshView& mesh, AtomicFile& file)
 {
     file.print(mesh.triangle_count(), " 1\n");
     int64_t number = 0;
-    for (size_t g = 0; g < mesh.groups.size(); ++g) {
-        const SurfaceGroup& group = mesh.groups[g];
+    for (const SurfaceGroup& group : mesh.groups)
         for (int64_t t = 0; t < group.count; ++t) {
             const int32_t* c = group.triangles + 3 * t;
-            file.print(++number, ' ', c[0] + int64_t{1}, ' ', c[1] + int64_t{1}, ' ', c[2] + int64_t{1}, ' ', g + 1,
-                       '\n');
+            file.print(++number, ' ', c[0] + int64_t{1}, ' ', c[1] + int64_t{1}, ' ', c[2] + int64_t{1}, ' ',
+                       group.number, '\n');
         }
-    }
-    for (size_t g = 0; g < mesh.groups.size(); ++g)
-        file.print("# ", g + 1, " = ", mesh.groups[g].name, '\n');
+    for (const SurfaceGroup& group : mesh.groups)
+        file.print("# ", group.number, " = ", group.name, '\n');
 }
 
 }  // namespace

@@ -117,4 +117,5 @@ def check_meshio(sample):
             same(got.tolist(), labels.tolist(), 'labels of ' + name)
 
 
-run_checks(check_own, check_gmsh, check_vtk, check_meshio)
+if __name__ == '__main__':
+    run_checks(check_own, check_gmsh, check_vtk, check_meshio)

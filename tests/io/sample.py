@@ -51,7 +51,7 @@ class Sample:
 
 
 def word(label):
-    return 'minus%d' % -label if label < 0 else '%d' % label
+    return 'minus%d' % -int(label) if label < 0 else '%d' % label
 
 
 def corners(*points):
@@ -63,10 +63,10 @@ def same(got, wanted, what):
         sys.exit('%s differ:\n%.300r\nwanted:\n%.300r' % (what, got, wanted))
 
 
-def run_checks(*checks):
-    """Writes the sample by the program named on the command line, and runs the checks on it."""
+def run_checks(*checks, labels=()):
+    """Writes the sample by the program named on the command line, with other labels if given, and runs the checks on it."""
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([sys.argv[1], folder], check=True)
+        subprocess.run([sys.argv[1], folder, *map(str, labels)], check=True)
         sample = Sample(folder)
         for check in checks:
             check(sample)

@@ -4,9 +4,10 @@ static int32_t number_of(int i, int j, int k) { return i + (SAMPLE_X + 1) * (j +
 
 static int32_t label_of(int i, int j, int k)
 {
+    static const int32_t labels[] = {SAMPLE_LABELS};
     if (i < 2)
-        return k < 1 ? -7 : 3;
-    return j < 2 ? 2000000000 : 3;
+        return labels[k < 1 ? 0 : 1];
+    return labels[j < 2 ? 2 : 1];
 }
 
 void sample_mesh_fill(sample_mesh* sample)

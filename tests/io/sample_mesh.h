@@ -11,6 +11,9 @@ enum {
     SAMPLE_TETS = 6 * SAMPLE_X * SAMPLE_Y * SAMPLE_Z
 };
 
+/* Its labels, in ascending order. */
+#define SAMPLE_LABELS -7, 3, 2000000000
+
 typedef struct sample_mesh {
     double points[3 * SAMPLE_POINTS];
     int32_t tets[4 * SAMPLE_TETS];

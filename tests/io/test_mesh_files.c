@@ -349,6 +349,11 @@ static void test_malformed_text_names_its_line(void** state)
          CLEFT_ERROR_UNSUPPORTED, "type 5"},
         {"a.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Elements\n1\n1 4 0 1 2 3 4\n$EndElements\n",
          CLEFT_ERROR_FORMAT, "no point 1"},
+        {"a.msh",
+         "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 "
+         "1\n$EndNodes\n$Elements\n1\n"
+         "1 4 2 4294967297 1 1 2 3 4\n$EndElements\n",
+         CLEFT_ERROR_FORMAT, "4294967297"},
         {"a.vtk", "# vtk DataFile Version 3.0\nx\nBINARY\n", CLEFT_ERROR_UNSUPPORTED, "binary"},
         {"a.vtk", "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\n", CLEFT_ERROR_UNSUPPORTED, "line 4"},
         {"a.vtk",

@@ -1,5 +1,6 @@
-/* write_sample FOLDER: writes the sample mesh in every format, and as bare arrays for the programs that compare:
- * points.f64, tets.i32, labels.i32, interface.i32 (three corners, two labels), hull.i32 (three corners, label, side).
+/* write_sample FOLDER [LABEL LABEL LABEL]: writes the sample mesh (with other labels, if given, in the place of its own
+ * in ascending order) in every format, and as bare arrays for the programs that compare: points.f64, tets.i32,
+ * labels.i32, interface.i32 (three corners, two labels), hull.i32 (three corners, label, side).
  */
 #include "cleft/cleft_io.h"
 #include "io/sample_mesh.h"
@@ -46,15 +47,31 @@ static void write_surface(const cleft_surface* surface)
     fclose(file);
 }
 
+static cleft_mesh* make_mesh(cleft_context* context, char** labels)
+{
+    static const int32_t own[] = {SAMPLE_LABELS};
+    sample_mesh sample;
+    cleft_mesh* mesh = NULL;
+    sample_mesh_fill(&sample);
+    for (int t = 0; labels && t < SAMPLE_TETS; ++t)
+        for (int i = 0; i < 3; ++i)
+            if (sample.labels[t] == own[i]) {
+                sample.labels[t] = (int32_t)strtol(labels[i], NULL, 10);
+                break;
+            }
+    cleft_mesh_create(context, SAMPLE_POINTS, sample.points, SAMPLE_TETS, sample.tets, sample.labels, 0, &mesh);
+    return mesh;
+}
+
 int main(int argc, char** argv)
 {
-    if (argc != 2)
+    if (argc != 2 && argc != 5)
         return 2;
     folder = argv[1];
     cleft_context* context = NULL;
     cleft_surface* surface = NULL;
     cleft_context_create(&context);
-    cleft_mesh* mesh = sample_mesh_create(context);
+    cleft_mesh* mesh = make_mesh(context, argc == 5 ? argv + 2 : NULL);
     if (!mesh || cleft_surface_create(context, mesh, &surface) != CLEFT_OK) {
         fprintf(stderr, "%s\n", cleft_context_last_error(context));
         return 1;
