@@ -14,7 +14,7 @@ binding_packages="
 
 test_packages="
     clang-format libcmocka-dev python3 mypy
-    gmsh calculix-ccx
+    gmsh calculix-ccx openfoam
     gfortran make abigail-tools freefem++ man-db lintian
     python3-numpy python3-meshio python3-vtk9 python3-nibabel"
 
@@ -39,9 +39,27 @@ install_missing() {
         fail "these packages are missing, and you are neither root nor have sudo. Have them installed by: apt-get install$missing"
     fi
     say "Installing$missing"
-    $as_root env DEBIAN_FRONTEND=noninteractive apt-get update -q
-    $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing ||
-        fail "apt-get could not install$missing"
+    apt_get update && apt_get install -y --no-install-recommends $missing || fail "apt-get could not install$missing"
+}
+
+# apt_get ARGUMENT...: runs apt-get, and waits for another process that holds one of its locks, ten minutes at most.
+# DPkg::Lock::Timeout alone is not enough: apt-get obeys it for the lock of dpkg, not for those of its lists and archives.
+apt_get() {
+    apt_log=$(mktemp)
+    apt_deadline=$(($(date +%s) + 600))
+    apt_status=1
+    while [ $apt_status -ne 0 ]; do
+        if (set -o pipefail && $as_root env DEBIAN_FRONTEND=noninteractive LC_ALL=C \
+            apt-get -q -o DPkg::Lock::Timeout=600 "$@" 2>&1 | tee "$apt_log"); then
+            apt_status=0
+        elif grep -q '^E: Could not get lock' "$apt_log" && [ "$(date +%s)" -lt $apt_deadline ]; then
+            sleep 2
+        else
+            break
+        fi
+    done
+    rm -f "$apt_log"
+    return $apt_status
 }
 
 # Compiles through ccache where there is one.
