@@ -257,6 +257,14 @@ module cleft_c
       integer(c_int32_t) :: answer
     end function
 
+    function cleft_context_log(context, level, sentence) bind(C) result(answer)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: level
+      character(kind=c_char), intent(in) :: sentence(*)
+      integer(c_int32_t) :: answer
+    end function
+
     function cleft_context_cancel(context) bind(C) result(answer)
       import
       type(c_ptr), value :: context

@@ -111,6 +111,10 @@ typedef void (*cleft_log_callback)(int32_t level, const char* sentence, void* us
 CLEFT_API cleft_status cleft_context_set_log(cleft_context* context, cleft_log_callback callback,
                                              void* user) CLEFT_NOEXCEPT;
 
+/** Hands a sentence to the log callback, if there is one: for components that build on this library. `level` is one of
+ *  CLEFT_LOG_WARNING ... CLEFT_LOG_DEBUG, else CLEFT_ERROR_ARGUMENT. \since 0.1 */
+CLEFT_API cleft_status cleft_context_log(cleft_context* context, int32_t level, const char* sentence) CLEFT_NOEXCEPT;
+
 /** Asks the call that runs on this context to stop soon with CLEFT_ERROR_CANCELLED; from any thread. A request made
  *  while nothing runs is forgotten when the next call begins. \since 0.1 */
 CLEFT_API cleft_status cleft_context_cancel(cleft_context* context) CLEFT_NOEXCEPT;

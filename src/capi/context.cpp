@@ -103,6 +103,18 @@ cleft_status cleft_context_set_log(cleft_context* context, cleft_log_callback ca
     });
 }
 
+cleft_status cleft_context_log(cleft_context* context, int32_t level, const char* sentence) noexcept
+{
+    return guarded(message_of(context), [&] {
+        const cleft_context& sound = checked(context, "context");
+        required(sentence, "sentence");
+        if (level < CLEFT_LOG_WARNING || level > CLEFT_LOG_DEBUG)
+            throw cleft::Error(CLEFT_ERROR_ARGUMENT, "there is no level " + std::to_string(level) + " of the log");
+        if (sound.log)
+            sound.log(level, sentence, sound.log_user);
+    });
+}
+
 cleft_status cleft_context_cancel(cleft_context* context) noexcept
 {
     return guarded(nullptr, [&] { checked(context, "context").cancel = true; });

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cleft::io
@@ -27,6 +28,10 @@ struct Image {
     std::array<Vector3, 3> directions{Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}};
     Vector3 spacing{1, 1, 1};
     Vector3 origin{0, 0, 0};  // centre of the first voxel
+    // What the reader has to tell about the file: sentences that do not name it.
+    std::vector<std::string> notes;
+    // The names that the file gives to labels.
+    std::vector<std::pair<int32_t, std::string>> names;
 
     int64_t field_size() const { return dims[0] * dims[1] * dims[2]; }
     size_t bytes() const { return static_cast<size_t>(field_size() * fields) * size_of(component); }
@@ -35,7 +40,7 @@ struct Image {
 // Memory for the voxels, not filled. Throws Error(CLEFT_ERROR_TOO_LARGE) or std::bad_alloc.
 void allocate_voxels(Image& image);
 
-// One file, by ITK. Errors do not name the file.
+// One file, in whatever format its first bytes show. Errors do not name the file.
 Image read_image(const std::string& path);
 // The slices of a DICOM series, in the order of their places. Errors do not name the folder.
 std::vector<std::string> dicom_slices(const std::string& folder);

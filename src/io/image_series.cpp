@@ -120,6 +120,9 @@ Image stack(const std::vector<std::string>& slices)
                         "'" + slices[s] + "' has another size or type of voxels than '" + slices[0] + "'");
         std::memcpy(volume.voxels.get() + s * slice.bytes(), slice.voxels.get(), slice.bytes());
         origins.push_back(slice.origin);
+        for (const std::string& note : slice.notes)  // one slice speaks for all that say the same
+            if (std::find(volume.notes.begin(), volume.notes.end(), note) == volume.notes.end())
+                volume.notes.push_back(note);
     }
     set_third_axis(origins, volume);
     return volume;

@@ -62,6 +62,20 @@ void create_indicators(cleft_context* context, const std::vector<Image>& images,
           who);
 }
 
+// Tells what the reader noticed about a file.
+void log_notes(cleft_context* context, const std::string& path, const Image& image)
+{
+    for (const std::string& note : image.notes)
+        check(context, cleft_context_log(context, CLEFT_LOG_WARNING, ("'" + path + "': " + note).c_str()));
+}
+
+Image read_and_tell(cleft_context* context, const std::string& path)
+{
+    Image image = read_image_or_series(path);
+    log_notes(context, path, image);
+    return image;
+}
+
 // For messages about all of them.
 std::string file_list(const char* const* paths, int64_t count)
 {
@@ -123,7 +137,7 @@ void read_indicators(cleft_context* context, const char* const* paths, int64_t c
     images.push_back(std::move(first));
     for (int64_t i = 1; i < count; ++i) {
         const char* path = required(paths[i], "a path");
-        images.push_back(read_image_or_series(path));
+        images.push_back(read_and_tell(context, path));
         naming_file(path, [&] {
             check_same_grid(affine, images[0].dims, affine_of(images.back(), reading), images.back().dims,
                             std::string("'") + paths[0] + "'");
@@ -138,7 +152,7 @@ void read_volume(cleft_context* context, const cleft_options* options, const cha
 {
     if (reading.kind == CLEFT_IO_KIND_LABELS && count > 1)
         throw Error(CLEFT_ERROR_ARGUMENT, "a label map is one file, but there are " + std::to_string(count));
-    Image first = read_image_or_series(required(paths[0], "a path"));
+    Image first = read_and_tell(context, required(paths[0], "a path"));
     const bool may_be_labels = reading.kind == CLEFT_IO_KIND_AUTO && count == 1 && first.fields == 1;
     if (reading.kind == CLEFT_IO_KIND_LABELS || (may_be_labels && looks_like_labels(first)))
         naming_file(paths[0], [&] { create_labels(context, options, first, affine_of(first, reading), out); });
@@ -146,9 +160,9 @@ void read_volume(cleft_context* context, const cleft_options* options, const cha
         read_indicators(context, paths, count, reading, std::move(first), out);
 }
 
-Image read_field_image(const char* path, const cleft_io_reading& reading, Affine& affine)
+Image read_field_image(cleft_context* context, const char* path, const cleft_io_reading& reading, Affine& affine)
 {
-    Image image = read_image_or_series(path);
+    Image image = read_and_tell(context, path);
     naming_file(path, [&] {
         if (image.fields != 1)
             throw Error(CLEFT_ERROR_FORMAT, "it has four dimensions, but a field has three");
@@ -228,7 +242,7 @@ cleft_status cleft_io_read_field(cleft_context* context, const char* path, const
         *required(values, "values") = nullptr;
         required(context, "context");
         Affine map{};
-        Image image = read_field_image(required(path, "path"), reading_or_defaults(reading), map);
+        Image image = read_field_image(context, required(path, "path"), reading_or_defaults(reading), map);
         widen(image);
         const size_t bytes = image.bytes();
         void* copy = std::malloc(bytes);
@@ -258,7 +272,7 @@ cleft_status cleft_io_read_sizing(cleft_context* context, const cleft_volume* vo
         check(context, cleft_volume_affine(volume, affine.data()), "volume: ");
         Affine map{};
         const cleft_io_reading how = reading_or_defaults(reading);
-        Image image = read_field_image(required(path, "path"), how, map);
+        Image image = read_field_image(context, required(path, "path"), how, map);
         scale_values(how.scale, image);
         naming_file(path, [&] {
             check_same_grid(affine, dims, map, image.dims, "the volume");

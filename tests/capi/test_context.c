@@ -1,6 +1,7 @@
 /* Contexts, statuses, versions and metrics. */
 #include "support/capi.h"
 
+#include <stdio.h>
 #include <string.h>
 
 static void version_is_that_of_the_header(void** state)
@@ -65,6 +66,35 @@ static void a_long_sentence_is_cut_not_lost(void** state)
     cleft_context_destroy(context);
 }
 
+typedef struct heard {
+    int32_t level;
+    char sentence[32];
+} heard;
+
+static void hear(int32_t level, const char* sentence, void* user)
+{
+    heard* last = user;
+    last->level = level;
+    snprintf(last->sentence, sizeof last->sentence, "%s", sentence);
+}
+
+static void components_reach_the_log(void** state)
+{
+    cleft_context* context = new_context();
+    heard last = {0, ""};
+    (void)state;
+    assert_ok(context, cleft_context_log(context, CLEFT_LOG_WARNING, "nobody listens"));
+    assert_ok(context, cleft_context_set_log(context, hear, &last));
+    assert_ok(context, cleft_context_log(context, CLEFT_LOG_INFO, "one sentence"));
+    assert_int_equal(last.level, CLEFT_LOG_INFO);
+    assert_string_equal(last.sentence, "one sentence");
+    assert_fails(context, CLEFT_ERROR_ARGUMENT, cleft_context_log(context, 0, "no such level"));
+    assert_fails(context, CLEFT_ERROR_NULL, cleft_context_log(context, CLEFT_LOG_INFO, NULL));
+    assert_int_equal(cleft_context_log(NULL, CLEFT_LOG_INFO, "no context"), CLEFT_ERROR_NULL);
+    assert_string_equal(last.sentence, "one sentence");
+    cleft_context_destroy(context);
+}
+
 static void null_and_foreign_handles_are_statuses(void** state)
 {
     cleft_context* context = new_context();
@@ -97,6 +127,7 @@ int main(void)
         cmocka_unit_test(every_status_has_its_own_text_and_number),
         cmocka_unit_test(threads_are_checked_and_zero_means_the_machine),
         cmocka_unit_test(a_long_sentence_is_cut_not_lost),
+        cmocka_unit_test(components_reach_the_log),
         cmocka_unit_test(null_and_foreign_handles_are_statuses),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,221 @@
+// Reads through the system's calls, 256 kB at a time, and decompresses by zlib on the way.
+#include "io/byte_source.hpp"
+
+#include "base/error.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <vector>
+
+namespace cleft::io
+{
+
+namespace
+{
+
+constexpr size_t buffer_bytes = size_t{1} << 18;
+constexpr uintmax_t greatest_ratio = 1032;  // of DEFLATE: 258 bytes from two bits
+
+[[noreturn]] void cannot_read(int error)
+{
+    throw Error(CLEFT_ERROR_FILE, std::string("cannot read it: ") + std::strerror(error));
+}
+
+[[noreturn]] void too_short(uintmax_t missing)
+{
+    throw Error(CLEFT_ERROR_FORMAT, "it ends too early: " + std::to_string(missing) + " bytes are missing");
+}
+
+int open_regular(const std::string& path, uintmax_t& size)
+{
+    struct stat status {
+    };
+    if (stat(path.c_str(), &status) != 0) {
+        if (errno == ENOENT)
+            throw Error(CLEFT_ERROR_FILE, "there is no such file");
+        cannot_read(errno);
+    }
+    if (S_ISDIR(status.st_mode))
+        throw Error(CLEFT_ERROR_FILE, "it is a folder, not a file");
+    if (!S_ISREG(status.st_mode))
+        throw Error(CLEFT_ERROR_FILE, "it is a device or pipe, not a file");
+    const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0)
+        cannot_read(errno);
+    size = static_cast<uintmax_t>(status.st_size);
+    return descriptor;
+}
+
+}  // namespace
+
+class ByteSource::State
+{
+public:
+    State(const std::string& path, Coding coding, uintmax_t offset, uintmax_t length) : coding_(coding)
+    {
+        uintmax_t size = 0;
+        descriptor_ = open_regular(path, size);
+        try {
+            if (offset > size || (length != to_the_end && length > size - offset))
+                too_short(offset > size ? offset - size : length - (size - offset));
+            unread_ = length == to_the_end ? size - offset : length;
+            if (offset > 0 && lseek(descriptor_, static_cast<off_t>(offset), SEEK_SET) < 0)
+                cannot_read(errno);
+            if (coding == Coding::deflated && inflateInit2(&stream_, 15 + 32) != Z_OK)
+                throw std::bad_alloc();
+        } catch (...) {
+            close(descriptor_);
+            throw;
+        }
+    }
+    ~State()
+    {
+        if (coding_ == Coding::deflated)
+            inflateEnd(&stream_);
+        close(descriptor_);
+    }
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+
+    bool is_plain() const { return coding_ == Coding::plain; }
+    uintmax_t left() const { return unread_ + (is_plain() ? 0 : stream_.avail_in); }
+    size_t read_some(char* to, size_t bytes) { return is_plain() ? read_file(to, bytes) : inflate_some(to, bytes); }
+
+private:
+    size_t read_file(char* to, size_t bytes)
+    {
+        bytes = static_cast<size_t>(std::min<uintmax_t>(bytes, unread_));
+        for (size_t done = 0; done < bytes;) {
+            const ssize_t got = ::read(descriptor_, to + done, std::min(bytes - done, size_t{1} << 30));
+            if (got < 0 && errno != EINTR)
+                cannot_read(errno);
+            if (got == 0)
+                too_short(bytes - done);
+            done += got > 0 ? static_cast<size_t>(got) : 0;
+        }
+        unread_ -= bytes;
+        return bytes;
+    }
+
+    bool fill()
+    {
+        if (stream_.avail_in > 0)
+            return true;
+        buffer_.resize(buffer_bytes);
+        stream_.next_in = reinterpret_cast<Bytef*>(buffer_.data());
+        stream_.avail_in = static_cast<uInt>(read_file(buffer_.data(), buffer_.size()));
+        return stream_.avail_in > 0;
+    }
+
+    size_t inflate_some(char* to, size_t bytes)
+    {
+        size_t done = 0;
+        while (done < bytes && !(ended_ && !next_member())) {
+            if (!fill())
+                throw Error(CLEFT_ERROR_FORMAT, "its compressed data end too early");
+            const auto room = static_cast<uInt>(std::min(bytes - done, size_t{1} << 30));
+            stream_.next_out = reinterpret_cast<Bytef*>(to + done);
+            stream_.avail_out = room;
+            const int result = inflate(&stream_, Z_NO_FLUSH);
+            done += room - stream_.avail_out;
+            if (result == Z_MEM_ERROR)
+                throw std::bad_alloc();
+            if (result != Z_OK && result != Z_STREAM_END && result != Z_BUF_ERROR)
+                throw Error(CLEFT_ERROR_FORMAT, "its compressed data are damaged");
+            ended_ = result == Z_STREAM_END;
+        }
+        return done;
+    }
+
+    // A gzip file may be of several members, one after the other, which are one stream.
+    bool next_member()
+    {
+        if (!fill())
+            return false;
+        if (stream_.next_in[0] != 0x1f)
+            throw Error(CLEFT_ERROR_FORMAT, "there is something else behind its compressed data");
+        ended_ = false;
+        if (inflateReset(&stream_) != Z_OK)
+            throw Error(CLEFT_ERROR_INTERNAL, "zlib cannot begin again");
+        return true;
+    }
+
+    Coding coding_;
+    int descriptor_ = -1;
+    uintmax_t unread_ = 0;  // bytes of the file
+    z_stream stream_{};
+    std::vector<char> buffer_;
+    bool ended_ = false;
+};
+
+ByteSource::ByteSource(const std::string& path, Coding coding, uintmax_t offset, uintmax_t length)
+    : state_(std::make_unique<State>(path, coding, offset, length))
+{
+}
+ByteSource::ByteSource(ByteSource&&) noexcept = default;
+ByteSource& ByteSource::operator=(ByteSource&&) noexcept = default;
+ByteSource::~ByteSource() = default;
+
+uintmax_t ByteSource::left() const { return state_->left(); }
+
+void ByteSource::expect(uintmax_t bytes) const
+{
+    const uintmax_t left = state_->left();
+    if (state_->is_plain()) {
+        if (bytes > left)
+            too_short(bytes - left);
+    } else if (bytes / greatest_ratio > left + 8) {  // some bits may be with zlib already
+        throw Error(CLEFT_ERROR_FORMAT,
+                    "its header claims " + std::to_string(bytes) + " bytes, which its compressed data cannot hold");
+    }
+}
+
+size_t ByteSource::read_some(void* to, size_t bytes) { return state_->read_some(static_cast<char*>(to), bytes); }
+
+void ByteSource::read(void* to, size_t bytes)
+{
+    const size_t got = read_some(to, bytes);
+    if (got < bytes)
+        too_short(bytes - got);
+}
+
+void ByteSource::skip(uintmax_t bytes)
+{
+    expect(bytes);
+    std::vector<char> waste(static_cast<size_t>(std::min<uintmax_t>(bytes, buffer_bytes)));
+    while (bytes > 0) {
+        const auto step = static_cast<size_t>(std::min<uintmax_t>(bytes, waste.size()));
+        read(waste.data(), step);
+        bytes -= step;
+    }
+}
+
+std::string ByteSource::read_rest()
+{
+    std::string text;
+    for (size_t got = 1; got > 0;) {
+        const size_t before = text.size();
+        text.resize(before + std::max(buffer_bytes, before));
+        got = read_some(text.data() + before, text.size() - before);
+        text.resize(before + got);
+    }
+    return text;
+}
+
+void ByteSource::finish()
+{
+    char more = 0;
+    if (read_some(&more, 1) == 0)
+        return;
+    throw Error(CLEFT_ERROR_FORMAT,
+                state_->is_plain() ? "it has " + std::to_string(left() + 1) + " bytes more than its header tells of"
+                                   : "it has more bytes than its header tells of");
+}
+
+}  // namespace cleft::io

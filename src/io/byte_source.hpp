@@ -1,0 +1,47 @@
+// The bytes of a file in order, plain or compressed by zlib. What a header claims is checked against the size of the
+// file before anybody takes memory for it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+
+namespace cleft::io
+{
+
+enum class Coding { plain, deflated };  // deflated: gzip (of several members, too) or a zlib stream
+
+class ByteSource
+{
+public:
+    static constexpr uintmax_t to_the_end = std::numeric_limits<uintmax_t>::max();
+
+    // `length` bytes of the file from `offset` on, which must be there. Throws Error(CLEFT_ERROR_FILE) for what is no
+    // regular file, and Error(CLEFT_ERROR_FORMAT) here and below for files that are too short or damaged.
+    explicit ByteSource(const std::string& path, Coding coding, uintmax_t offset = 0, uintmax_t length = to_the_end);
+    ByteSource(ByteSource&&) noexcept;
+    ByteSource& operator=(ByteSource&&) noexcept;
+    ~ByteSource();
+
+    // Throws if so many bytes cannot come any more, as far as can be known without reading them.
+    void expect(uintmax_t bytes) const;
+    // All of them or an Error.
+    void read(void* to, size_t bytes);
+    // Less than was asked for only at the end.
+    size_t read_some(void* to, size_t bytes);
+    void skip(uintmax_t bytes);
+    // All that is left.
+    std::string read_rest();
+    // Nothing may be left, and the check sum of what is compressed must be right.
+    void finish();
+    // The bytes of the file that were not read yet; those of a plain source are what read() gives.
+    uintmax_t left() const;
+
+private:
+    class State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace cleft::io

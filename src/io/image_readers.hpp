@@ -1,0 +1,23 @@
+// The readers of single files, one for each format (or, by ITK, for several). `is` knows a format by the first bytes
+// of the file; `read` throws Errors that do not name the file.
+#pragma once
+
+#include "io/file_head.hpp"
+#include "io/image.hpp"
+
+namespace cleft::io
+{
+
+bool is_nrrd(const FileHead& head);
+Image read_nrrd(const std::string& path, const FileHead& head);
+bool is_metaimage(const FileHead& head);
+Image read_metaimage(const std::string& path, const FileHead& head);
+bool is_vtk_volume(const FileHead& head);
+Image read_vtk_volume(const std::string& path, const FileHead& head);
+// Formats that are known by name, and which programs turn into others. Always throws.
+bool is_foreign_format(const FileHead& head);
+Image refuse_foreign_format(const std::string& path, const FileHead& head);
+bool is_itk_format(const FileHead& head);
+Image read_itk_image(const std::string& path, const FileHead& head);
+
+}  // namespace cleft::io
