@@ -86,6 +86,8 @@ MeshFindings look_at_mesh(const Session& session, const cleft_mesh* mesh)
     found.tets = cleft_mesh_tet_count(mesh);
     note_bounds(cleft_mesh_points(mesh), found.points, found.low, found.high);
     found.labels = label_totals(mesh);
+    for (const auto& [label, totals] : found.labels)
+        found.names[label] = cleft_mesh_label_name(mesh, label);
     note_surface(session, mesh, found);
     found.quality.struct_size = sizeof found.quality;
     session.check(cleft_mesh_quality(session.context(), mesh, &found.quality), EXIT_MESHING_FAILED);
@@ -128,6 +130,8 @@ VolumeFindings look_at_volume(const Session& session, const cleft_volume* volume
     session.check(cleft_volume_copy_voxel_counts(volume, voxels.data(), count), EXIT_MESHING_FAILED);
     for (std::size_t i = 0; i < voxels.size(); ++i)
         found.voxels[cleft_volume_labels(volume)[i]] += voxels[i];
+    for (const auto& [label, number] : found.voxels)
+        found.names[label] = cleft_volume_label_name(volume, label);
     return found;
 }
 
@@ -140,6 +144,7 @@ std::vector<LabelFindings> label_reports(const Session& session, const cleft_vol
     for (std::size_t i = 0; i < rows.size(); ++i) {
         rows[i].struct_size = sizeof(cleft_label_report);
         session.check(cleft_report_label(report.get(), static_cast<int64_t>(i), &rows[i]), EXIT_MESHING_FAILED);
+        rows[i].name = cleft_volume_label_name(volume, rows[i].label);
         rows[i].large_components_joined = cleft_report_joined(report.get(), static_cast<int64_t>(i));
     }
     return rows;

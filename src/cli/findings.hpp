@@ -6,6 +6,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace cleft_cli
@@ -23,6 +24,7 @@ struct MeshFindings {
     std::optional<int64_t> hull_triangles;
     std::array<double, 3> low{}, high{};  // bounding box
     std::map<int32_t, LabelTotals> labels;
+    std::map<int32_t, std::string> names;  // of each label, "" if it has none
     cleft_quality quality{};
 };
 
@@ -32,7 +34,8 @@ struct VolumeFindings {
     std::array<int64_t, 3> dims{};
     std::array<double, 12> affine{};
     std::array<double, 3> spacing{};
-    std::map<int32_t, int64_t> voxels;  // of each label
+    std::map<int32_t, int64_t> voxels;     // of each label
+    std::map<int32_t, std::string> names;  // of each label, "" if it has none
 
     int64_t voxel_count() const { return dims[0] * dims[1] * dims[2]; }
     double voxel_volume() const;
@@ -45,6 +48,7 @@ VolumeFindings look_at_volume(const Session& session, const cleft_volume* volume
 // The library's per-label report as values.
 struct LabelFindings : cleft_label_report {
     int64_t large_components_joined = 0;
+    std::string name;  // "" if it has none
 };
 std::vector<LabelFindings> label_reports(const Session& session, const cleft_volume* volume, const cleft_mesh* mesh);
 double difference_percent(const cleft_label_report& row);

@@ -21,7 +21,7 @@ Json volume_json(const VolumeFindings& volume)
 {
     Json labels = Json::array();
     for (const auto& [label, voxels] : volume.voxels)
-        labels.push_back({{"label", label}, {"voxels", voxels}});
+        labels.push_back({{"label", label}, {"name", volume.names.at(label)}, {"voxels", voxels}});
     return {{"dims", volume.dims},
             {"spacing", volume.spacing},
             {"affine", volume.affine},
@@ -54,7 +54,8 @@ Json mesh_json(const MeshFindings& mesh)
 {
     Json labels = Json::array();
     for (const auto& [label, totals] : mesh.labels)
-        labels.push_back({{"label", label}, {"tets", totals.tets}, {"volume", totals.volume}});
+        labels.push_back(
+            {{"label", label}, {"name", mesh.names.at(label)}, {"tets", totals.tets}, {"volume", totals.volume}});
     return {{"points", mesh.points},
             {"tets", mesh.tets},
             {"interface_triangles", mesh.interface_triangles ? Json(*mesh.interface_triangles) : Json()},
@@ -88,6 +89,7 @@ Json label_reports_json(const std::vector<LabelFindings>& rows, const std::funct
     Json labels = Json::array();
     for (const LabelFindings& row : rows)
         labels.push_back({{"label", row.label},
+                          {"name", row.name},
                           {"left_out", left_out(row.label)},
                           {"lost", row.lost != 0 && !left_out(row.label)},
                           {"voxels", row.voxels},

@@ -33,6 +33,12 @@ std::string row_of(const std::vector<std::string>& cells, const std::vector<std:
     return row;
 }
 
+// A row, and behind it the name of the label if it has one.
+std::string named(const std::string& row, const std::string& name)
+{
+    return name.empty() ? row : row.substr(0, row.size() - 1) + "  " + name + "\n";
+}
+
 std::string share_text(double part, double whole) { return whole > 0 ? decimals(100 * part / whole, 2) + " %" : "-"; }
 
 }  // namespace
@@ -53,10 +59,11 @@ std::string labels_table(const VolumeFindings& volume)
     const std::vector<std::size_t> widths = {11, 13, 13, 9};
     std::string table = row_of({"label", "voxels", "volume", "share"}, widths);
     for (const auto& [label, voxels] : volume.voxels)
-        table += row_of({std::to_string(label), grouped(voxels),
-                         significant(static_cast<double>(voxels) * volume.voxel_volume(), 6),
-                         share_text(static_cast<double>(voxels), static_cast<double>(volume.voxel_count()))},
-                        widths);
+        table += named(row_of({std::to_string(label), grouped(voxels),
+                               significant(static_cast<double>(voxels) * volume.voxel_volume(), 6),
+                               share_text(static_cast<double>(voxels), static_cast<double>(volume.voxel_count()))},
+                              widths),
+                       volume.names.at(label));
     return table;
 }
 
@@ -65,9 +72,10 @@ std::string labels_table(const MeshFindings& mesh)
     const std::vector<std::size_t> widths = {11, 13, 13, 9};
     std::string table = row_of({"label", "tetrahedra", "volume", "share"}, widths);
     for (const auto& [label, totals] : mesh.labels)
-        table += row_of({std::to_string(label), grouped(totals.tets), significant(totals.volume, 6),
-                         share_text(totals.volume, mesh.quality.total_volume)},
-                        widths);
+        table += named(row_of({std::to_string(label), grouped(totals.tets), significant(totals.volume, 6),
+                               share_text(totals.volume, mesh.quality.total_volume)},
+                              widths),
+                       mesh.names.at(label));
     return table;
 }
 
@@ -159,10 +167,11 @@ std::string label_report_table(const std::vector<LabelFindings>& rows, const std
     text += row_of({"label", "voxels", "voxel volume", "mesh volume", "differ", "tetrahedra", "pieces"}, widths);
     for (const LabelFindings& row : kept) {
         const std::string pieces = std::to_string(row.voxel_components) + " -> " + std::to_string(row.mesh_components);
-        text += row_of({std::to_string(row.label), grouped(row.voxels), significant(row.voxel_volume, 6),
-                        significant(row.mesh_volume, 6), decimals(difference_percent(row), 2) + " %", grouped(row.tets),
-                        row.lost != 0 ? "LOST" : pieces},
-                       widths);
+        text += named(row_of({std::to_string(row.label), grouped(row.voxels), significant(row.voxel_volume, 6),
+                              significant(row.mesh_volume, 6), decimals(difference_percent(row), 2) + " %",
+                              grouped(row.tets), row.lost != 0 ? "LOST" : pieces},
+                             widths),
+                      row.name);
     }
     return text + pieces_of_all;
 }

@@ -10,7 +10,7 @@ void write_physical_names(const MeshView& mesh, AtomicFile& file)
     for (const SurfaceGroup& group : mesh.groups)
         file.print("2 ", group.number, " \"", group.name, "\"\n");
     for (size_t v = 0; v < mesh.labels.size(); ++v)
-        file.print("3 ", mesh.volume_numbers[v], " \"", material_name(mesh.labels[v]), "\"\n");
+        file.print("3 ", mesh.volume_numbers[v], " \"", mesh.material(v), "\"\n");
     file.print("$EndPhysicalNames\n");
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,9 +12,10 @@ namespace cleft::io
 {
 
 struct MeshData {
-    std::vector<double> points;   // x y z interleaved
-    std::vector<int32_t> tets;    // four corners each, from 0
-    std::vector<int32_t> labels;  // one a tetrahedron, or empty if the file has none
+    std::vector<double> points;            // x y z interleaved
+    std::vector<int32_t> tets;             // four corners each, from 0
+    std::vector<int32_t> labels;           // one a tetrahedron, or empty if the file has none
+    std::map<int32_t, std::string> names;  // of labels, where the file has them
 };
 
 // May a number of a file be a label? Whole, of 32 bits, the least one too.

@@ -6,9 +6,11 @@
 #include "io/text_scanner.hpp"
 #include "io/writers.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 
 namespace cleft::io
 {
@@ -70,6 +72,22 @@ MeshData read(const std::string& path)
         default:
             return read_gmsh(path);
     }
+}
+
+struct MeshDeleter {
+    void operator()(cleft_mesh* mesh) const { cleft_mesh_destroy(mesh); }
+};
+using MeshHandle = std::unique_ptr<cleft_mesh, MeshDeleter>;
+
+// Files may name labels that no tetrahedron has.
+void name_labels(const MeshData& data, const std::string& path, cleft_mesh* mesh)
+{
+    const int32_t* labels = cleft_mesh_labels(mesh);
+    for (const auto& [label, name] : data.names)
+        if (std::binary_search(labels, labels + cleft_mesh_label_count(mesh), label) &&
+            cleft_mesh_set_label_name(mesh, label, name.c_str()) != CLEFT_OK)
+            throw Error(CLEFT_ERROR_FORMAT,
+                        "'" + path + "': the name of label " + std::to_string(label) + " is no line of UTF-8");
 }
 
 // Both images and meshes may have this extension; its fourth line tells which.
@@ -144,10 +162,14 @@ cleft_status cleft_io_read_mesh(cleft_context* context, const char* path, cleft_
         const MeshData mesh = read(required(path, "path"));
         if (mesh.tets.empty())
             throw cleft::Error(CLEFT_ERROR_FORMAT, std::string("'") + path + "': there are no tetrahedra in it");
+        cleft_mesh* made = nullptr;
         check(context,
               cleft_mesh_create(context, static_cast<int64_t>(mesh.points.size() / 3), mesh.points.data(),
                                 static_cast<int64_t>(mesh.tets.size() / 4), mesh.tets.data(),
-                                mesh.labels.empty() ? nullptr : mesh.labels.data(), 0, out),
+                                mesh.labels.empty() ? nullptr : mesh.labels.data(), 0, &made),
               std::string("'") + path + "': ");
+        MeshHandle owner(made);
+        name_labels(mesh, path, made);
+        *out = owner.release();
     });
 }

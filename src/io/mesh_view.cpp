@@ -2,23 +2,15 @@
 #include "io/mesh_view.hpp"
 
 #include "io/group_numbers.hpp"
+#include "io/label_names.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 namespace cleft::io
 {
 
 namespace
 {
-
-constexpr const char* material_prefix = "material_";
-constexpr const char* minus_word = "minus";
-
-std::string word_of(int32_t label)
-{
-    return label < 0 ? minus_word + std::to_string(-int64_t{label}) : std::to_string(label);
-}
 
 std::string hull_name(int32_t side, int32_t label)
 {
@@ -71,6 +63,8 @@ size_t MeshView::label_index(int32_t label) const
     return static_cast<size_t>(std::lower_bound(labels.begin(), labels.end(), label) - labels.begin());
 }
 
+std::string MeshView::material(size_t index) const { return material_name(labels[index], names[index]); }
+
 MeshView view_of(const cleft_mesh* mesh, const cleft_surface* surface)
 {
     MeshView view;
@@ -81,24 +75,12 @@ MeshView view_of(const cleft_mesh* mesh, const cleft_surface* surface)
     view.tet_labels = cleft_mesh_tet_labels(mesh);
     const int32_t* labels = cleft_mesh_labels(mesh);
     view.labels.assign(labels, labels + cleft_mesh_label_count(mesh));
+    for (const int32_t label : view.labels)
+        view.names.push_back(cleft_mesh_label_name(mesh, label));
     add_interfaces(surface, view.groups);
     add_hull(surface, view.groups);
     number_groups(view);
     return view;
-}
-
-std::string material_name(int32_t label) { return material_prefix + word_of(label); }
-
-bool label_of_material_name(const std::string& name, int32_t& label)
-{
-    const std::string prefix = material_prefix;
-    if (name.compare(0, prefix.size(), prefix) != 0)
-        return false;
-    std::string number = name.substr(prefix.size());
-    if (number.compare(0, std::string(minus_word).size(), minus_word) == 0)
-        number.replace(0, std::string(minus_word).size(), "-");
-    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), label);
-    return error == std::errc() && end == number.data() + number.size();
 }
 
 }  // namespace cleft::io

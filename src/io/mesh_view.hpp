@@ -35,6 +35,7 @@ struct MeshView {
     const int32_t* tets = nullptr;
     const int32_t* tet_labels = nullptr;
     std::vector<int32_t> labels;          // ascending
+    std::vector<std::string> names;       // of the labels, "" where there is none
     std::vector<int32_t> volume_numbers;  // of the labels, in formats whose numbers must be positive
     // Interfaces first, then the hull; empty if the surface was not asked for.
     std::vector<SurfaceGroup> groups;
@@ -42,6 +43,8 @@ struct MeshView {
     int64_t triangle_count() const;
     // Position of a label in `labels`.
     size_t label_index(int32_t label) const;
+    // "material_3", "material_3_right_lung": what a label is called, by its position in `labels`.
+    std::string material(size_t index) const;
 };
 
 struct SurfaceDeleter {
@@ -51,10 +54,5 @@ using SurfaceHandle = std::unique_ptr<cleft_surface, SurfaceDeleter>;
 
 // `surface` may be null. The view borrows from both.
 MeshView view_of(const cleft_mesh* mesh, const cleft_surface* surface);
-
-// "material_3", "material_minus3": letters, digits and underscores, which every format takes.
-std::string material_name(int32_t label);
-// The label in such a name.
-bool label_of_material_name(const std::string& name, int32_t& label);
 
 }  // namespace cleft::io

@@ -1,8 +1,8 @@
 // Gmsh 2.2 and 4.1, text and binary. The label of a tetrahedron is what the name "material_<label>" of its physical
 // group says, else the number of the group, else that of its entity.
 #include "io/gmsh_numbering.hpp"
+#include "io/label_names.hpp"
 #include "io/mesh_data.hpp"
-#include "io/mesh_view.hpp"
 #include "io/text_scanner.hpp"
 
 #include <array>
@@ -51,6 +51,7 @@ private:
     void read_format();
     void read_section(const std::string& section);
     void read_physical_names();
+    void name_group(int64_t group, const std::string& text);
     void read_entities();
     void read_nodes_22();
     void read_nodes_41();
@@ -169,10 +170,24 @@ void GmshReader::read_physical_names()
         const size_t end = line.rfind('"');
         if (begin == std::string::npos || end == begin)
             in_.fail("a physical name must be in quotes");
-        int32_t label = 0;
-        if (dimension == 3 && label_of_material_name(line.substr(begin + 1, end - begin - 1), label))
-            named_labels_[group] = label;
+        if (dimension == 3)
+            name_group(group, line.substr(begin + 1, end - begin - 1));
     }
+}
+
+// "material_<label>", which may have a name behind it, tells the label; any other name is that of the group's number.
+void GmshReader::name_group(int64_t group, const std::string& text)
+{
+    int32_t label = 0;
+    std::string name;
+    if (label_of_material_name(text, label, name)) {
+        named_labels_[group] = label;
+    } else if (is_label(static_cast<double>(group))) {
+        label = static_cast<int32_t>(group);
+        name = text;
+    }
+    if (!name.empty())
+        mesh_.names.emplace(label, name);
 }
 
 void GmshReader::read_entities()

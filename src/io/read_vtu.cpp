@@ -1,6 +1,7 @@
 // VTK XML unstructured grids of one piece.
 #include "base/error.hpp"
 #include "io/cell_labels.hpp"
+#include "io/label_names.hpp"
 #include "io/mesh_data.hpp"
 #include "io/text_scanner.hpp"
 #include "io/vtk_array.hpp"
@@ -20,6 +21,7 @@ struct VtuFile {
     std::vector<XmlTag> points;
     std::vector<XmlTag> cells;
     std::vector<XmlTag> cell_data;
+    std::vector<XmlTag> field_data;
     int64_t point_count = -1;
     int64_t cell_count = -1;
 };
@@ -69,7 +71,10 @@ VtuFile scan(std::string_view text)
             section = &file.cells;
         } else if (tag.name == "CellData") {
             section = &file.cell_data;
-        } else if (tag.name == "/Points" || tag.name == "/Cells" || tag.name == "/CellData") {
+        } else if (tag.name == "FieldData") {
+            section = &file.field_data;
+        } else if (tag.name == "/Points" || tag.name == "/Cells" || tag.name == "/CellData" ||
+                   tag.name == "/FieldData") {
             section = nullptr;
         } else if (tag.name == "DataArray" && section) {
             section->push_back(tag);
@@ -124,6 +129,12 @@ MeshData read(std::string_view text)
             arrays.push_back({tag.get("Name"), 1, read_vtk_reals(tag, file.encoding, file.cell_count)});
     }
     take_tetrahedra(read_cells(file), arrays, mesh);
+    for (const XmlTag& tag : file.field_data) {
+        int32_t label = 0;
+        std::string name;
+        if (label_of_material_name(tag.get("Name"), label, name) && !name.empty())
+            mesh.names.emplace(label, name);
+    }
     return mesh;
 }
 

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/element_faces.hpp"
+#include "io/label_names.hpp"
 #include "io/writers.hpp"
 
 #include <algorithm>
@@ -73,12 +74,16 @@ void write_elements(const MeshView& mesh, AtomicFile& file)
     for (int64_t t = 0; t < mesh.tet_count; ++t)
         tets[mesh.label_index(mesh.tet_labels[t])].push_back(t);
     for (size_t m = 0; m < tets.size(); ++m) {
-        file.print("*ELEMENT, TYPE=C3D4, ELSET=", upper(material_name(mesh.labels[m])), '\n');
+        const std::string set = upper(material_name(mesh.labels[m]));
+        file.print("*ELEMENT, TYPE=C3D4, ELSET=", set, '\n');
         for (const int64_t t : tets[m]) {
             const int32_t* c = mesh.tets + 4 * t;
             file.print(t + 1, ',', c[0] + int64_t{1}, ',', c[1] + int64_t{1}, ',', c[2] + int64_t{1}, ',',
                        c[3] + int64_t{1}, '\n');
         }
+        const std::string named = upper(mesh.material(m));
+        if (named != set)
+            file.print("*ELSET, ELSET=", named, '\n', set, '\n');
     }
 }
 

@@ -27,6 +27,9 @@ void write_medit(const MeshView& mesh, const std::string& path)
     file.print("MeshVersionFormatted 2\n# tetrahedra: the reference is the material; triangles:\n");
     for (const SurfaceGroup& group : mesh.groups)
         file.print("# ", group.number, " = ", group.name, '\n');
+    for (size_t l = 0; l < mesh.labels.size(); ++l)
+        if (!mesh.names[l].empty())
+            file.print("# material ", mesh.labels[l], " = ", mesh.names[l], '\n');
     file.print("Dimension 3\n\nVertices\n", mesh.point_count, '\n');
     for (int64_t i = 0; i < mesh.point_count; ++i) {
         const double* p = mesh.points + 3 * i;

@@ -41,6 +41,9 @@ void write_faces(const MeshView& mesh, AtomicFile& file)
         }
     for (const SurfaceGroup& group : mesh.groups)
         file.print("# ", group.number, " = ", group.name, '\n');
+    for (size_t l = 0; l < mesh.labels.size(); ++l)
+        if (!mesh.names[l].empty())
+            file.print("# material ", mesh.labels[l], " = ", mesh.names[l], '\n');
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include "io/atomic_file.hpp"
 #include "io/compressed_blocks.hpp"
 #include "io/inner_surface.hpp"
+#include "io/label_names.hpp"
 #include "io/writers.hpp"
+#include "io/xml_scanner.hpp"
 
 #include <limits>
 #include <vector>
@@ -76,6 +78,18 @@ std::string add_cells(AppendedArrays& arrays, const int32_t* corners, int64_t ce
     return elements;
 }
 
+// For each label with a name a number, the label, called "material_3 right lung". An array of strings could say it, but
+// meshio reads no file that has one.
+std::string field_data(const MeshView& mesh)
+{
+    std::string elements;
+    for (size_t l = 0; l < mesh.labels.size(); ++l)
+        if (!mesh.names[l].empty())
+            elements += "<DataArray type=\"Int32\" Name=\"" + to_xml(material_title(mesh.labels[l], mesh.names[l])) +
+                        "\" NumberOfTuples=\"1\" format=\"ascii\">" + std::to_string(mesh.labels[l]) + "</DataArray>\n";
+    return elements.empty() ? "" : "<FieldData>\n" + elements + "</FieldData>\n";
+}
+
 void write_file(const std::string& path, const std::string& type, const std::string& piece,
                 const AppendedArrays& arrays)
 {
@@ -103,7 +117,7 @@ void write_vtu(const MeshView& mesh, const std::string& path, int threads)
     piece += arrays.add("types", types.data(), mesh.tet_count) + "</Cells>\n";
     piece += "<CellData Scalars=\"material\">\n" + arrays.add("material", mesh.tet_labels, mesh.tet_count) +
              "</CellData>\n</Piece>\n";
-    write_file(path, "UnstructuredGrid", piece, arrays);
+    write_file(path, "UnstructuredGrid", field_data(mesh) + piece, arrays);
 }
 
 void write_vtp(const MeshView& mesh, const std::string& path, int threads)
@@ -124,7 +138,7 @@ void write_vtp(const MeshView& mesh, const std::string& path, int threads)
     piece += "<Polys>\n" + add_cells(arrays, surface.corners.data(), surface.count(), 3) + "</Polys>\n";
     piece += "<CellData Scalars=\"material_1\">\n" + arrays.add("material_1", labels[0].data(), surface.count());
     piece += arrays.add("material_2", labels[1].data(), surface.count()) + "</CellData>\n</Piece>\n";
-    write_file(path, "PolyData", piece, arrays);
+    write_file(path, "PolyData", field_data(mesh) + piece, arrays);
 }
 
 }  // namespace cleft::io

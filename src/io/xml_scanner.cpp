@@ -1,10 +1,18 @@
+// Finds the tags of an XML file, and writes and reads the characters that XML keeps for itself.
 #include "io/xml_scanner.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace cleft::io
 {
 
 namespace
 {
+
+constexpr std::pair<char, std::string_view> entities[] = {
+    {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&apos;"}};
 
 constexpr const char* blanks = " \t\r\n";
 
@@ -23,12 +31,40 @@ std::map<std::string, std::string> parse_attributes(std::string_view text)
             return attributes;
         std::string name(text.substr(at, equals - at));
         name.erase(name.find_last_not_of(blanks) + 1);
-        attributes[name] = text.substr(open + 1, close - open - 1);
+        attributes[name] = from_xml(text.substr(open + 1, close - open - 1));
         at = close + 1;
     }
 }
 
 }  // namespace
+
+std::string to_xml(std::string_view text)
+{
+    std::string out;
+    for (const char c : text) {
+        const auto* entity =
+            std::find_if(std::begin(entities), std::end(entities), [c](const auto& e) { return e.first == c; });
+        if (entity != std::end(entities))
+            out += entity->second;
+        else
+            out += c;
+    }
+    return out;
+}
+
+std::string from_xml(std::string_view text)
+{
+    std::string out;
+    while (!text.empty()) {
+        const auto* entity = std::find_if(std::begin(entities), std::end(entities), [text](const auto& e) {
+            return text.substr(0, e.second.size()) == e.second;
+        });
+        const bool found = entity != std::end(entities);
+        out += found ? entity->first : text.front();
+        text.remove_prefix(found ? entity->second.size() : 1);
+    }
+    return out;
+}
 
 std::string XmlTag::get(const std::string& attribute) const
 {

@@ -8,11 +8,15 @@
 namespace cleft::io
 {
 
+// Text as the value of an attribute, and back: &, <, >, " and ' have names.
+std::string to_xml(std::string_view text);
+std::string from_xml(std::string_view text);
+
 struct XmlTag {
-    std::string name;  // "/Points" for an end
-    std::map<std::string, std::string> attributes;
-    std::string_view text;  // up to the next '<'
-    size_t end = 0;         // place behind the '>'
+    std::string name;                               // "/Points" for an end
+    std::map<std::string, std::string> attributes;  // characters with names in place of these
+    std::string_view text;                          // up to the next '<'
+    size_t end = 0;                                 // place behind the '>'
 
     // The attribute, or "".
     std::string get(const std::string& attribute) const;

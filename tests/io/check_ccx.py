@@ -60,7 +60,9 @@ def check_heat_conduction(sample):
     sides = {name.rsplit('_', 1)[0] for name in groups if name.startswith('BOX')}
     same(set(names_in(inp, '*SURFACE', 'NAME')), interfaces | sides, 'surfaces')
     same(set(names_in(inp, '*NSET', 'NSET')), interfaces | sides, 'node sets')
-    same(set(names_in(inp, '*ELEMENT', 'ELSET')), {name.upper() for name in sample.materials()}, 'element sets')
+    labels = set(sample.labels.tolist())
+    same(set(names_in(inp, '*ELEMENT', 'ELSET')), {'MATERIAL_' + word(label).upper() for label in labels}, 'element sets')
+    same(names_in(inp, '*ELSET', 'ELSET'), [sample.material(sample.named).upper()], 'element sets by name')
 
     sections = '\n'.join('*SOLID SECTION, MATERIAL=ANY, ELSET=' + name.upper() for name in sample.materials())
     fluxes = '\n'.join('*SECTION PRINT, SURFACE=%s, NAME=F%d\nFLUX' % (name, i)

@@ -26,7 +26,7 @@ def check_triangles_of_medit(sample):
     names = {}
     with open(sample.path('medit.mesh')) as file:
         for line in file:
-            if line.startswith('# ') and ' = ' in line:
+            if line.startswith('# ') and ' = ' in line and not line.startswith('# material'):
                 number, name = line[2:].split(' = ')
                 names[int(number)] = name.strip()
     groups = {}

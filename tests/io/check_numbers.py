@@ -40,7 +40,7 @@ def read_tetgen(sample):
     tets = np.array(read_lines(sample.path('tetgen.ele'))[1:], dtype=np.int64)
     lines = read_lines(sample.path('tetgen.face'))
     triangles = np.array([row for row in lines[1:] if row[0] != '#'], dtype=np.int64)
-    names = {int(row[1]): row[3] for row in lines if row[0] == '#'}
+    names = {int(row[1]): row[3] for row in lines if row[0] == '#' and row[2] == '='}
     return numbered(tets[:, 1:5] - 1, tets[:, 5]), numbered(triangles[:, 1:4] - 1, triangles[:, 4]), names
 
 
@@ -64,7 +64,7 @@ def read_gmsh(name):
 def check_numbers(sample):
     groups, materials = sample.groups(), sample.materials()
     labels = sorted(set(sample.labels.tolist()))
-    own = {label: materials['material_%s' % str(label).replace('-', 'minus')] for label in labels}
+    own = {label: materials[sample.material(label)] for label in labels}
     for read, keeps_all in ((read_medit, True), (read_tetgen, True), (read_gmsh('msh22.msh'), False),
                             (read_gmsh('msh41.msh'), False)):
         tets, triangles, names = read(sample)

@@ -3,7 +3,7 @@ import numpy as np
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
-from sample import run_checks, same
+from sample import NAME, run_checks, same, word
 
 
 def read(reader, path):
@@ -22,8 +22,16 @@ def check_grid(sample, grid):
                       vtk_to_numpy(grid.GetCellData().GetArray('material')))
 
 
+def check_names(sample, data):
+    fields = data.GetFieldData()
+    names = {fields.GetArrayName(i): vtk_to_numpy(fields.GetArray(i)).tolist() for i in range(fields.GetNumberOfArrays())}
+    same(names, {'material_%s %s' % (word(sample.named), NAME): [sample.named]}, 'names')
+
+
 def check_vtu(sample):
-    check_grid(sample, read(vtk.vtkXMLUnstructuredGridReader(), sample.path('vtu.vtu')))
+    grid = read(vtk.vtkXMLUnstructuredGridReader(), sample.path('vtu.vtu'))
+    check_grid(sample, grid)
+    check_names(sample, grid)
 
 
 def check_legacy_vtk(sample):
@@ -38,6 +46,7 @@ def triangles_of(surface):
 def check_vtp(sample):
     surface = read(vtk.vtkXMLPolyDataReader(), sample.path('vtp.vtp'))
     same(triangles_of(surface).tolist(), sample.points[sample.interface[:, :3]].tolist(), 'triangles')
+    check_names(sample, surface)
     for number in (1, 2):
         labels = vtk_to_numpy(surface.GetCellData().GetArray('material_%d' % number))
         same(labels.tolist(), sample.interface[:, 2 + number].tolist(), 'labels')

@@ -8,6 +8,8 @@ import numpy as np
 
 INTERFACE_COLUMNS = 5  # three corners, two labels
 HULL_COLUMNS = 5  # three corners, label, side
+NAME = 'Right lung, "größer" & <b> \''  # of the second label
+PLAIN_NAME = 'Right_lung_gr_er_b'
 SIDES = ['box_x_min', 'box_x_max', 'box_y_min', 'box_y_max', 'box_z_min', 'box_z_max', 'hull']
 
 
@@ -18,6 +20,7 @@ class Sample:
         self.points = load('points.f64', '<f8', 3)
         self.tets = load('tets.i32', '<i4', 4)
         self.labels = load('labels.i32', '<i4', 1)[:, 0]
+        self.named = sorted(set(self.labels.tolist()))[1]
         self.interface = load('interface.i32', '<i4', INTERFACE_COLUMNS)
         self.hull = load('hull.i32', '<i4', HULL_COLUMNS)
 
@@ -37,8 +40,12 @@ class Sample:
         """Name of each material -> set of its tetrahedra (sorted corners)."""
         materials = {}
         for tet, label in zip(self.tets, self.labels):
-            materials.setdefault('material_' + word(label), set()).add(corners(*tet))
+            materials.setdefault(self.material(label), set()).add(corners(*tet))
         return materials
+
+    def material(self, label):
+        """What a label is called."""
+        return 'material_' + word(label) + ('_' + PLAIN_NAME if label == self.named else '')
 
     def check_tets(self, points, tets, labels, ordered=True):
         """The same points in every bit, the same tetrahedra with the same labels."""

@@ -9,6 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define NAME_OF_SECOND                 \
+    "Right lung, \"gr\xc3\xb6\xc3\x9f" \
+    "er\" & <b> '"
+
 static const char* folder;
 
 static FILE* open_array(const char* name)
@@ -60,6 +64,7 @@ static cleft_mesh* make_mesh(cleft_context* context, char** labels)
                 break;
             }
     cleft_mesh_create(context, SAMPLE_POINTS, sample.points, SAMPLE_TETS, sample.tets, sample.labels, 0, &mesh);
+    cleft_mesh_set_label_name(mesh, labels ? (int32_t)strtol(labels[1], NULL, 10) : own[1], NAME_OF_SECOND);
     return mesh;
 }
 

@@ -1,0 +1,66 @@
+// Makes what labels are called in files of their numbers and names, and reads it back.
+#include "io/label_names.hpp"
+
+#include <charconv>
+
+namespace cleft::io
+{
+
+namespace
+{
+
+constexpr const char* material_prefix = "material_";
+constexpr const char* minus_word = "minus";
+constexpr size_t longest_name = 40;  // CalculiX ends names of sets after 80 characters
+
+bool is_plain(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
+
+// One underscore in the place of all other characters between letters and digits.
+std::string plain(const std::string& name)
+{
+    std::string text;
+    bool gap = false;
+    for (const char c : name) {
+        if (is_plain(c) && text.size() + (gap ? 1 : 0) < longest_name) {
+            if (gap && !text.empty())
+                text += '_';
+            text += c;
+        }
+        gap = !is_plain(c);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string word_of(int32_t label)
+{
+    return label < 0 ? minus_word + std::to_string(-int64_t{label}) : std::to_string(label);
+}
+
+std::string material_name(int32_t label, const std::string& name)
+{
+    const std::string behind = plain(name);
+    return material_prefix + word_of(label) + (behind.empty() ? "" : "_" + behind);
+}
+
+std::string material_title(int32_t label, const std::string& name) { return material_name(label) + " " + name; }
+
+bool label_of_material_name(const std::string& text, int32_t& label, std::string& name)
+{
+    const std::string prefix = material_prefix;
+    const std::string minus = minus_word;
+    if (text.compare(0, prefix.size(), prefix) != 0)
+        return false;
+    std::string number = text.substr(prefix.size());
+    if (number.compare(0, minus.size(), minus) == 0)
+        number.replace(0, minus.size(), "-");
+    const char* end_of_text = number.data() + number.size();
+    const auto [end, error] = std::from_chars(number.data(), end_of_text, label);
+    if (error != std::errc() || (end != end_of_text && *end != '_' && *end != ' '))
+        return false;
+    name = end == end_of_text ? "" : std::string(end + 1, end_of_text);
+    return true;
+}
+
+}  // namespace cleft::io

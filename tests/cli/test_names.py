@@ -1,0 +1,77 @@
+"""Names of labels: told by the command, and kept through the formats that hold them."""
+import json
+import unittest
+from xml.sax.saxutils import quoteattr
+
+from support import CANNOT_READ, CommandTest, cleft
+
+NAME = 'Linke Niere "größer" & <ok>'
+PLAIN = "Linke_Niere_gr_er_ok"
+
+
+class Names(CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.mesh(self.volume, output="plain.vtu")
+        self.name_in_vtu("material_3 " + NAME)
+
+    def name_in_vtu(self, title):
+        field = '<FieldData>\n<DataArray type="Int32" Name=%s NumberOfTuples="1" format="ascii">3</DataArray>\n</FieldData>\n'
+        plain = self.path("plain.vtu").read_bytes()
+        self.path("named.vtu").write_bytes(plain.replace(b"<Piece", (field % quoteattr(title)).encode() + b"<Piece", 1))
+
+    def names(self, name):
+        labels = json.loads(self.run_ok("info", self.path(name), "--json", "-").stdout)["mesh"]["labels"]
+        return {row["label"]: row["name"] for row in labels}
+
+    def text(self, name):
+        return self.path(name).read_bytes().decode(errors="replace")
+
+    def test_info_tells_them(self):
+        self.assertEqual(self.names("named.vtu"), {0: "", 3: NAME, 7: ""})
+        table = self.run_ok("info", self.path("named.vtu")).stdout.splitlines()
+        self.assertTrue([line for line in table if line.split()[:1] == ["3"] and line.endswith("  " + NAME)])
+
+    def test_vtu_keeps_every_character(self):
+        self.run_ok("convert", self.path("named.vtu"), self.path("again.vtu"))
+        self.assertEqual(self.names("again.vtu"), self.names("named.vtu"))
+        self.run_ok("convert", self.path("again.vtu"), self.path("kept.vtu"), "--only", "0", "3")
+        self.assertEqual(self.names("kept.vtu"), {0: "", 3: NAME})
+
+    def test_gmsh_keeps_letters_and_digits(self):
+        for version in ("2.2", "4.1"):
+            self.run_ok("convert", self.path("named.vtu"), self.path("a.msh"), "--msh-version", version)
+            self.assertIn('3 3 "material_3_%s"\n' % PLAIN, self.text("a.msh"))
+            self.assertIn('3 7 "material_7"\n', self.text("a.msh"))
+            self.run_ok("convert", self.path("a.msh"), self.path("b.vtu"))
+            self.assertEqual(self.names("b.vtu"), {0: "", 3: PLAIN, 7: ""})
+
+    def test_element_sets_keep_their_names_and_get_another(self):
+        self.run_ok("convert", self.path("named.vtu"), self.path("a.inp"))
+        self.assertIn("ELSET=MATERIAL_3\n", self.text("a.inp"))
+        self.assertIn("*ELSET, ELSET=MATERIAL_3_%s\nMATERIAL_3\n" % PLAIN.upper(), self.text("a.inp"))
+
+    def test_comments(self):
+        for name, file in (("a.mesh", "a.mesh"), ("a.node", "a.face")):
+            self.run_ok("convert", self.path("named.vtu"), self.path(name))
+            self.assertIn("# material 3 = %s\n" % NAME, self.text(file))
+
+    def test_names_of_groups_of_others(self):
+        self.run_ok("convert", self.path("plain.vtu"), self.path("a.msh"), "--msh-version", "2.2")
+        self.path("a.msh").write_text(self.text("a.msh").replace('"material_3"', '"steel"'))
+        self.assertEqual(self.names("a.msh"), {0: "", 3: "steel", 7: ""})
+
+    def test_names_without_a_letter_and_long_ones(self):
+        for name, group in (("肝臓", "material_3"), ("x" * 200, "material_3_" + "x" * 40), ("-- a --", "material_3_a")):
+            self.name_in_vtu("material_3 " + name)
+            self.run_ok("convert", self.path("named.vtu"), self.path("a.msh"))
+            self.assertIn('"%s"\n' % group, self.text("a.msh"))
+
+    def test_a_name_that_is_no_text_is_refused(self):
+        broken = self.path("named.vtu").read_bytes().replace("größer".encode(), b"gr\xff\xfe", 1)
+        self.path("broken.vtu").write_bytes(broken)
+        self.assert_fails(CANNOT_READ, cleft("info", self.path("broken.vtu")), "name of label 3")
+
+
+if __name__ == "__main__":
+    unittest.main()
