@@ -7,8 +7,15 @@ endforeach()
 
 # Under the names that the modules ask for, and as files, for an archive has no links.
 file(GLOB_RECURSE libraries ${STAGE}/libcleft*_csharp.so ${STAGE}/libcleft*.so.[0-9])
+set(NATIVE_ITEMS)
 foreach(library ${libraries})
     get_filename_component(name ${library} NAME)
+    string(APPEND NATIVE_ITEMS "
+    <None Include=\"\$(MSBuildThisFileDirectory)../../runtimes/${RUNTIME}/native/${name}\">
+      <Link>${name}</Link>
+      <Visible>false</Visible>
+      <CopyToOutputDirectory>PreserveNewest</CopyToOutputDirectory>
+    </None>")
     file(REAL_PATH ${library} file)
     configure_file(${file} ${FOLDER}/runtimes/${RUNTIME}/native/${name} COPYONLY)
 endforeach()

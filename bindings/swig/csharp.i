@@ -46,6 +46,27 @@ CLEFT_CSHARP_TYPES(global::System.IntPtr[], $csinput, const char* const* paths)
 %typemap(out) const void* ADDRESS "$result = (void*)$1;"
 %typemap(csout, excode=SWIGEXCODE) const void* ADDRESS { return $imcall; }
 
+// Texts are UTF-8. One that is returned is copied, for its owner may be collected before it is read: Utf8.Take() frees it.
+%{
+static void* cleft_csharp_text(const char* text)
+{
+    const size_t size = text ? strlen(text) + 1 : 0;
+    void* copy = size ? malloc(size) : NULL;
+    return copy ? memcpy(copy, text, size) : NULL;
+}
+%}
+%typemap(ctype) const char* "void *"
+%typemap(imtype, out="global::System.IntPtr") const char* "byte[]"
+%typemap(cstype) const char* "string"
+%typemap(csin) const char* "Utf8.Write($csinput, \"$csinput\")"
+%typemap(in) const char* "$1 = (char*)$input;"
+%typemap(argout) const char* ""
+%typemap(freearg) const char* ""
+%typemap(out) const char* "$result = cleft_csharp_text($1);"
+%typemap(csout, excode=SWIGEXCODE) const char* { return Utf8.Take($imcall); }
+%typemap(csvarout, excode=SWIGEXCODE2) const char* %{
+    get { return Utf8.Take($imcall); } %}
+
 #ifndef CLEFT_IO_MODULE
 CLEFT_CSHARP_TYPES(NativeProgress, $csinput, cleft_progress_callback callback)
 CLEFT_CSHARP_TYPES(NativeLog, $csinput, cleft_log_callback callback)
@@ -59,6 +80,7 @@ CLEFT_CSHARP_TYPES(global::System.IntPtr, $csinput, void* user, void* address)
 %ignore cleft_mesh_destroy;
 %ignore cleft_surface_destroy;
 %ignore cleft_report_destroy;
+%rename(cleft_text_free) free_text;
 %rename(cleft_context_destroy) destroy_context;
 %rename(cleft_options_destroy) destroy_options;
 %rename(cleft_volume_destroy) destroy_volume;
@@ -67,6 +89,7 @@ CLEFT_CSHARP_TYPES(global::System.IntPtr, $csinput, void* user, void* address)
 %rename(cleft_surface_destroy) destroy_surface;
 %rename(cleft_report_destroy) destroy_report;
 %inline %{
+static void free_text(void* address) { free(address); }
 static void destroy_context(void* address) { cleft_context_destroy((cleft_context*)address); }
 static void destroy_options(void* address) { cleft_options_destroy((cleft_options*)address); }
 static void destroy_volume(void* address) { cleft_volume_destroy((cleft_volume*)address); }

@@ -69,6 +69,16 @@ static void cleft_array_close(JNIEnv* env, CleftArray* array, jint mode)
     }
     array->kind = 0;
 }
+
+// The bytes of a text, UTF-8 as the library has it: JNI's own strings have another encoding.
+static jbyteArray cleft_java_text(JNIEnv* env, const char* text)
+{
+    const jsize size = (jsize)strlen(text);
+    const jbyteArray bytes = (*env)->NewByteArray(env, size);
+    if (bytes)
+        (*env)->SetByteArrayRegion(env, bytes, 0, size, (const jbyte*)text);
+    return bytes;
+}
 %}
 
 // CLEFT_JAVA_TYPES(KIND OF PARAMETER, TYPE IN JNI, TYPE IN JAVA)
@@ -156,14 +166,29 @@ CLEFT_JAVA_ARRAY(0, double* ARRAY_OUT)
     free((void*)texts$argnum);
 }
 
-CLEFT_JAVA_TYPES(jobjectArray, String[], const char** OUT_NAME)
+CLEFT_JAVA_TYPES(jobjectArray, byte[][], const char** OUT_NAME)
 %typemap(in) const char** OUT_NAME (char* name = NULL) "$1 = ($1_ltype)&name;"
 %typemap(argout) const char** OUT_NAME
 {
     if (name$argnum)
-        (*jenv)->SetObjectArrayElement(jenv, $input, 0, (*jenv)->NewStringUTF(jenv, name$argnum));
+        (*jenv)->SetObjectArrayElement(jenv, $input, 0, cleft_java_text(jenv, name$argnum));
 }
 %typemap(freearg) const char** OUT_NAME ""
+
+// Texts are bytes on their way, strings in Java: Text.java.
+%typemap(jni) const char* "jbyteArray"
+%typemap(jtype) const char* "byte[]"
+%typemap(jstype) const char* "String"
+%typemap(out) const char* "$result = $1 ? cleft_java_text(jenv, $1) : NULL;"
+%typemap(javaout) const char* { return Text.of($jnicall); }
+%typemap(javain) const char* "Text.bytes(\"$javainput\", $javainput)"
+%typemap(in) const char* (CleftArray bytes = {0})
+{
+    if (!cleft_array_open(jenv, $input, &bytes))
+        return $null;
+    $1 = (char*)bytes.data;
+}
+%typemap(freearg) const char* { cleft_array_close(jenv, &bytes$argnum, JNI_ABORT); }
 
 CLEFT_JAVA_TYPES(jlong, long, const void* ADDRESS)
 %typemap(out) const void* ADDRESS "$result = (jlong)(intptr_t)$1;"
@@ -187,8 +212,8 @@ JNIEXPORT jint JNICALL JNI_OnLoad(JavaVM* vm, void* reserved)
     if (!local)
         return JNI_ERR;
     cleft_callbacks = (jclass)(*env)->NewGlobalRef(env, local);
-    cleft_callback_progress = (*env)->GetStaticMethodID(env, local, "progress", "(DLjava/lang/String;)Z");
-    cleft_callback_log = (*env)->GetStaticMethodID(env, local, "log", "(ILjava/lang/String;)V");
+    cleft_callback_progress = (*env)->GetStaticMethodID(env, local, "progress", "(D[B)Z");
+    cleft_callback_log = (*env)->GetStaticMethodID(env, local, "log", "(I[B)V");
     return cleft_callback_progress && cleft_callback_log ? JNI_VERSION_1_8 : JNI_ERR;
 }
 
@@ -205,7 +230,7 @@ static int cleft_java_progress(double fraction, const char* stage, void* user)
 {
     (void)user;
     JNIEnv* env = cleft_environment();
-    const jstring words = env ? (*env)->NewStringUTF(env, stage) : NULL;
+    const jbyteArray words = env ? cleft_java_text(env, stage) : NULL;
     if (!words)
         return 1;
     const jboolean cancel =
@@ -220,7 +245,7 @@ static void cleft_java_log(int32_t level, const char* sentence, void* user)
 {
     (void)user;
     JNIEnv* env = cleft_environment();
-    const jstring words = env ? (*env)->NewStringUTF(env, sentence) : NULL;
+    const jbyteArray words = env ? cleft_java_text(env, sentence) : NULL;
     if (!words)
         return;
     (*env)->CallStaticVoidMethod(env, cleft_callbacks, cleft_callback_log, (jint)level, words);

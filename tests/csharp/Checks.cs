@@ -1,5 +1,6 @@
 using System;
 using System.Collections;
+using System.Collections.Generic;
 using System.Linq;
 using System.Reflection;
 using Cleft;
@@ -7,11 +8,26 @@ using Cleft;
 /// <summary>What the tests share: running methods named Test..., asserting, and a small volume.</summary>
 static class Checks
 {
-    /// <summary>Runs the golden case, or all methods Test...() of a class, each on an object of its own.</summary>
+    /// <summary>First calls that a program may make, where libraries are missing.</summary>
+    static readonly Dictionary<string, Action> Attempts = new Dictionary<string, Action> {
+        ["TryMesher"] = () => new Mesher(),
+        ["TryOptions"] = () => new Options(),
+        ["TryVersion"] = () => Library.Version.Trim(),
+        ["TryTable"] = () => OptionDescription.Table(),
+        ["TryFiles"] = () => MeshFiles.Formats(),
+        ["TryGuess"] = () => MeshFiles.Guess("a.vtu"),
+        ["TryRead"] = () => MeshFiles.ReadVolume(new Mesher(), "a.nrrd")
+    };
+
+    /// <summary>Runs an attempt, the golden case, or all methods Test...() of a class, each on an object of its own.</summary>
     static int Main(string[] arguments)
     {
         if (arguments[0] == "Golden") {
             Golden.Run();
+            return 0;
+        }
+        if (Attempts.TryGetValue(arguments[0], out Action attempt)) {
+            attempt();
             return 0;
         }
         Type tests = typeof(Checks).Assembly.GetType(arguments[0], true);

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Cleft;
 
 /// <summary>Wrong use gives C#'s ordinary exceptions.</summary>
@@ -79,10 +80,8 @@ sealed class FailuresTest
             () => mesher.Sizing(volume, values), () => volume.Sample(0, double.NaN, 0),
             () => mesher.ConstantSizing(volume, 1).At(double.NaN, 0, 0), () => mesher.Threads = -1,
             () => mesher.MeshOf(points, new[] { 0, 1, 2, 4 }), () => mesher.MeshOf(points, new[] { 0, 1, 2, -1 }),
-            () => mesher.MeshOf(points, new[] { 0, 1, 2, 3 }, null, 2),
             () => mesher.MeshOf(new[] { 0, 0, double.NaN }, new int[0]),
-            () => mesher.Labels(Checks.BallLabels(), Checks.Grid.WithAffine(new double[12])),
-            () => mesher.Labels(IntPtr.Zero, VoxelType.UInt8, Checks.Grid)
+            () => mesher.Labels(Checks.BallLabels(), Checks.Grid.WithAffine(new double[12]))
         })
             Checks.Thrown<InvalidArgumentException>(body);
         values[5] = double.NaN;
@@ -110,5 +109,100 @@ sealed class FailuresTest
         };
         Checks.Thrown<CancelledException>(() => mesher.Mesh(volume));
         Checks.Thrown<ObjectDisposedException>(() => volume.Grid.ToString());
+    }
+
+    /// <summary>Who gives a wrong argument is told its name, in the exception and in its sentence.</summary>
+    void TestNamesOfArguments()
+    {
+        Volume volume = Checks.BallVolume(mesher);
+        Mesh mesh = Checks.BallMesh(mesher);
+        byte[] labels = Checks.BallLabels();
+        var raw = new RawVoxels { Dims = new long[] { 1, 1, 1 } };
+        int voxels = labels.Length;
+        var wrong = new Dictionary<string, Action[]> {
+            ["nx"] = new Action[] { () => new Grid(0, 1, 1) },
+            ["ny"] = new Action[] { () => new Grid(1, -1, 1), () => new Grid(long.MaxValue, 2, 1) },
+            ["nz"] = new Action[] { () => new Grid(1, 1, 0), () => new Grid(long.MaxValue, 1, 2) },
+            ["x"] = new Action[] { () => Checks.Grid.WithSpacing(0, 1, 1), () => Checks.Grid.WithOrigin(double.NaN, 0, 0) },
+            ["y"] = new Action[] { () => Checks.Grid.WithSpacing(1, double.NaN, 1) },
+            ["z"] = new Action[] { () => Checks.Grid.WithOrigin(0, 0, double.PositiveInfinity) },
+            ["rows"] = new Action[] { () => Checks.Grid.WithAffine(1, 2), () => Checks.Grid.WithAffine(null) },
+            ["voxels"] = new Action[] {
+                () => mesher.Labels((byte[])null, Checks.Grid), () => mesher.Labels(new int[1], Checks.Grid),
+                () => mesher.Labels(IntPtr.Zero, VoxelType.UInt8, Checks.Grid) },
+            ["grid"] = new Action[] { () => mesher.Labels(labels, null), () => mesher.Indicators(new[] { new double[1] }, null) },
+            ["type"] = new Action[] {
+                () => mesher.Labels(new IntPtr(8), VoxelType.Float32, Checks.Grid),
+                () => mesher.Labels(new IntPtr(8), (VoxelType)99, Checks.Grid) },
+            ["fields"] = new Action[] {
+                () => mesher.Indicators((float[][])null, Checks.Grid), () => mesher.Indicators(new float[0][], Checks.Grid),
+                () => mesher.Indicators(new[] { new float[voxels], null }, Checks.Grid),
+                () => mesher.Indicators(new[] { new float[voxels], new float[3] }, Checks.Grid) },
+            ["labels"] = new Action[] {
+                () => mesher.Indicators(new[] { new float[voxels] }, Checks.Grid, new int[3]),
+                () => mesher.MeshOf(new double[12], new int[4], new int[2]) },
+            ["values"] = new Action[] {
+                () => mesher.Sizing(volume, (double[])null), () => mesher.Sizing(volume, new float[3]) },
+            ["points"] = new Action[] {
+                () => mesher.MeshOf(null, new int[4]), () => mesher.MeshOf(new double[2], new int[4]), () => volume.Sample(1) },
+            ["tets"] = new Action[] { () => mesher.MeshOf(new double[12], null), () => mesher.MeshOf(new double[12], new int[5]) },
+            ["indexBase"] = new Action[] {
+                () => mesher.MeshOf(new double[12], new int[4], null, 2), () => mesh.CopyTets(-1),
+                () => mesh.CopyQuadratic(out int[] tets, 2) },
+            ["volume"] = new Action[] { () => mesher.Mesh(null), () => mesher.Report(null, mesh), () => mesher.Sizing(null) },
+            ["mesh"] = new Action[] { () => mesher.Quality(null), () => MeshFiles.WriteMesh(mesher, null, "a.vtu") },
+            ["background"] = new Action[] { () => mesher.Cleave(volume, null) },
+            ["cleaved"] = new Action[] { () => mesher.Improve(volume, null) },
+            ["whole"] = new Action[] { () => mesher.Strip(null, null) },
+            ["sizing"] = new Action[] { () => mesher.BackgroundMesh(null), () => MeshFiles.WriteSizing(mesher, null, "a.nrrd") },
+            ["mesher"] = new Action[] { () => MeshFiles.ReadMesh(null, "a.vtu"), () => MeshFiles.ReadVolume(null, "a.nrrd") },
+            ["path"] = new Action[] {
+                () => MeshFiles.ReadMesh(mesher, null), () => MeshFiles.ReadVolume(mesher, (string)null),
+                () => MeshFiles.Guess(null), () => MeshFiles.ReadMesh(mesher, "a\0b.vtu") },
+            ["paths"] = new Action[] { () => MeshFiles.ReadVolume(mesher, new[] { "a.nrrd", null }) },
+            ["raw"] = new Action[] { () => MeshFiles.ReadRaw(mesher, null, null, "a.raw") },
+            ["format"] = new Action[] { () => MeshFiles.WriteMesh(mesher, mesh, "a.vtu", "jpeg") },
+            ["world"] = new Action[] {
+                () => MeshFiles.WriteSizing(mesher, mesher.ConstantSizing(volume, 1), "a.nrrd", (World)7) },
+            ["name"] = new Action[] { () => volume.SetLabelName(0, null), () => new Options().Set(null, "1") },
+            ["value"] = new Action[] { () => new Options().Set("size", null), () => new Options().Set("size", "1\0") },
+            ["Strip"] = new Action[] { () => new Options().Strip = null },
+            ["Only"] = new Action[] { () => new Options().Only = null },
+            ["Dims"] = new Action[] {
+                () => MeshFiles.ReadRaw(mesher, new RawVoxels(), null, "a.raw"),
+                () => MeshFiles.ReadRaw(mesher, new RawVoxels { Dims = new long[] { 1, 0, 1 } }, null, "a.raw") },
+            ["Skip"] = new Action[] {
+                () => MeshFiles.ReadRaw(mesher, new RawVoxels { Dims = raw.Dims, Skip = -1 }, null, "a.raw") },
+            ["Type"] = new Action[] {
+                () => MeshFiles.ReadRaw(mesher, new RawVoxels { Dims = raw.Dims, Type = 0 }, null, "a.raw") },
+            ["Spacing"] = new Action[] {
+                () => MeshFiles.ReadVolume(mesher, "a.nrrd", null, new Reading { Spacing = new double[2] }),
+                () => MeshFiles.ReadVolume(mesher, "a.nrrd", null, new Reading { Spacing = new[] { 0, -1.0, 0 } }),
+                () => MeshFiles.ReadRaw(mesher, new RawVoxels { Dims = raw.Dims, Spacing = new[] { 1.0 } }, null, "a.raw") },
+            ["Scale"] = new Action[] { () => MeshFiles.ReadVolume(mesher, "a.nrrd", null, new Reading { Scale = 0 }) },
+            ["World"] = new Action[] { () => MeshFiles.ReadVolume(mesher, "a.nrrd", null, new Reading { World = (World)5 }) },
+            ["Kind"] = new Action[] { () => MeshFiles.ReadVolume(mesher, "a.nrrd", null, new Reading { Kind = (VoxelKind)5 }) }
+        };
+        foreach (KeyValuePair<string, Action[]> entry in wrong)
+            foreach (Action body in entry.Value) {
+                var thrown = Checks.Thrown<ArgumentException>(body);
+                Checks.Equal(entry.Key, thrown.ParamName);
+                Checks.Check(thrown.Message.Contains(entry.Key), thrown.Message);
+            }
+    }
+
+    /// <summary>Options are called in sentences as in C#, but names of files are left alone.</summary>
+    void TestNamesOfOptions()
+    {
+        Volume volume = Checks.BallVolume(mesher);
+        foreach (var wrong in new Dictionary<string, Action> {
+            ["SizeMax is -1"] = () => new Options { SizeMax = -1 }.Dispose(), ["Size is "] = () => new Options { Size = double.NaN }.Dispose(),
+            ["SizeMax is less than SizeMin"] = () => mesher.Mesh(volume, new Options { SizeMin = 3, SizeMax = 2 }),
+            ["Threads is 2000"] = () => mesher.Threads = 2000, ["size_max is not a number"] = () => new Options().Set("size_max", "x"),
+            ["'/no/size_max.vtu'"] = () => MeshFiles.ReadMesh(mesher, "/no/size_max.vtu")
+        }) {
+            var thrown = Checks.Thrown<CleftException>(wrong.Value);
+            Checks.Check(thrown.Message.Contains(wrong.Key), thrown.Message);
+        }
     }
 }

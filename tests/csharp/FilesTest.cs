@@ -49,6 +49,26 @@ sealed class FilesTest
         Checks.Near(9, Math.Abs(other.Grid.Affine[10]), 1e-12);
     }
 
+    void TestScale()
+    {
+        string path = Path.Combine(Data, "mickey.nrrd");
+        double[] millimetres = MeshFiles.ReadVolume(mesher, path).Grid.Affine;
+        double[] metres = MeshFiles.ReadVolume(mesher, path, null, new Reading { Scale = 0.001 }).Grid.Affine;
+        for (int i = 0; i < 12; ++i)
+            Checks.Near(millimetres[i] / 1000, metres[i], 1e-12);
+    }
+
+    /// <summary>A sentence may have any letters in it, also where it is cut off.</summary>
+    void TestSentences()
+    {
+        string name = string.Concat(Enumerable.Repeat("\u00e4\ud83d\ude00", 40));
+        string folder = string.Concat(Enumerable.Repeat("/no-" + name, 5));
+        foreach (string prefix in new[] { "", "a", "aa", "aaa", "aaaa", "aaaaa" }) {
+            var failure = Checks.Thrown<FileFailureException>(() => MeshFiles.ReadMesh(mesher, "/" + prefix + folder + ".vtu"));
+            Checks.Check(failure.Message.Contains("/no-" + name), failure.Message);
+        }
+    }
+
     void TestRaw()
     {
         InFolder(path => {

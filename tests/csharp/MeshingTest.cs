@@ -180,4 +180,54 @@ sealed class MeshingTest
         Checks.Equal(0, mesher.Metrics().Count);
         Checks.Equal(3, Library.Version.Split('.').Length);
     }
+
+    void TestNamesOfLabels()
+    {
+        Volume volume = Checks.BallVolume(mesher).SetLabelName(1, "Herz \u2764 \ud83d\ude00").SetLabelName(7, "slab");
+        Checks.Equal("", volume.LabelName(0));
+        Checks.Equal("", volume.LabelName(99));
+        Checks.Check(volume.LabelNames.Count == 2 && volume.LabelNames[1] == "Herz \u2764 \ud83d\ude00", "names of the volume");
+        Mesh mesh = mesher.Mesh(volume, Checks.Quick());
+        Checks.Check(mesh.LabelNames.OrderBy(row => row.Key).SequenceEqual(volume.LabelNames.OrderBy(row => row.Key)), "names");
+        Mesh slab = mesher.Strip(mesh, new Options { Only = new[] { 7 } });
+        Checks.Check(slab.LabelNames.Count == 1 && slab.LabelName(7) == "slab", "names of the stripped mesh");
+        mesh.SetLabelName(1, "").SetLabelName(0, "outside");
+        Checks.Check(mesh.LabelNames.Count == 2 && mesh.LabelName(0) == "outside" && mesh.LabelName(1) == "", "set names");
+        foreach (Action body in new Action[] {
+            () => volume.SetLabelName(5, "five"), () => mesh.SetLabelName(5, "five"), () => mesh.SetLabelName(0, "two\nlines") })
+            Checks.Thrown<InvalidArgumentException>(body);
+    }
+
+    /// <summary>No label is special: not -1, nor the extremes of 32 bits, in any place where a label can be given or asked
+    /// for.</summary>
+    void TestAnyLabels()
+    {
+        Mesh wanted = Checks.BallMesh(mesher);
+        Volume ball = Checks.BallVolume(mesher);
+        byte[] old = { 0, 1, 7 };
+        foreach (int[] names in new[] {
+            new[] { -1, 5, 9 }, new[] { -3, -1, 0 }, new[] { int.MinValue, -1, int.MaxValue },
+            new[] { int.MinValue, int.MinValue + 1, -1 }, new[] { 0, int.MaxValue - 1, int.MaxValue } }) {
+            int[] labels = Array.ConvertAll(Checks.BallLabels(), label => names[Array.IndexOf(old, label)]);
+            Volume volume = mesher.Labels(labels, Checks.Grid);
+            Checks.Equal(names, volume.Labels.ToArray());
+            Checks.Equal(new[] { names[2], names[1] }, volume.Sample(11.5, 0.5, 0.5, 5.5, 6.5, 7.5));
+            Mesh mesh = mesher.Mesh(volume, Checks.Quick());
+            Checks.Equal(names, mesh.Labels.ToArray());
+            Checks.Equal(wanted.CopyPoints(), mesh.CopyPoints());
+            Checks.Equal(wanted.CopyTets(), mesh.CopyTets());
+            Checks.Check(mesher.Validate(mesh, true).IsValid, "not valid");
+            Surface surface = mesher.Surface(mesh), same = mesher.Surface(wanted);
+            Checks.Equal(same.HullSides.ToArray(), surface.HullSides.ToArray());
+            for (int m = 0; m < 3; ++m) {
+                Checks.Equal(new[] { names[m] }, mesher.Strip(mesh, new Options { Only = new[] { names[m] } }).Labels.ToArray());
+                Checks.Equal(2, mesher.Strip(mesh, new Options { Strip = new[] { names[m] } }).Labels.Count);
+                LabelReport row = mesher.Report(volume, mesh)[m];
+                Checks.Check(row.Label == names[m] && row.Voxels == volume.VoxelCounts[names[m]], row.ToString());
+                Func<int, Options> fine = label =>
+                    new Options { Background = Background.Lattice, SizeMax = 4 }.SetLabelSize(label, 0.7);
+                Checks.Equal(mesher.Sizing(ball, fine(old[m])).Values.ToArray(), mesher.Sizing(volume, fine(names[m])).Values.ToArray());
+            }
+        }
+    }
 }

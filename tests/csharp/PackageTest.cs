@@ -1,4 +1,5 @@
 using System;
+using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using System.Reflection;
@@ -33,6 +34,14 @@ sealed class PackageTest
             Checks.Check(known.Contains(Path.GetExtension(file)), file);
     }
 
+    void TestAssemblyHasTheVersion()
+    {
+        Assembly assembly = typeof(Mesher).Assembly;
+        Checks.Equal(Library.Version + ".0", assembly.GetName().Version.ToString());
+        Checks.Equal(Library.Version + ".0", assembly.GetCustomAttribute<AssemblyFileVersionAttribute>().Version);
+        Checks.Equal(Library.Version, assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>().InformationalVersion);
+    }
+
     void TestOnlyTheCoreLibraryIsNeeded()
     {
         var names = typeof(Mesher).Assembly.GetReferencedAssemblies().Select(name => name.Name).ToArray();
@@ -54,5 +63,73 @@ sealed class PackageTest
         string[] loaded = File.ReadLines("/proc/self/maps").Where(line => line.Contains("libcleft"))
             .Select(line => Path.GetDirectoryName(line.Substring(line.IndexOf('/')))).Distinct().ToArray();
         Checks.Equal(new[] { here }, loaded);
+    }
+
+    static readonly string Here = Path.GetDirectoryName(Assembly.GetExecutingAssembly().Location);
+
+    /// <summary>What a program prints that Mono runs in a folder.</summary>
+    static string Run(string folder, string program, string arguments)
+    {
+        var start = new ProcessStartInfo(program, arguments) {
+            WorkingDirectory = folder, UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true };
+        start.EnvironmentVariables.Remove("LD_LIBRARY_PATH");
+        using (Process process = Process.Start(start)) {
+            var errors = process.StandardError.ReadToEndAsync();
+            string output = process.StandardOutput.ReadToEnd();
+            process.WaitForExit();
+            return output + errors.Result;
+        }
+    }
+
+    /// <summary>A folder with the files of these names, out of that of this program.</summary>
+    static void InFolder(string[] names, Action<string> use)
+    {
+        string folder = Path.Combine(Path.GetTempPath(), "cleft-test-" + Guid.NewGuid());
+        Directory.CreateDirectory(folder);
+        try {
+            foreach (string name in names)
+                File.Copy(Path.Combine(Here, name), Path.Combine(folder, name));
+            use(folder);
+        } finally {
+            Directory.Delete(folder, true);
+        }
+    }
+
+    /// <summary>What a program in a folder with these libraries fails with: one sentence that names what is missing.</summary>
+    static void Missing(string[] libraries, string body, params string[] wanted)
+    {
+        InFolder(libraries.Concat(new[] { "Cleft.dll", "Tests.exe" }).ToArray(), folder => {
+            string output = Run(folder, Environment.GetEnvironmentVariable("MONO"), "Tests.exe " + body);
+            foreach (string text in wanted.Concat(new[] { "System.DllNotFoundException: the native library '", folder }))
+                Checks.Check(output.Contains(text), "no '" + text + "' in: " + output);
+            Checks.Check(!output.Contains("TypeInitializationException"), output);
+        });
+    }
+
+    void TestMissingLibraries()
+    {
+        foreach (string body in new[] { "TryMesher", "TryOptions", "TryVersion", "TryTable", "TryFiles" })
+            Missing(new string[0], body, "libcleft_csharp.so' of Cleft is missing", "LD_LIBRARY_PATH");
+        Missing(new[] { "libcleft_csharp.so" }, "TryMesher", "cannot be loaded (libcleft.so.0: ", "libtet1.5");
+        string[] core = { "libcleft.so.0", "libcleft_csharp.so" };
+        foreach (string body in new[] { "TryFiles", "TryGuess", "TryRead" })
+            Missing(core, body, "libcleft_io_csharp.so' of Cleft is missing");
+        Missing(core.Concat(new[] { "libcleft_io_csharp.so" }).ToArray(), "TryFiles", "(libcleft_io.so.0: ");
+    }
+
+    /// <summary>Debian's xbuild puts the native libraries beside the program.</summary>
+    void TestXbuild()
+    {
+        InFolder(new string[0], folder => {
+            string sources = Environment.GetEnvironmentVariable("TEST_SOURCES");
+            File.Copy(Path.Combine(sources, "Program.csproj"), Path.Combine(folder, "Program.csproj"));
+            File.WriteAllText(Path.Combine(folder, "Program.cs"),
+                "static class Program { static void Main() { System.Console.WriteLine(Cleft.MeshFiles.Formats().Count); } }");
+            Run(folder, "cp", "-r " + Folder + " cleft");
+            string output = Run(folder, Environment.GetEnvironmentVariable("XBUILD"), "/nologo Program.csproj");
+            Checks.Check(File.Exists(Path.Combine(folder, "bin/Program.exe")), output);
+            output = Run(folder, Environment.GetEnvironmentVariable("MONO"), "bin/Program.exe");
+            Checks.Equal(MeshFiles.Formats().Count.ToString(), output.Trim());
+        });
     }
 }

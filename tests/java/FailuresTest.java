@@ -85,7 +85,6 @@ final class FailuresTest {
             () -> mesher.constantSizing(volume, 1).at(Double.NaN, 0, 0), () -> mesher.threads(-1),
             () -> mesher.meshOf(points, new int[] {0, 1, 2, 4}, null, 0),
             () -> mesher.meshOf(points, new int[] {0, 1, 2, -1}, null, 0),
-            () -> mesher.meshOf(points, new int[] {0, 1, 2, 3}, null, 2),
             () -> mesher.meshOf(new double[] {0, 0, Double.NaN}, new int[0], null, 0),
             () -> mesher.labels(Checks.ballLabels(), Checks.GRID.affine(new double[12]), null)
         })
@@ -112,5 +111,89 @@ final class FailuresTest {
         });
         Checks.thrown(CleftException.Cancelled.class, () -> mesher.mesh(volume, null));
         Checks.thrown(IllegalStateException.class, volume::dims);
+    }
+
+    private static void named(Class<? extends RuntimeException> kind, String name, Checks.Body... bodies) {
+        for (Checks.Body body : bodies) {
+            String message = Checks.thrown(kind, body).getMessage();
+            Checks.check(message.matches("(?s)(.*\\W)?\\Q" + name + "\\E(\\W.*)?"), name + " is not named in: " + message);
+        }
+    }
+
+    /** Who gives null is told for what. */
+    void testNamesOfNulls() {
+        Volume volume = Checks.ballVolume(mesher);
+        Mesh mesh = Checks.ballMesh(mesher);
+        var path = java.nio.file.Path.of("a.vtu");
+        Class<NullPointerException> kind = NullPointerException.class;
+        named(kind, "voxels", () -> mesher.labels((byte[]) null, Checks.GRID, null),
+                () -> mesher.labels((ByteBuffer) null, VoxelType.UINT8, Checks.GRID, null));
+        named(kind, "grid", () -> mesher.labels(new short[1], null, null),
+                () -> mesher.indicators(new double[][] {{1}}, null, null));
+        named(kind, "fields", () -> mesher.indicators((float[][]) null, Checks.GRID, null));
+        named(kind, "fields[1]", () -> mesher.indicators(new double[][] {new double[12 * 13 * 14], null}, Checks.GRID, null));
+        named(kind, "volume", () -> mesher.mesh(null, null), () -> mesher.sizing(null, new float[1], false, null),
+                () -> mesher.report(null, mesh));
+        named(kind, "values", () -> mesher.sizing(volume, (double[]) null, false, null));
+        named(kind, "points", () -> mesher.meshOf(null, new int[4], null, 0), () -> volume.sample((double[]) null));
+        named(kind, "tets", () -> mesher.meshOf(new double[3], null, null, 0));
+        named(kind, "background", () -> mesher.cleave(volume, null, null));
+        named(kind, "labels", () -> new Options().strip((int[]) null), () -> new Options().only((int[]) null));
+        named(kind, "name", () -> new Options().set(null, "1"), () -> volume.labelName(0, null));
+        named(kind, "value", () -> new Options().set("size", null), () -> new Options().background(null));
+        named(kind, "mesher", () -> MeshFiles.readMesh(null, path), () -> MeshFiles.readVolume(null, path));
+        named(kind, "path", () -> MeshFiles.readMesh(mesher, null), () -> MeshFiles.readVolume(mesher, null),
+                () -> MeshFiles.guess(null));
+        named(kind, "paths[1]", () -> MeshFiles.readVolume(mesher, MeshFiles.Reading.DEFAULT, null, path, null));
+        named(kind, "reading", () -> MeshFiles.readVolume(mesher, null, null, path));
+        named(kind, "format", () -> MeshFiles.writeMesh(mesher, mesh, path, null));
+        named(kind, "dims", () -> MeshFiles.readRaw(mesher, VoxelType.INT16, false, 0, null, null, null, path));
+    }
+
+    /** Who gives a wrong argument is told its name in Java. */
+    void testNamesOfArguments() {
+        Volume volume = Checks.ballVolume(mesher);
+        Mesh mesh = Checks.ballMesh(mesher);
+        var path = java.nio.file.Path.of("a.raw");
+        long[] dims = {1, 1, 1};
+        Class<IllegalArgumentException> kind = IllegalArgumentException.class;
+        named(kind, "nx", () -> new Grid(0, 1, 1));
+        named(kind, "ny", () -> new Grid(1, -1, 1));
+        named(kind, "nz", () -> new Grid(1, 1, 0));
+        named(kind, "y", () -> Checks.GRID.spacing(1, 0, 1));
+        named(kind, "z", () -> Checks.GRID.origin(1, 0, Double.NaN));
+        named(kind, "rows", () -> Checks.GRID.affine(1, 2));
+        named(kind, "voxels", () -> mesher.labels(new byte[1], Checks.GRID, null));
+        named(kind, "type", () -> mesher.labels(ByteBuffer.allocateDirect(8), VoxelType.FLOAT32, Checks.GRID, null));
+        named(kind, "fields[1]", () -> mesher.indicators(
+                new float[][] {new float[12 * 13 * 14], new float[2]}, Checks.GRID, null));
+        named(kind, "labels", () -> mesher.meshOf(new double[12], new int[4], new int[2], 0));
+        named(kind, "indexBase", () -> mesher.meshOf(new double[12], new int[4], null, 2), () -> mesh.tets(-1),
+                () -> mesh.quadratic(3));
+        named(kind, "dims", () -> MeshFiles.readRaw(mesher, VoxelType.INT16, false, 0, new long[2], null, null, path));
+        named(kind, "dims[1]", () -> MeshFiles.readRaw(
+                mesher, VoxelType.INT16, false, 0, new long[] {1, 0, 1}, null, null, path));
+        named(kind, "spacing[2]", () -> MeshFiles.readRaw(
+                mesher, VoxelType.INT16, false, 0, dims, new double[] {1, 1, -1}, null, path));
+        named(kind, "format", () -> MeshFiles.writeMesh(mesher, mesh, path, "jpeg"));
+        named(kind, "scale", () -> MeshFiles.Reading.DEFAULT.scaled(0), () -> MeshFiles.Reading.DEFAULT.scaled(Double.NaN));
+        named(kind, "value", () -> new Options().set("size", "1\0"));
+        Class<CleftException.InvalidArgument> ours = CleftException.InvalidArgument.class;
+        named(ours, "threads", () -> mesher.threads(-1));
+        named(ours, "y", () -> mesher.constantSizing(volume, 1).at(0, Double.NaN, 0));
+        named(ours, "points[4]", () -> volume.sample(0, 0, 0, 0, Double.NaN, 0));
+        named(ours, "label", () -> volume.labelName(5, "five"), () -> mesh.labelName(5, "five"));
+        named(ours, "name", () -> volume.labelName(1, "two\nlines"));
+    }
+
+    /** Options are called in sentences as in Java, but names of files are left alone. */
+    void testNamesOfOptions() {
+        Volume volume = Checks.ballVolume(mesher);
+        Class<CleftException> kind = CleftException.class;
+        named(kind, "sizeMax is -1", () -> new Options().sizeMax(-1));
+        named(kind, "maxTets", () -> new Options().maxTets(-1));
+        named(kind, "sizeMax is less than sizeMin", () -> mesher.mesh(volume, new Options().sizeMin(3).sizeMax(2)));
+        named(kind, "size_max is not a number", () -> new Options().set("size_max", "x"));
+        named(kind, "/no/size_max.vtu", () -> MeshFiles.readMesh(mesher, java.nio.file.Path.of("/no/size_max.vtu")));
     }
 }

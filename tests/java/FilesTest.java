@@ -58,6 +58,25 @@ final class FilesTest {
         Checks.near(9, Math.abs(other.affine()[10]), 1e-12);
     }
 
+    void testScale() {
+        Path path = DATA.resolve("mickey.nrrd");
+        double[] millimetres = MeshFiles.readVolume(mesher, path).affine();
+        double[] metres = MeshFiles.readVolume(mesher, MeshFiles.Reading.DEFAULT.scaled(0.001), null, path).affine();
+        for (int i = 0; i < 12; ++i)
+            Checks.near(millimetres[i] / 1000, metres[i], 1e-12);
+    }
+
+    /** A sentence may have any letters in it, also where it is cut off. */
+    void testSentences() {
+        String name = "\u00e4\ud83d\ude00".repeat(40);
+        String folder = ("/no-" + name).repeat(5);
+        for (String prefix : new String[] {"", "a", "aa", "aaa", "aaaa", "aaaaa"}) {
+            String sentence = Checks.thrown(CleftException.FileFailure.class,
+                    () -> MeshFiles.readMesh(mesher, Path.of("/" + prefix + folder + ".vtu"))).getMessage();
+            Checks.check(sentence.contains("/no-" + name), sentence);
+        }
+    }
+
     void testRaw() throws Exception {
         inFolder(folder -> {
             Path path = folder.resolve("labels.raw");

@@ -1,8 +1,11 @@
+import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import org.cleft.*;
 
-/** Memory stays flat over many objects made, used, failed and dropped. */
+/** Memory stays flat over many objects made, used, failed and dropped; and bounded where nobody closes or collects. */
 final class MemoryTest {
     public static void main(String[] arguments) throws Exception {
         Checks.runAll(MemoryTest.class);
@@ -48,5 +51,109 @@ final class MemoryTest {
         long before = afterCycles(200);
         long after = afterCycles(1000);
         Checks.check(after - before < 8192, "memory grew by " + (after - before) + " kB");
+    }
+
+    /** The budget of 128 MiB, and as much again for what the allocator keeps. In kB. */
+    private static final long BOUND = 256 << 10;
+
+    private interface Maker {
+        NativeObject make(int n);
+    }
+
+    /** Makes objects of 3 MB or more and drops each. The heap stays nearly empty: nothing else makes the collector run. */
+    private static void makeUnclosed(int count, Maker maker) throws Exception {
+        NativeObject kept = maker.make(0);
+        long before = residentKilobytes();
+        long most = before;
+        for (int n = 1; n <= count; ++n) {
+            maker.make(n);
+            most = Math.max(most, residentKilobytes());
+        }
+        System.out.println(count + " unclosed objects held at most " + (most - before) + " kB");
+        Checks.check(most - before < BOUND, "unclosed objects held " + (most - before) + " kB");
+        Checks.check(!kept.isClosed() && kept.toString().contains(" of "), "one that is in use is gone");
+    }
+
+    void testUnclosedMeshes() throws Exception {
+        Mesher mesher = new Mesher();
+        double[] points = new double[3 * 60_000];
+        int[] tets = new int[4 * 100_000];
+        makeUnclosed(400, n -> mesher.meshOf(points, tets, null, 0));
+    }
+
+    void testUnclosedVolumes() throws Exception {
+        Mesher mesher = new Mesher();
+        byte[] labels = new byte[100 * 100 * 100];
+        makeUnclosed(150, n -> mesher.labels(labels, new Grid(100, 100, 100), null));
+    }
+
+    void testUnclosedSizings() throws Exception {
+        Mesher mesher = new Mesher();
+        Volume volume = mesher.labels(new byte[100 * 100 * 100], new Grid(100, 100, 100), null);
+        makeUnclosed(150, n -> mesher.constantSizing(volume, 1 + n));
+    }
+
+    void testUnclosedSurfaces() throws Exception {
+        Mesher mesher = new Mesher();
+        int[] tets = new int[4 * 40_000];  // which share no points: each face is of the hull
+        double[] points = new double[3 * tets.length];
+        for (int i = 0; i < tets.length; ++i)
+            tets[i] = i;
+        for (int t = 0; t < tets.length / 4; ++t)
+            for (int axis = 0; axis < 3; ++axis) {
+                points[12 * t + 3 * (axis + 1) + axis] = 1;
+                for (int corner = 0; corner < 4; ++corner)
+                    points[12 * t + 3 * corner] += 2 * t;
+            }
+        Mesh mesh = mesher.meshOf(points, tets, null, 0);
+        makeUnclosed(100, n -> mesher.surface(mesh));
+    }
+
+    /** What is in use is no reason to collect again and again, nor are objects that are closed. */
+    void testObjectsInUse() throws Exception {
+        Mesher mesher = new Mesher();
+        double[] points = new double[3 * 60_000];
+        int[] tets = new int[4 * 100_000];
+        List<Mesh> kept = new ArrayList<>();
+        for (int n = 0; n < 100; ++n)
+            kept.add(mesher.meshOf(points, tets, null, 0));
+        long collections = collections();
+        for (int n = 0; n < 400; ++n)
+            mesher.meshOf(points, tets, null, 0).close();
+        Checks.check(collections() - collections <= 1, collections() - collections + " collections for closed objects");
+        for (Mesh mesh : kept)
+            Checks.equal(60_000L, mesh.pointCount());
+        kept.forEach(Mesh::close);
+    }
+
+    private static long collections() {
+        return ManagementFactory.getGarbageCollectorMXBeans().stream().mapToLong(bean -> bean.getCollectionCount()).sum();
+    }
+
+    /** Threads that make objects at the same time, one of them interrupted, keep to the bound together. */
+    void testUnclosedInThreads() throws Exception {
+        long before = residentKilobytes();
+        double[] points = new double[3 * 60_000];
+        int[] tets = new int[4 * 100_000];
+        boolean[] interrupted = new boolean[4];
+        Thread[] threads = new Thread[4];
+        for (int t = 0; t < threads.length; ++t) {
+            int mine = t;
+            threads[t] = new Thread(() -> {
+                Mesher mesher = new Mesher();
+                for (int n = 0; n < 100; ++n) {
+                    mesher.meshOf(points, tets, null, 0);
+                    if (mine == 0 && n == 0)
+                        Thread.currentThread().interrupt();
+                }
+                interrupted[mine] = Thread.currentThread().isInterrupted();
+            });
+            threads[t].start();
+        }
+        for (Thread thread : threads)
+            thread.join();
+        Checks.equal(new boolean[] {true, false, false, false}, interrupted);
+        long grown = residentKilobytes() - before;
+        Checks.check(grown < BOUND, "unclosed objects held " + grown + " kB");
     }
 }

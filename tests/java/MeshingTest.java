@@ -182,4 +182,53 @@ final class MeshingTest {
         Checks.check(Cleft.version().matches("\\d+\\.\\d+\\.\\d+"), Cleft.version());
         Checks.check(Cleft.hasTetgen() || !Cleft.hasTetgen(), "no answer");
     }
+
+    void testNamesOfLabels() {
+        Volume volume = Checks.ballVolume(mesher).labelName(1, "Herz \u2764 \ud83d\ude00").labelName(7, "slab");
+        Checks.equal("", volume.labelName(0));
+        Checks.equal("", volume.labelName(99));
+        Checks.equal(Map.of(1, "Herz \u2764 \ud83d\ude00", 7, "slab"), volume.labelNames());
+        Mesh mesh = mesher.mesh(volume, Checks.quick());
+        Checks.equal(volume.labelNames(), mesh.labelNames());
+        Checks.equal(Map.of(7, "slab"), mesher.strip(mesh, new Options().only(7)).labelNames());
+        mesh.labelName(1, "").labelName(0, "outside");
+        Checks.equal(Map.of(0, "outside", 7, "slab"), mesh.labelNames());
+        Checks.equal("slab", volume.labelName(7));
+    }
+
+    /** The labels 0, 1, 7 of the ball under other names. */
+    private static int[] renamed(int... names) {
+        byte[] labels = Checks.ballLabels();
+        int[] others = new int[labels.length];
+        for (int i = 0; i < others.length; ++i)
+            others[i] = names[labels[i] == 7 ? 2 : labels[i]];
+        return others;
+    }
+
+    /** No label is special: not -1, nor the extremes of 32 bits, in any place where a label can be given or asked for. */
+    void testAnyLabels() {
+        Mesh wanted = Checks.ballMesh(mesher);
+        int[] sides = mesher.surface(wanted).hullSides();
+        for (int[] names : new int[][] {{-1, 5, 9}, {-3, -1, 0}, {-2, -1, 0x7fffffff}, {Integer.MIN_VALUE, -1, Integer.MAX_VALUE},
+                {Integer.MIN_VALUE, Integer.MIN_VALUE + 1, -1}, {0, Integer.MAX_VALUE - 1, Integer.MAX_VALUE}}) {
+            Volume volume = mesher.labels(renamed(names), Checks.GRID, null);
+            Checks.equal(names, volume.labels());
+            Checks.equal(new int[] {names[2], names[1]}, volume.sample(11.5, 0.5, 0.5, 5.5, 6.5, 7.5));
+            Mesh mesh = mesher.mesh(volume, Checks.quick());
+            Checks.equal(names, mesh.labels());
+            Checks.equal(wanted.points(), mesh.points());
+            Checks.equal(wanted.tets(), mesh.tets());
+            Checks.check(mesher.validate(mesh, true).valid(), "not valid");
+            Checks.equal(sides, mesher.surface(mesh).hullSides());
+            for (int m = 0; m < 3; ++m) {
+                Checks.equal(new int[] {names[m]}, mesher.strip(mesh, new Options().only(names[m])).labels());
+                Checks.equal(2, mesher.strip(mesh, new Options().strip(names[m])).labels().length);
+                LabelReport row = mesher.report(volume, mesh).get(m);
+                Checks.check(row.label() == names[m] && row.voxels() == volume.voxelCounts().get(names[m]), row.toString());
+                Options fine = new Options().background(Background.LATTICE).sizeMax(4).labelSize(names[m], 0.7);
+                Options same = new Options().background(Background.LATTICE).sizeMax(4).labelSize(new int[] {0, 1, 7}[m], 0.7);
+                Checks.equal(mesher.sizing(Checks.ballVolume(mesher), same).values(), mesher.sizing(volume, fine).values());
+            }
+        }
+    }
 }

@@ -25,12 +25,22 @@ namespace Cleft
             return Encoding.UTF8.GetString(bytes);
         }
 
+        /// <summary>Reads a copy that the native module made, and frees it.</summary>
+        internal static string Take(IntPtr text)
+        {
+            try {
+                return Read(text);
+            } finally {
+                CleftNative.cleft_text_free(text);
+            }
+        }
+
         internal static byte[] Write(string text, string name)
         {
             if (text == null)
                 throw new ArgumentNullException(name);
             if (text.IndexOf('\0') >= 0)
-                throw new ArgumentException("a zero is within the text", name);
+                throw new ArgumentException(name + " has a zero character in it", name);
             return Encoding.UTF8.GetBytes(text + "\0");
         }
     }

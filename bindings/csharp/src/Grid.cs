@@ -16,10 +16,13 @@ namespace Cleft
         /// <summary>A grid of cubes of side 1; the corner of its box is at zero.</summary>
         public Grid(long nx, long ny, long nz) : this(new[] { nx, ny, nz }, new double[] { 1, 1, 1 }, null, null)
         {
-            if (nx < 1 || ny < 1 || nz < 1)
-                throw new ArgumentOutOfRangeException(nameof(nx), "a grid has at least one voxel along each axis");
-            if (nx > long.MaxValue / ny || nx * ny > long.MaxValue / nz)
-                throw new ArgumentOutOfRangeException(nameof(nx), "too many voxels");
+            Arguments.AtLeastOne(nx, nameof(nx));
+            Arguments.AtLeastOne(ny, nameof(ny));
+            Arguments.AtLeastOne(nz, nameof(nz));
+            if (nx > long.MaxValue / ny)
+                throw new ArgumentOutOfRangeException(nameof(ny), ny, "nx times ny is too many voxels");
+            if (nx * ny > long.MaxValue / nz)
+                throw new ArgumentOutOfRangeException(nameof(nz), nz, "nx times ny times nz is too many voxels");
         }
 
         private Grid(long[] dims, double[] spacing, double[] origin, double[] affine)
@@ -33,8 +36,9 @@ namespace Cleft
         /// <summary>The grid with these sides of a voxel, all above 0.</summary>
         public Grid WithSpacing(double x, double y, double z)
         {
-            if (!(x > 0 && y > 0 && z > 0) || double.IsInfinity(x + y + z))
-                throw new ArgumentOutOfRangeException(nameof(x), "spacing must be above 0 and finite");
+            Arguments.Positive(x, nameof(x));
+            Arguments.Positive(y, nameof(y));
+            Arguments.Positive(z, nameof(z));
             return new Grid(dims, new[] { x, y, z }, origin, null);
         }
 
@@ -43,9 +47,9 @@ namespace Cleft
         /// </summary>
         public Grid WithOrigin(double x, double y, double z)
         {
-            double sum = x + y + z;
-            if (double.IsNaN(sum) || double.IsInfinity(sum))
-                throw new ArgumentOutOfRangeException(nameof(x), "origin must be finite");
+            Arguments.Finite(x, nameof(x));
+            Arguments.Finite(y, nameof(y));
+            Arguments.Finite(z, nameof(z));
             return new Grid(dims, spacing, new[] { x, y, z }, null);
         }
 
@@ -54,10 +58,9 @@ namespace Cleft
         /// </summary>
         public Grid WithAffine(params double[] rows)
         {
-            if (rows == null)
-                throw new ArgumentNullException(nameof(rows));
-            if (rows.Length != 12)
-                throw new ArgumentException("affine has 12 numbers, not " + rows.Length, nameof(rows));
+            Arguments.Length(rows, 12, nameof(rows));
+            foreach (double number in rows)
+                Arguments.Finite(number, nameof(rows));
             return new Grid(dims, spacing, origin, (double[])rows.Clone());
         }
 
@@ -87,13 +90,14 @@ namespace Cleft
 
         internal string Size => string.Join(" x ", dims);
 
-        internal void CheckLength(Array array, string name)
+        /// <summary>Throws unless an argument of this name has an element a voxel; <paramref name="part"/>: which of it.</summary>
+        internal void CheckLength(Array array, string name, string part = "")
         {
             if (array == null)
-                throw new ArgumentNullException(name);
+                throw new ArgumentNullException(name, name + part + " is null");
             if (array.LongLength != Voxels)
                 throw new ArgumentException(
-                    "there are " + array.LongLength + " elements; the grid has " + Voxels + " voxels", name);
+                    name + part + " has " + array.LongLength + " elements; the grid has " + Voxels + " voxels", name);
         }
     }
 }

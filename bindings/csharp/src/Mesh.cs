@@ -1,14 +1,15 @@
 using System;
+using System.Collections.Generic;
 
 namespace Cleft
 {
     /// <summary>
     /// Points, tetrahedra and their labels; a background mesh has the label 0 only. Made by a Mesher or read by MeshFiles; it
-    /// never changes, and may be used by many threads. Arrays come as views, without a copy, or as copies of your own.
+    /// never changes, but for the names of its labels, and may be used by many threads. Arrays come as views, without a copy, or as copies of your own.
     /// </summary>
     public sealed class Mesh : NativeObject
     {
-        internal Mesh(IntPtr address) : base(new NativeHandle(address, CleftNative.cleft_mesh_destroy)) { }
+        internal Mesh(IntPtr address) : base(new NativeHandle(address, CleftNative.cleft_mesh_destroy, NativeSize.OfMesh)) { }
 
         /// <summary>How many points there are.</summary>
         public long PointCount => CleftNative.cleft_mesh_point_count(Handle);
@@ -32,6 +33,25 @@ namespace Cleft
         public ArrayView<int> Labels =>
             new IntView(Handle, CleftNative.cleft_mesh_labels, CleftNative.cleft_mesh_label_count);
 
+        /// <summary>
+        /// The names of the labels that have one. A mesh begins with the names of its volume; formats that have names for groups
+        /// write them.
+        /// </summary>
+        public IReadOnlyDictionary<int, string> LabelNames => Cleft.LabelNames.Of(Labels, LabelName);
+
+        /// <summary>The name of a label, "" if it has none.</summary>
+        public string LabelName(int label) { return CleftNative.cleft_mesh_label_name(Handle, label); }
+
+        /// <summary>
+        /// Names a label of the mesh, in one line of text; "" takes the name away. Not while another thread uses the mesh.
+        /// </summary>
+        public Mesh SetLabelName(int label, string name)
+        {
+            Cleft.LabelNames.Check("the mesh", Labels, label, name);
+            CleftException.Check(CleftNative.cleft_mesh_set_label_name(Handle, label, name));
+            return this;
+        }
+
         /// <summary>A copy of the points.</summary>
         public double[] CopyPoints()
         {
@@ -44,7 +64,7 @@ namespace Cleft
         public int[] CopyTets(int indexBase = 0)
         {
             int[] tets = new int[4 * TetCount];
-            CheckBase(indexBase);
+            Arguments.IndexBase(indexBase, nameof(indexBase));
             CleftException.Check(CleftNative.cleft_mesh_copy_tets(Handle, indexBase, tets, tets.LongLength));
             return tets;
         }
@@ -63,7 +83,7 @@ namespace Cleft
         /// </summary>
         public double[] CopyQuadratic(out int[] tets, int indexBase = 0)
         {
-            CheckBase(indexBase);
+            Arguments.IndexBase(indexBase, nameof(indexBase));
             long[] count = new long[1];
             CleftException.Check(CleftNative.cleft_mesh_copy_quadratic(Handle, indexBase, null, 0, null, 0, count));
             double[] points = new double[3 * count[0]];
@@ -75,12 +95,6 @@ namespace Cleft
 
         internal override string Description =>
             " of " + PointCount + " points, " + TetCount + " tetrahedra, " + Labels.Count + " labels";
-
-        private static void CheckBase(int indexBase)
-        {
-            if (indexBase != 0 && indexBase != 1)
-                throw new ArgumentOutOfRangeException(nameof(indexBase), indexBase, "must be 0 or 1");
-        }
     }
 
     /// <summary>
@@ -89,7 +103,8 @@ namespace Cleft
     /// </summary>
     public sealed class Surface : NativeObject
     {
-        internal Surface(IntPtr address) : base(new NativeHandle(address, CleftNative.cleft_surface_destroy)) { }
+        internal Surface(IntPtr address)
+            : base(new NativeHandle(address, CleftNative.cleft_surface_destroy, NativeSize.OfSurface)) { }
 
         /// <summary>Triangles between labels, 3 points each; normals point from the first label to the second.</summary>
         public ArrayView<int> InterfaceTriangles => new IntView(Handle, CleftNative.cleft_surface_interface_triangles,

@@ -42,14 +42,22 @@ namespace Cleft
         public World World { get; set; }
         /// <summary>What the voxels mean.</summary>
         public VoxelKind Kind { get; set; }
-        /// <summary>Three lengths taken instead of the file's, 0 for the file's; or null.</summary>
+        /// <summary>Three lengths taken instead of the file's, 0 for the file's; or null. The origin stays.</summary>
         public double[] Spacing { get; set; }
+        /// <summary>What the file's origin and spacing are multiplied by: 0.001 makes metres of millimetres.</summary>
+        public double Scale { get; set; } = 1;
 
         internal NativeReading ToNative()
         {
-            if (Spacing != null && Spacing.Length != 3)
-                throw new ArgumentException("Spacing must have 3 numbers, not " + Spacing.Length);
-            var reading = new NativeReading { world = (int)World, kind = (int)Kind };
+            if (Spacing != null)
+                Arguments.Length(Spacing, 3, nameof(Spacing));
+            for (int axis = 0; Spacing != null && axis < 3; ++axis)
+                if (Spacing[axis] != 0)
+                    Arguments.Positive(Spacing[axis], nameof(Spacing));
+            Arguments.Positive(Scale, nameof(Scale));
+            var reading = new NativeReading {
+                world = (int)Arguments.Defined(World, nameof(World)), kind = (int)Arguments.Defined(Kind, nameof(Kind)), scale = Scale
+            };
             for (int axis = 0; Spacing != null && axis < 3; ++axis)
                 reading.set_spacing(axis, Spacing[axis]);
             return reading;
@@ -72,9 +80,18 @@ namespace Cleft
 
         internal NativeRaw ToNative()
         {
-            if (Dims == null || Dims.Length != 3 || Spacing != null && Spacing.Length != 3)
-                throw new ArgumentException("Dims and Spacing must have 3 numbers");
-            var raw = new NativeRaw { type = (int)Type, big_endian = BigEndian ? 1 : 0, skip = Skip };
+            Arguments.Length(Dims, 3, nameof(Dims));
+            foreach (long voxels in Dims)
+                Arguments.AtLeastOne(voxels, nameof(Dims));
+            if (Spacing != null)
+                Arguments.Length(Spacing, 3, nameof(Spacing));
+            for (int axis = 0; Spacing != null && axis < 3; ++axis)
+                Arguments.Positive(Spacing[axis], nameof(Spacing));
+            if (Skip < 0)
+                throw new ArgumentOutOfRangeException(nameof(Skip), Skip, "Skip must not be negative");
+            var raw = new NativeRaw {
+                type = (int)Arguments.Defined(Type, nameof(Type)), big_endian = BigEndian ? 1 : 0, skip = Skip
+            };
             for (int axis = 0; axis < 3; ++axis)
                 raw.set_axis(axis, Dims[axis], Spacing == null ? 0 : Spacing[axis]);
             return raw;
@@ -119,6 +136,7 @@ namespace Cleft
         /// <summary>The formats that are read and written.</summary>
         public static IReadOnlyList<FileFormat> Formats()
         {
+            NativeModules.Files();
             var formats = new List<FileFormat>();
             for (int index = 0; index < CleftIoNative.cleft_io_format_count(); ++index)
                 using (var row = new NativeFormatDescription()) {
@@ -131,44 +149,55 @@ namespace Cleft
         /// <summary>What a file most likely holds.</summary>
         public static Content Guess(string path)
         {
+            NativeModules.Files();
             return (Content)CleftIoNative.cleft_io_guess(Utf8.Write(path, nameof(path)));
         }
 
         /// <summary>Reads a volume as its file says: NIfTI, NRRD, MetaImage, TIFF, a folder with a DICOM series ...</summary>
         public static Volume ReadVolume(Mesher mesher, string path, Options options = null, Reading reading = null)
         {
+            Arguments.NotNull(path, nameof(path));
             return ReadVolume(mesher, new[] { path }, options, reading);
         }
 
         /// <summary>Reads a volume from one file, or from one a material: indicator functions.</summary>
         public static Volume ReadVolume(Mesher mesher, string[] paths, Options options = null, Reading reading = null)
         {
+            Arguments.NotNull(mesher, nameof(mesher));
+            Arguments.NotNull(paths, nameof(paths));
+            NativeModules.Files();
             NativeHandle how = NativeObject.HandleOf(options);
-            using (NativeReading native = (reading ?? new Reading()).ToNative())
-                return WithPaths(paths, names => new Volume(Checked(mesher).Make((NativeHandle context, out IntPtr made) =>
+            reading = reading ?? new Reading();
+            bool indicators = reading.Kind == VoxelKind.Indicators || paths.Length > 1;
+            using (NativeReading native = reading.ToNative())
+                return WithPaths(paths, names => OfKind(indicators, mesher.Make((NativeHandle context, out IntPtr made) =>
                     CleftIoNative.cleft_io_read_volume(context, how, names, names.Length, native, out made))));
         }
 
         /// <summary>Reads voxels without a header from one file, or from one a material.</summary>
         public static Volume ReadRaw(Mesher mesher, RawVoxels raw, Options options, params string[] paths)
         {
-            if (raw == null)
-                throw new ArgumentNullException(nameof(raw));
+            Arguments.NotNull(mesher, nameof(mesher));
+            Arguments.NotNull(raw, nameof(raw));
+            NativeModules.Files();
             NativeHandle how = NativeObject.HandleOf(options);
+            bool indicators = raw.Type == VoxelType.Float32 || raw.Type == VoxelType.Float64;
             using (NativeRaw native = raw.ToNative())
-                return WithPaths(paths, names => new Volume(Checked(mesher).Make((NativeHandle context, out IntPtr made) =>
+                return WithPaths(paths, names => OfKind(indicators, mesher.Make((NativeHandle context, out IntPtr made) =>
                     CleftIoNative.cleft_io_read_raw(context, how, names, names.Length, native, out made))));
         }
 
         /// <summary>Reads a field of one number a voxel, x fastest; <paramref name="grid"/>: where the voxels lie.</summary>
         public static double[] ReadField(Mesher mesher, string path, out Grid grid, Reading reading = null)
         {
+            Arguments.NotNull(mesher, nameof(mesher));
             byte[] name = Utf8.Write(path, nameof(path));
+            NativeModules.Files();
             long[] dims = new long[3];
             double[] affine = new double[12];
             IntPtr values;
             using (NativeReading native = (reading ?? new Reading()).ToNative())
-                values = Checked(mesher).Make((NativeHandle context, out IntPtr made) =>
+                values = mesher.Make((NativeHandle context, out IntPtr made) =>
                     CleftIoNative.cleft_io_read_field(context, name, native, dims, affine, out made));
             try {
                 grid = new Grid(dims[0], dims[1], dims[2]).WithAffine(affine);
@@ -184,26 +213,32 @@ namespace Cleft
         public static Sizing ReadSizing(Mesher mesher, Volume volume, string path, bool combine = false,
                                         Options options = null, Reading reading = null)
         {
+            Arguments.NotNull(mesher, nameof(mesher));
             byte[] name = Utf8.Write(path, nameof(path));
+            NativeModules.Files();
             NativeHandle of = NativeObject.Required(volume, nameof(volume)), how = NativeObject.HandleOf(options);
             using (NativeReading native = (reading ?? new Reading()).ToNative())
-                return new Sizing(Checked(mesher).Make((NativeHandle context, out IntPtr made) =>
+                return new Sizing(mesher.Make((NativeHandle context, out IntPtr made) =>
                     CleftIoNative.cleft_io_read_sizing(context, of, name, native, combine ? 1 : 0, how, out made)));
         }
 
         /// <summary>Writes a sizing field as a volume of numbers, to look at.</summary>
         public static void WriteSizing(Mesher mesher, Sizing sizing, string path, World world = World.Lps)
         {
+            Arguments.NotNull(mesher, nameof(mesher));
             byte[] name = Utf8.Write(path, nameof(path));
+            NativeModules.Files();
             NativeHandle of = NativeObject.Required(sizing, nameof(sizing));
-            Checked(mesher).Run(context => CleftIoNative.cleft_io_write_sizing(context, of, name, (int)world));
+            mesher.Run(context => CleftIoNative.cleft_io_write_sizing(context, of, name, (int)Arguments.Defined(world, nameof(world))));
         }
 
         /// <summary>Reads a mesh of tetrahedra: .vtu, .vtk, .mesh, .msh, .node with .ele.</summary>
         public static Mesh ReadMesh(Mesher mesher, string path)
         {
+            Arguments.NotNull(mesher, nameof(mesher));
             byte[] name = Utf8.Write(path, nameof(path));
-            return new Mesh(Checked(mesher).Make((NativeHandle context, out IntPtr made) =>
+            NativeModules.Files();
+            return new Mesh(mesher.Make((NativeHandle context, out IntPtr made) =>
                 CleftIoNative.cleft_io_read_mesh(context, name, out made)));
         }
 
@@ -212,24 +247,34 @@ namespace Cleft
         /// </summary>
         public static void WriteMesh(Mesher mesher, Mesh mesh, string path, string format = null)
         {
+            Arguments.NotNull(mesher, nameof(mesher));
             byte[] name = Utf8.Write(path, nameof(path));
+            NativeModules.Files();
             NativeHandle of = NativeObject.Required(mesh, nameof(mesh));
-            int number = CleftIoNative.CLEFT_FORMAT_BY_NAME;
-            foreach (FileFormat row in Formats())
-                if (row.Name == format && row.WritesMesh)
-                    number = row.Number;
-            if (format != null && number == CleftIoNative.CLEFT_FORMAT_BY_NAME)
-                throw new ArgumentException("there is no format of meshes " + format, nameof(format));
-            Checked(mesher).Run(context => CleftIoNative.cleft_io_write_mesh(context, of, name, number));
+            int number = format == null ? CleftIoNative.CLEFT_FORMAT_BY_NAME : NumberOf(format);
+            mesher.Run(context => CleftIoNative.cleft_io_write_mesh(context, of, name, number));
         }
 
-        private static Mesher Checked(Mesher mesher) { return mesher ?? throw new ArgumentNullException(nameof(mesher)); }
+        private static Volume OfKind(bool indicators, IntPtr address)
+        {
+            return indicators ? Volume.OfIndicators(address) : Volume.OfLabels(address);
+        }
+
+        private static int NumberOf(string format)
+        {
+            var names = new List<string>();
+            foreach (FileFormat row in Formats())
+                if (row.WritesMesh && row.Name == format)
+                    return row.Number;
+                else if (row.WritesMesh)
+                    names.Add(row.Name);
+            throw new ArgumentException(
+                "format is '" + format + "'; it must be one of " + string.Join(", ", names), nameof(format));
+        }
 
         /// <summary>Runs something with texts that lie outside the heap for the while.</summary>
         private static T WithPaths<T>(string[] paths, Func<IntPtr[], T> use)
         {
-            if (paths == null)
-                throw new ArgumentNullException(nameof(paths));
             IntPtr[] names = new IntPtr[paths.Length];
             try {
                 for (int i = 0; i < paths.Length; ++i) {

@@ -30,6 +30,7 @@ namespace Cleft
 
         private static NativeHandle Create()
         {
+            NativeModules.Core();
             CleftException.Check(CleftNative.cleft_context_create(out IntPtr made));
             return new NativeHandle(made, CleftNative.cleft_context_destroy);
         }
@@ -114,19 +115,28 @@ namespace Cleft
         /// </summary>
         public Volume Labels(IntPtr voxels, VoxelType type, Grid grid, Options options = null)
         {
-            if (grid == null)
-                throw new ArgumentNullException(nameof(grid));
+            Arguments.NotNull(grid, nameof(grid));
+            CheckWhole(type);
+            if (voxels == IntPtr.Zero)
+                throw new ArgumentNullException(nameof(voxels));
             NativeHandle how = HandleOf(options);
-            return new Volume(Make((NativeHandle context, out IntPtr made) => CleftNative.cleft_volume_create_labels(
+            return Volume.OfLabels(Make((NativeHandle context, out IntPtr made) => CleftNative.cleft_volume_create_labels(
                 context, (int)type, voxels, grid.Dims, grid.Affine, how, out made)));
         }
 
         private Volume Labels(Array voxels, VoxelType type, Grid grid, Options options)
         {
-            if (grid == null)
-                throw new ArgumentNullException(nameof(grid));
+            Arguments.NotNull(voxels, nameof(voxels));
+            Arguments.NotNull(grid, nameof(grid));
             grid.CheckLength(voxels, nameof(voxels));
             return Pinned(new[] { voxels }, addresses => Labels(addresses[0], type, grid, options));
+        }
+
+        private static void CheckWhole(VoxelType type)
+        {
+            Arguments.Defined(type, nameof(type));
+            if (type == VoxelType.Float32 || type == VoxelType.Float64)
+                throw new ArgumentOutOfRangeException(nameof(type), type, "a label map has whole numbers");
         }
 
         /// <summary>
@@ -147,16 +157,15 @@ namespace Cleft
 
         private Volume Indicators(Array[] fields, VoxelType type, Grid grid, int[] labels)
         {
-            if (fields == null || grid == null)
-                throw new ArgumentNullException(fields == null ? nameof(fields) : nameof(grid));
+            Arguments.NotNull(fields, nameof(fields));
+            Arguments.NotNull(grid, nameof(grid));
             if (fields.Length == 0)
-                throw new ArgumentException("there are no fields", nameof(fields));
-            foreach (Array field in fields)
-                grid.CheckLength(field, nameof(fields));
-            int wanted = fields.Length == 1 ? 2 : fields.Length;
-            if (labels != null && labels.Length != wanted)
-                throw new ArgumentException("there must be " + wanted + " labels, not " + labels.Length, nameof(labels));
-            return Pinned(fields, addresses => new Volume(Make((NativeHandle context, out IntPtr made) =>
+                throw new ArgumentException("fields has no elements; it must have one a material", nameof(fields));
+            for (int k = 0; k < fields.Length; ++k)
+                grid.CheckLength(fields[k], nameof(fields), "[" + k + "]");
+            if (labels != null)
+                Arguments.Length(labels, fields.Length == 1 ? 2 : fields.Length, nameof(labels));
+            return Pinned(fields, addresses => Volume.OfIndicators(Make((NativeHandle context, out IntPtr made) =>
                 CleftNative.cleft_volume_create_indicators(context, (int)type, addresses, addresses.Length, grid.Dims,
                     grid.Affine, labels, out made))));
         }
@@ -256,14 +265,11 @@ namespace Cleft
         /// </summary>
         public Mesh MeshOf(double[] points, int[] tets, int[] labels = null, int indexBase = 0)
         {
-            if (points == null || tets == null)
-                throw new ArgumentNullException(points == null ? nameof(points) : nameof(tets));
-            if (points.Length % 3 != 0)
-                throw new ArgumentException("there must be 3 numbers a point", nameof(points));
-            if (tets.Length % 4 != 0)
-                throw new ArgumentException("there must be 4 numbers a tetrahedron", nameof(tets));
-            if (labels != null && labels.Length != tets.Length / 4)
-                throw new ArgumentException("there must be one label a tetrahedron", nameof(labels));
+            Arguments.Groups(points, 3, "point", nameof(points));
+            Arguments.Groups(tets, 4, "tetrahedron", nameof(tets));
+            if (labels != null)
+                Arguments.Length(labels, tets.Length / 4, nameof(labels));
+            Arguments.IndexBase(indexBase, nameof(indexBase));
             return new Mesh(Make((NativeHandle context, out IntPtr made) => CleftNative.cleft_mesh_create(
                 context, points.Length / 3, points, tets.Length / 4, tets, labels, indexBase, out made)));
         }
@@ -363,7 +369,7 @@ namespace Cleft
 
         private static string Sentence(NativeHandle context)
         {
-            return context.IsClosed ? null : CleftNative.cleft_context_last_error(context);
+            return context.IsClosed ? null : Wording.InCSharp(CleftNative.cleft_context_last_error(context));
         }
 
         private int OnProgress(double fraction, IntPtr stage, IntPtr user)
@@ -383,7 +389,7 @@ namespace Cleft
         {
             try {
                 if (thrown == null)
-                    Log?.Invoke((LogLevel)level, Utf8.Read(sentence));
+                    Log?.Invoke((LogLevel)level, Wording.InCSharp(Utf8.Read(sentence)));
             } catch (Exception failure) {
                 thrown = ExceptionDispatchInfo.Capture(failure);
             }

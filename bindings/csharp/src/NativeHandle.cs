@@ -10,21 +10,32 @@ namespace Cleft
     internal sealed class NativeHandle : SafeHandle
     {
         /// <summary>Stands for null.</summary>
-        internal static readonly NativeHandle None = new NativeHandle(IntPtr.Zero, address => { });
+        internal static readonly NativeHandle None = new NativeHandle(IntPtr.Zero, null, null);
 
         private readonly Action<IntPtr> destroy;
+        private readonly long bytes;  // that are counted as held
 
-        internal NativeHandle(IntPtr address, Action<IntPtr> destroy) : base(IntPtr.Zero, true)
+        /// <summary>Owns the object at the address. <paramref name="size"/>: about how many bytes it holds.</summary>
+        internal NativeHandle(IntPtr address, Action<IntPtr> destroy, Func<NativeHandle, long> size) : base(IntPtr.Zero, true)
         {
             this.destroy = destroy;
             SetHandle(address);
+            if (size == null)
+                return;
+            bytes = size(this);
+            NativeMemory.Add(bytes);
         }
+
+        /// <summary>Owns an object without large arrays.</summary>
+        internal NativeHandle(IntPtr address, Action<IntPtr> destroy) : this(address, destroy, owned => NativeSize.Small) { }
 
         public override bool IsInvalid => handle == IntPtr.Zero;
 
         protected override bool ReleaseHandle()
         {
             destroy(handle);
+            if (bytes > 0)
+                NativeMemory.Remove(bytes);
             return true;
         }
     }
@@ -38,7 +49,11 @@ namespace Cleft
         private readonly NativeHandle handle;
         private volatile bool disposed;  // the handle itself is not closed before its last view is gone
 
-        internal NativeObject(NativeHandle handle) { this.handle = handle; }
+        internal NativeObject(NativeHandle handle)
+        {
+            this.handle = handle;
+            NativeMemory.MakeRoom();
+        }
 
         /// <summary>Was <see cref="Dispose"/> called?</summary>
         public bool IsDisposed => disposed;

@@ -17,6 +17,7 @@ namespace Cleft
 
         private static NativeHandle Create()
         {
+            NativeModules.Core();
             CleftException.Check(CleftNative.cleft_options_create(out IntPtr made));
             return new NativeHandle(made, CleftNative.cleft_options_destroy);
         }
@@ -145,7 +146,8 @@ namespace Cleft
         {
             get { return (int[])strip.Clone(); }
             set {
-                Refused(CleftNative.cleft_options_set_strip(Handle, Checked(value), value.Length));
+                Arguments.NotNull(value, nameof(Strip));
+                Refused(CleftNative.cleft_options_set_strip(Handle, value, value.Length));
                 strip = (int[])value.Clone();
             }
         }
@@ -155,7 +157,8 @@ namespace Cleft
         {
             get { return (int[])only.Clone(); }
             set {
-                Refused(CleftNative.cleft_options_set_only(Handle, Checked(value), value.Length));
+                Arguments.NotNull(value, nameof(Only));
+                Refused(CleftNative.cleft_options_set_only(Handle, value, value.Length));
                 only = (int[])value.Clone();
             }
         }
@@ -170,13 +173,13 @@ namespace Cleft
         /// <summary>Sets an option by name from text, as the command line does.</summary>
         public Options Set(string name, string value)
         {
-            if (name == null || value == null)
-                throw new ArgumentNullException(name == null ? nameof(name) : nameof(value));
-            Refused(CleftNative.cleft_options_set_text(Handle, name, value));
+            Arguments.NotNull(name, nameof(name));
+            Arguments.NotNull(value, nameof(value));
+            int status = CleftNative.cleft_options_set_text(Handle, name, value);
+            if (status != CleftNative.CLEFT_OK)  // in the words of the library, which are those of the caller here
+                CleftException.Check(status, CleftNative.cleft_options_last_error(Handle));
             return this;
         }
-
-        private static int[] Checked(int[] labels) { return labels ?? throw new ArgumentNullException("value"); }
 
         private void Set(int key, long value) { Refused(CleftNative.cleft_options_set_integer(Handle, key, value)); }
 
@@ -199,7 +202,7 @@ namespace Cleft
         private void Refused(int status)
         {
             if (status != CleftNative.CLEFT_OK)
-                CleftException.Check(status, CleftNative.cleft_options_last_error(Handle));
+                CleftException.Check(status, Wording.InCSharp(CleftNative.cleft_options_last_error(Handle)));
         }
     }
 }

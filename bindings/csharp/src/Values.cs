@@ -312,6 +312,7 @@ namespace Cleft
         /// <summary>All options that have one value.</summary>
         public static IReadOnlyList<OptionDescription> Table()
         {
+            NativeModules.Core();
             var rows = new List<OptionDescription>();
             for (int index = 0; index < CleftNative.cleft_option_count(); ++index)
                 using (var row = new NativeOptionDescription()) {
@@ -326,9 +327,21 @@ namespace Cleft
     public static class Library
     {
         /// <summary>The version of the native library, as in "1.2.3".</summary>
-        public static string Version => CleftNative.cleft_version(null, null, null);
+        public static string Version
+        {
+            get {
+                NativeModules.Core();
+                return CleftNative.cleft_version(null, null, null);
+            }
+        }
 
         /// <summary>Can this build make Background.Particles (is TetGen in it)?</summary>
-        public static bool HasTetgen => CleftNative.cleft_has_tetgen() != 0;
+        public static bool HasTetgen
+        {
+            get {
+                NativeModules.Core();
+                return CleftNative.cleft_has_tetgen() != 0;
+            }
+        }
     }
 }

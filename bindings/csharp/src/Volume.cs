@@ -4,12 +4,17 @@ using System.Collections.Generic;
 namespace Cleft
 {
     /// <summary>
-    /// A labelled volume, or indicator functions; made by a Mesher or read by MeshFiles. It never changes, and may be used by
-    /// many threads.
+    /// A labelled volume, or indicator functions; made by a Mesher or read by MeshFiles. It never changes, but for the names
+    /// of its labels, and may be used by many threads.
     /// </summary>
     public sealed class Volume : NativeObject
     {
-        internal Volume(IntPtr address) : base(new NativeHandle(address, CleftNative.cleft_volume_destroy)) { }
+        private Volume(IntPtr address, Func<NativeHandle, long> size)
+            : base(new NativeHandle(address, CleftNative.cleft_volume_destroy, size)) { }
+
+        internal static Volume OfLabels(IntPtr address) { return new Volume(address, NativeSize.OfLabelMap); }
+
+        internal static Volume OfIndicators(IntPtr address) { return new Volume(address, NativeSize.OfIndicators); }
 
         /// <summary>Voxels, and where they lie.</summary>
         public Grid Grid
@@ -26,6 +31,23 @@ namespace Cleft
         /// <summary>The label of each material; a view.</summary>
         public ArrayView<int> Labels =>
             new IntView(Handle, CleftNative.cleft_volume_labels, CleftNative.cleft_volume_label_count);
+
+        /// <summary>The names of the labels that have one, as a file gave them or SetLabelName() did.</summary>
+        public IReadOnlyDictionary<int, string> LabelNames => Cleft.LabelNames.Of(Labels, LabelName);
+
+        /// <summary>The name of a label, "" if it has none.</summary>
+        public string LabelName(int label) { return CleftNative.cleft_volume_label_name(Handle, label); }
+
+        /// <summary>
+        /// Names a label of the volume, in one line of text; "" takes the name away. Meshes that are made of the volume after that
+        /// have the name too. Not while another thread uses the volume.
+        /// </summary>
+        public Volume SetLabelName(int label, string name)
+        {
+            Cleft.LabelNames.Check("the volume", Labels, label, name);
+            CleftException.Check(CleftNative.cleft_volume_set_label_name(Handle, label, name));
+            return this;
+        }
 
         /// <summary>How many voxels each label has.</summary>
         public IReadOnlyDictionary<int, long> VoxelCounts
@@ -44,10 +66,9 @@ namespace Cleft
         /// <summary>The labels at points of the world (x y z of each), as the mesh sees them.</summary>
         public int[] Sample(params double[] points)
         {
-            if (points == null)
-                throw new ArgumentNullException(nameof(points));
-            if (points.Length % 3 != 0)
-                throw new ArgumentException("there must be 3 numbers a point", nameof(points));
+            Arguments.Groups(points, 3, "point", nameof(points));
+            for (int i = 0; i < points.Length; ++i)
+                Arguments.FinitePoint(points[i], nameof(points) + "[" + i + "]");
             int[] labels = new int[points.Length / 3];
             CleftException.Check(CleftNative.cleft_volume_sample(Handle, points, labels.Length, labels));
             return labels;
@@ -59,7 +80,7 @@ namespace Cleft
     /// <summary>The wanted edge length at each point; made by a Mesher or read by MeshFiles. It never changes.</summary>
     public sealed class Sizing : NativeObject
     {
-        internal Sizing(IntPtr address) : base(new NativeHandle(address, CleftNative.cleft_sizing_destroy)) { }
+        internal Sizing(IntPtr address) : base(new NativeHandle(address, CleftNative.cleft_sizing_destroy, NativeSize.OfSizing)) { }
 
         /// <summary>Values, and where they lie.</summary>
         public Grid Grid
@@ -88,6 +109,9 @@ namespace Cleft
         /// <summary>The field at a point of the world.</summary>
         public double At(double x, double y, double z)
         {
+            Arguments.FinitePoint(x, nameof(x));
+            Arguments.FinitePoint(y, nameof(y));
+            Arguments.FinitePoint(z, nameof(z));
             double[] size = new double[1];
             CleftException.Check(CleftNative.cleft_sizing_at(Handle, new[] { x, y, z }, size));
             return size[0];

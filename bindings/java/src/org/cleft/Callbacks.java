@@ -39,7 +39,7 @@ final class Callbacks {
     }
 
     /** From the library: whether to cancel. */
-    static boolean progress(double fraction, String stage) {
+    static boolean progress(double fraction, byte[] stage) {
         Callbacks current = CURRENT.get();
         if (current == null)
             return false;
@@ -48,7 +48,7 @@ final class Callbacks {
         if (current.progress == null)
             return false;
         try {
-            return !current.progress.update(fraction, stage);
+            return !current.progress.update(fraction, Text.of(stage));
         } catch (Throwable failure) {
             current.thrown = failure;
             return true;
@@ -56,12 +56,12 @@ final class Callbacks {
     }
 
     /** From the library. */
-    static void log(int level, String sentence) {
+    static void log(int level, byte[] sentence) {
         Callbacks current = CURRENT.get();
         if (current == null || current.log == null || current.thrown != null)
             return;
         try {
-            current.log.write(Log.Level.of(level), sentence);
+            current.log.write(Log.Level.of(level), Wording.inJava(Text.of(sentence)));
         } catch (Throwable failure) {
             current.thrown = failure;
         }

@@ -52,7 +52,7 @@ final class Calls {
 
     private static String sentence(long context, int status) {
         String sentence = CleftNative.cleft_context_last_error(context);
-        return sentence.isEmpty() ? CleftNative.cleft_status_string(status) : sentence;
+        return sentence.isEmpty() ? CleftNative.cleft_status_string(status) : Wording.inJava(sentence);
     }
 
     private static long lease(NativeHandle handle, List<NativeHandle> leased) {

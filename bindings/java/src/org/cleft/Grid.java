@@ -23,9 +23,9 @@ public final class Grid {
      */
     public Grid(long nx, long ny, long nz) {
         this(new long[] {nx, ny, nz}, new double[] {1, 1, 1}, null, null);
-        for (long n : dims)
-            if (n < 1)
-                throw new IllegalArgumentException("a grid has at least one voxel along each axis, not " + n);
+        Arguments.atLeastOne("nx", nx);
+        Arguments.atLeastOne("ny", ny);
+        Arguments.atLeastOne("nz", nz);
         voxels();
     }
 
@@ -45,8 +45,9 @@ public final class Grid {
      * @return a new grid
      */
     public Grid spacing(double x, double y, double z) {
-        if (!(x > 0 && y > 0 && z > 0) || Double.isInfinite(x + y + z))
-            throw new IllegalArgumentException("spacing must be above 0 and finite: " + x + " " + y + " " + z);
+        Arguments.positive("x", x);
+        Arguments.positive("y", y);
+        Arguments.positive("z", z);
         return new Grid(dims, new double[] {x, y, z}, origin, null);
     }
 
@@ -59,8 +60,9 @@ public final class Grid {
      * @return a new grid
      */
     public Grid origin(double x, double y, double z) {
-        if (!Double.isFinite(x + y + z))
-            throw new IllegalArgumentException("origin must be finite: " + x + " " + y + " " + z);
+        Arguments.finite("x", x);
+        Arguments.finite("y", y);
+        Arguments.finite("z", z);
         return new Grid(dims, spacing, new double[] {x, y, z}, null);
     }
 
@@ -71,8 +73,8 @@ public final class Grid {
      * @return a new grid
      */
     public Grid affine(double... rows) {
-        if (rows.length != 12)
-            throw new IllegalArgumentException("affine has 12 numbers, not " + rows.length);
+        Arguments.length("rows", rows.length, 12);
+        Arguments.finite("rows", rows);
         return new Grid(dims, spacing, origin, rows.clone());
     }
 
@@ -107,13 +109,10 @@ public final class Grid {
      * @return their number
      */
     public long voxels() {
-        try {
-            return Math.multiplyExact(Math.multiplyExact(dims[0], dims[1]), dims[2]);
-        } catch (ArithmeticException overflow) {
-            throw new IllegalArgumentException("too many voxels: " + Arrays.toString(dims));
-        }
+        return Arguments.product("nx, ny, nz", dims);
     }
 
+    /** Throws unless an argument of this name has an element a voxel. */
     void checkLength(String name, long length) {
         if (length != voxels())
             throw new IllegalArgumentException(

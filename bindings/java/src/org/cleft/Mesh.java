@@ -2,17 +2,18 @@ package org.cleft;
 
 import java.nio.DoubleBuffer;
 import java.nio.IntBuffer;
+import java.util.Map;
 
 /**
  * Points, tetrahedra and their labels; a background mesh has the label 0 only. Made by a {@link Mesher} or read by
- * {@link MeshFiles}; it never changes, and may be read by many threads.
+ * {@link MeshFiles}; it never changes, but for the names of its labels, and may be read by many threads.
  *
  * <p>Arrays are copies. Views are read-only buffers over the library's memory, which they keep: they stay good when the mesh
  * is closed or collected, and the memory is freed with the last of them. A view cannot have more than 2 GiB.
  */
 public final class Mesh extends NativeObject {
     Mesh(long address) {
-        super("Mesh", address, CleftNative::cleft_mesh_destroy);
+        super("Mesh", address, NativeSize.ofMesh(address), CleftNative::cleft_mesh_destroy);
     }
 
     /**
@@ -61,7 +62,7 @@ public final class Mesh extends NativeObject {
      */
     public int[] tets(int indexBase) {
         int[] tets = new int[length(tetCount(), 4)];
-        checkBase(indexBase);
+        Arguments.indexBase(indexBase);
         checked(address -> CleftNative.cleft_mesh_copy_tets(address, indexBase, tets, tets.length));
         return tets;
     }
@@ -88,6 +89,38 @@ public final class Mesh extends NativeObject {
         int[] labels = new int[view.remaining()];
         view.get(labels);
         return labels;
+    }
+
+    /**
+     * The name of a label, as a file gave it or {@link #labelName(int, String)} did.
+     *
+     * @param label the label
+     * @return the name, "" if it has none
+     */
+    public String labelName(int label) {
+        return with(address -> CleftNative.cleft_mesh_label_name(address, label));
+    }
+
+    /**
+     * The labels that have a name.
+     *
+     * @return from label to name, in the order of {@link #labels}
+     */
+    public Map<Integer, String> labelNames() {
+        return LabelNames.of(labels(), this::labelName);
+    }
+
+    /**
+     * Names a label. A mesh begins with the names of its volume; formats that have names for groups write them. Not while another thread uses the mesh.
+     *
+     * @param label a label of the mesh
+     * @param name one line of text; "" takes the name away
+     * @return this mesh
+     */
+    public Mesh labelName(int label, String name) {
+        LabelNames.check("the mesh", labels(), label, name);
+        checked(address -> CleftNative.cleft_mesh_set_label_name(address, label, name));
+        return this;
     }
 
     /**
@@ -134,7 +167,7 @@ public final class Mesh extends NativeObject {
      * @return copies
      */
     public Quadratic quadratic(int indexBase) {
-        checkBase(indexBase);
+        Arguments.indexBase(indexBase);
         long[] count = new long[1];
         checked(address -> CleftNative.cleft_mesh_copy_quadratic(address, indexBase, null, 0, null, 0, count));
         double[] points = new double[length(count[0], 3)];
@@ -147,10 +180,5 @@ public final class Mesh extends NativeObject {
     @Override
     String description() {
         return " of " + pointCount() + " points, " + tetCount() + " tetrahedra, " + labels().length + " labels";
-    }
-
-    private static void checkBase(int indexBase) {
-        if (indexBase != 0 && indexBase != 1)
-            throw new IllegalArgumentException("indexBase must be 0 or 1, not " + indexBase);
     }
 }

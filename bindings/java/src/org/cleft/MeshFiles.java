@@ -1,10 +1,11 @@
 package org.cleft;
 
 import java.io.ByteArrayOutputStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 
 /** Reads and writes files. The native part of this class is loaded when it is first used; it needs ITK. */
@@ -42,9 +43,10 @@ public final class MeshFiles {
      *
      * @param world the axes that coordinates come out in
      * @param kind what the voxels mean
-     * @param spacing three lengths taken instead of the file's, 0 for the file's; or null
+     * @param spacing three lengths taken instead of the file's, 0 for the file's; or null. The origin stays
+     * @param scale what the file's origin and spacing are multiplied by: 0.001 makes metres of millimetres
      */
-    public record Reading(World world, VoxelKind kind, double[] spacing) {
+    public record Reading(World world, VoxelKind kind, double[] spacing, double scale) {
         /** As the file says. */
         public static final Reading DEFAULT = new Reading(World.LPS, VoxelKind.AUTO, null);
 
@@ -53,13 +55,39 @@ public final class MeshFiles {
          *
          * @param world the axes that coordinates come out in
          * @param kind what the voxels mean
-         * @param spacing three lengths taken instead of the file's, 0 for the file's; or null
+         * @param spacing three lengths taken instead of the file's, 0 for the file's; or null. The origin stays
+         * @param scale what the file's origin and spacing are multiplied by: 0.001 makes metres of millimetres
          */
         public Reading {
             Objects.requireNonNull(world, "world");
             Objects.requireNonNull(kind, "kind");
-            if (spacing != null && spacing.length != 3)
-                throw new IllegalArgumentException("spacing has " + spacing.length + " numbers; it must have 3");
+            if (spacing != null)
+                Arguments.length("spacing", spacing.length, 3);
+            for (int axis = 0; spacing != null && axis < 3; ++axis)
+                if (spacing[axis] != 0)
+                    Arguments.positive("spacing[" + axis + "]", spacing[axis]);
+            Arguments.positive("scale", scale);
+        }
+
+        /**
+         * In the unit of the file.
+         *
+         * @param world the axes that coordinates come out in
+         * @param kind what the voxels mean
+         * @param spacing three lengths taken instead of the file's, 0 for the file's; or null. The origin stays
+         */
+        public Reading(World world, VoxelKind kind, double[] spacing) {
+            this(world, kind, spacing, 1);
+        }
+
+        /**
+         * The same with another unit of length: coordinates come out multiplied.
+         *
+         * @param factor what the file's origin and spacing are multiplied by: 0.001 makes metres of millimetres
+         * @return how to read
+         */
+        public Reading scaled(double factor) {
+            return new Reading(world, kind, spacing, factor);
         }
     }
 
@@ -112,7 +140,7 @@ public final class MeshFiles {
      */
     public static Content guess(Path path) {
         NativeLibrary.files();
-        return Content.values()[CleftIoNative.cleft_io_guess(bytes(path))];
+        return Content.values()[CleftIoNative.cleft_io_guess(bytes("path", path))];
     }
 
     /**
@@ -125,9 +153,11 @@ public final class MeshFiles {
      * @return a volume
      */
     public static Volume readVolume(Mesher mesher, Reading reading, Options options, Path... paths) {
-        byte[] names = bytes(paths);
-        return withReading(reading, how -> new Volume(mesher.make((context, arguments, out) ->
-                CleftIoNative.cleft_io_read_volume(context, arguments[0], names, how, out), options)));
+        Objects.requireNonNull(mesher, "mesher");
+        byte[] names = bytes("paths", paths);
+        return withReading(reading, how -> volume(reading.kind() == VoxelKind.INDICATORS || paths.length > 1,
+                mesher.make((context, arguments, out) ->
+                        CleftIoNative.cleft_io_read_volume(context, arguments[0], names, how, out), options)));
     }
 
     /**
@@ -138,7 +168,11 @@ public final class MeshFiles {
      * @return a volume
      */
     public static Volume readVolume(Mesher mesher, Path path) {
-        return readVolume(mesher, Reading.DEFAULT, null, path);
+        return readVolume(mesher, Reading.DEFAULT, null, Objects.requireNonNull(path, "path"));
+    }
+
+    private static Volume volume(boolean indicators, long address) {
+        return indicators ? Volume.ofIndicators(address) : Volume.ofLabels(address);
     }
 
     /**
@@ -156,9 +190,10 @@ public final class MeshFiles {
      */
     public static Volume readRaw(Mesher mesher, VoxelType type, boolean bigEndian, long skip, long[] dims,
             double[] spacing, Options options, Path... paths) {
-        if (dims.length != 3 || spacing != null && spacing.length != 3)
-            throw new IllegalArgumentException("dims and spacing must have 3 numbers");
-        byte[] names = bytes(paths);
+        Objects.requireNonNull(mesher, "mesher");
+        Objects.requireNonNull(type, "type");
+        checkBox(dims, spacing);
+        byte[] names = bytes("paths", paths);
         NativeLibrary.files();
         NativeRaw raw = new NativeRaw();
         try {
@@ -167,11 +202,22 @@ public final class MeshFiles {
             raw.setSkip(skip);
             for (int axis = 0; axis < 3; ++axis)
                 raw.set_axis(axis, dims[axis], spacing == null ? 0 : spacing[axis]);
-            return new Volume(mesher.make((context, arguments, out) ->
+            return volume(!type.isWhole, mesher.make((context, arguments, out) ->
                     CleftIoNative.cleft_io_read_raw(context, arguments[0], names, raw, out), options));
         } finally {
             raw.delete();
         }
+    }
+
+    private static void checkBox(long[] dims, double[] spacing) {
+        Arguments.length("dims", Objects.requireNonNull(dims, "dims").length, 3);
+        for (int axis = 0; axis < 3; ++axis)
+            Arguments.atLeastOne("dims[" + axis + "]", dims[axis]);
+        if (spacing == null)
+            return;
+        Arguments.length("spacing", spacing.length, 3);
+        for (int axis = 0; axis < 3; ++axis)
+            Arguments.positive("spacing[" + axis + "]", spacing[axis]);
     }
 
     /**
@@ -183,9 +229,10 @@ public final class MeshFiles {
      * @return the field
      */
     public static Field readField(Mesher mesher, Reading reading, Path path) {
+        Objects.requireNonNull(mesher, "mesher");
         long[] dims = new long[3];
         double[] affine = new double[12];
-        byte[] name = bytes(path);
+        byte[] name = bytes("path", path);
         long values = withReading(reading, how -> mesher.make((context, arguments, out) ->
                 CleftIoNative.cleft_io_read_field(context, name, how, dims, affine, out)));
         try {
@@ -216,8 +263,9 @@ public final class MeshFiles {
      */
     public static Sizing readSizing(
             Mesher mesher, Volume volume, Reading reading, boolean combine, Options options, Path path) {
+        Objects.requireNonNull(mesher, "mesher");
         Objects.requireNonNull(volume, "volume");
-        byte[] name = bytes(path);
+        byte[] name = bytes("path", path);
         return withReading(reading, how -> new Sizing(mesher.make((context, arguments, out) ->
                 CleftIoNative.cleft_io_read_sizing(
                         context, arguments[0], name, how, combine ? 1 : 0, arguments[1], out), volume, options)));
@@ -232,9 +280,11 @@ public final class MeshFiles {
      * @param path the file
      */
     public static void writeSizing(Mesher mesher, Sizing sizing, World world, Path path) {
+        Objects.requireNonNull(mesher, "mesher");
         Objects.requireNonNull(sizing, "sizing");
+        Objects.requireNonNull(world, "world");
         NativeLibrary.files();
-        byte[] name = bytes(path);
+        byte[] name = bytes("path", path);
         mesher.run((context, arguments, out) ->
                 CleftIoNative.cleft_io_write_sizing(context, arguments[0], name, world.ordinal()), sizing);
     }
@@ -247,8 +297,9 @@ public final class MeshFiles {
      * @return a mesh
      */
     public static Mesh readMesh(Mesher mesher, Path path) {
+        Objects.requireNonNull(mesher, "mesher");
         NativeLibrary.files();
-        byte[] name = bytes(path);
+        byte[] name = bytes("path", path);
         return new Mesh(mesher.make((context, arguments, out) -> CleftIoNative.cleft_io_read_mesh(context, name, out)));
     }
 
@@ -273,19 +324,22 @@ public final class MeshFiles {
      * @param format the name of a {@link Format}
      */
     public static void writeMesh(Mesher mesher, Mesh mesh, Path path, String format) {
-        int[] number = {CleftIoNative.CLEFT_FORMAT_BY_NAME};
+        Objects.requireNonNull(format, "format");
+        Map<String, Integer> numbers = new LinkedHashMap<>();
         eachFormat(row -> {
-            if (row.getName().equals(format))
-                number[0] = row.getFormat();
+            if ((row.getDirections() & CleftIoNative.CLEFT_IO_WRITES_MESH) != 0)
+                numbers.put(row.getName(), row.getFormat());
         });
-        if (number[0] == CleftIoNative.CLEFT_FORMAT_BY_NAME)
-            throw new IllegalArgumentException("there is no format of meshes " + format);
-        writeMesh(mesher, mesh, path, number[0]);
+        if (!numbers.containsKey(format))
+            throw new IllegalArgumentException(
+                    "format is '" + format + "'; it must be one of " + String.join(", ", numbers.keySet()));
+        writeMesh(mesher, mesh, path, numbers.get(format));
     }
 
     private static void writeMesh(Mesher mesher, Mesh mesh, Path path, int format) {
+        Objects.requireNonNull(mesher, "mesher");
         Objects.requireNonNull(mesh, "mesh");
-        byte[] name = bytes(path);
+        byte[] name = bytes("path", path);
         mesher.run((context, arguments, out) ->
                 CleftIoNative.cleft_io_write_mesh(context, arguments[0], name, format), mesh);
     }
@@ -304,11 +358,13 @@ public final class MeshFiles {
     }
 
     private static <T> T withReading(Reading reading, java.util.function.Function<NativeReading, T> use) {
+        Objects.requireNonNull(reading, "reading");
         NativeLibrary.files();
         NativeReading how = new NativeReading();
         try {
             how.setWorld(reading.world().ordinal());
             how.setKind(reading.kind().ordinal());
+            how.setScale(reading.scale());
             for (int axis = 0; reading.spacing() != null && axis < 3; ++axis)
                 how.set_spacing(axis, reading.spacing()[axis]);
             return use.apply(how);
@@ -318,12 +374,14 @@ public final class MeshFiles {
     }
 
     /** Texts for the library, each closed by a zero. */
-    private static byte[] bytes(Path... paths) {
+    private static byte[] bytes(String name, Path path) {
+        return Text.bytes(name, Objects.requireNonNull(path, name).toString());
+    }
+
+    private static byte[] bytes(String name, Path[] paths) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        for (Path path : paths) {
-            bytes.writeBytes(path.toString().getBytes(StandardCharsets.UTF_8));
-            bytes.write(0);
-        }
+        for (Path path : Arguments.noNulls(name, paths))
+            bytes.writeBytes(bytes(name, path));
         return bytes.toByteArray();
     }
 }

@@ -31,7 +31,7 @@ public final class Mesher extends NativeObject {
 
     /** A mesher with one thread. */
     public Mesher() {
-        super("Mesher", create(), CleftNative::cleft_context_destroy);
+        super("Mesher", create(), NativeSize.SMALL, CleftNative::cleft_context_destroy);
         checked(address -> CleftNative.cleft_context_set_progress(address, true));
     }
 
@@ -99,14 +99,14 @@ public final class Mesher extends NativeObject {
      */
     public Map<String, Double> metrics() {
         Map<String, Double> figures = new LinkedHashMap<>();
-        String[] name = new String[1];
+        byte[][] name = new byte[1][];
         double[] value = new double[1];
         run((context, arguments, out) -> {
             int status = CleftNative.CLEFT_OK;
             long count = CleftNative.cleft_context_metric_count(context);
             for (long index = 0; index < count && status == CleftNative.CLEFT_OK; ++index) {
                 status = CleftNative.cleft_context_metric(context, index, name, value);
-                figures.put(name[0], value[0]);
+                figures.put(Text.of(name[0]), value[0]);
             }
             return status;
         });
@@ -129,7 +129,7 @@ public final class Mesher extends NativeObject {
      * @return a volume
      */
     public Volume labels(byte[] voxels, Grid grid, Options options) {
-        grid.checkLength("voxels", voxels.length);
+        checkVoxels(voxels, grid).checkLength("voxels", voxels.length);
         return labels(VoxelType.UINT8, voxels, grid, options);
     }
 
@@ -142,7 +142,7 @@ public final class Mesher extends NativeObject {
      * @return a volume
      */
     public Volume labels(short[] voxels, Grid grid, Options options) {
-        grid.checkLength("voxels", voxels.length);
+        checkVoxels(voxels, grid).checkLength("voxels", voxels.length);
         return labels(VoxelType.INT16, voxels, grid, options);
     }
 
@@ -155,7 +155,7 @@ public final class Mesher extends NativeObject {
      * @return a volume
      */
     public Volume labels(int[] voxels, Grid grid, Options options) {
-        grid.checkLength("voxels", voxels.length);
+        checkVoxels(voxels, grid).checkLength("voxels", voxels.length);
         return labels(VoxelType.INT32, voxels, grid, options);
     }
 
@@ -169,6 +169,9 @@ public final class Mesher extends NativeObject {
      * @return a volume
      */
     public Volume labels(ByteBuffer voxels, VoxelType type, Grid grid, Options options) {
+        checkVoxels(voxels, grid);
+        if (!Objects.requireNonNull(type, "type").isWhole)
+            throw new IllegalArgumentException("type is " + type + "; a label map has whole numbers");
         if (!voxels.isDirect() || voxels.order() != ByteOrder.nativeOrder())
             throw new IllegalArgumentException("voxels must be a direct buffer in the byte order of the machine");
         if (voxels.limit() != grid.voxels() * type.bytes)
@@ -177,8 +180,13 @@ public final class Mesher extends NativeObject {
         return labels(type, voxels, grid, options);
     }
 
+    private static Grid checkVoxels(Object voxels, Grid grid) {
+        Objects.requireNonNull(voxels, "voxels");
+        return Objects.requireNonNull(grid, "grid");
+    }
+
     private Volume labels(VoxelType type, Object voxels, Grid grid, Options options) {
-        return new Volume(make((context, arguments, out) -> CleftNative.cleft_volume_create_labels(
+        return Volume.ofLabels(make((context, arguments, out) -> CleftNative.cleft_volume_create_labels(
                 context, type.number, voxels, grid.dims(), grid.affine(), arguments[0], out), options));
     }
 
@@ -192,8 +200,9 @@ public final class Mesher extends NativeObject {
      * @return a volume
      */
     public Volume indicators(double[][] fields, Grid grid, int[] labels) {
-        for (double[] field : fields)
-            grid.checkLength("a field", field.length);
+        checkFields(fields, grid);
+        for (int k = 0; k < fields.length; ++k)
+            grid.checkLength("fields[" + k + "]", fields[k].length);
         return indicators(VoxelType.FLOAT64, fields, grid, labels);
     }
 
@@ -206,18 +215,22 @@ public final class Mesher extends NativeObject {
      * @return a volume
      */
     public Volume indicators(float[][] fields, Grid grid, int[] labels) {
-        for (float[] field : fields)
-            grid.checkLength("a field", field.length);
+        checkFields(fields, grid);
+        for (int k = 0; k < fields.length; ++k)
+            grid.checkLength("fields[" + k + "]", fields[k].length);
         return indicators(VoxelType.FLOAT32, fields, grid, labels);
     }
 
+    private static void checkFields(Object[] fields, Grid grid) {
+        if (Arguments.noNulls("fields", fields).length == 0)
+            throw new IllegalArgumentException("fields has no elements; it must have one a material");
+        Objects.requireNonNull(grid, "grid");
+    }
+
     private Volume indicators(VoxelType type, Object[] fields, Grid grid, int[] labels) {
-        int wanted = fields.length == 1 ? 2 : fields.length;
-        if (fields.length == 0)
-            throw new IllegalArgumentException("fields is empty");
-        if (labels != null && labels.length != wanted)
-            throw new IllegalArgumentException("labels has " + labels.length + " elements; it must have " + wanted);
-        return new Volume(make((context, arguments, out) -> CleftNative.cleft_volume_create_indicators(
+        if (labels != null)
+            Arguments.length("labels", labels.length, fields.length == 1 ? 2 : fields.length);
+        return Volume.ofIndicators(make((context, arguments, out) -> CleftNative.cleft_volume_create_indicators(
                 context, type.number, fields, grid.dims(), grid.affine(), labels, out)));
     }
 
@@ -259,6 +272,8 @@ public final class Mesher extends NativeObject {
      * @return a sizing field
      */
     public Sizing sizing(Volume volume, float[] values, boolean combine, Options options) {
+        Objects.requireNonNull(volume, "volume");
+        Objects.requireNonNull(values, "values");
         volume.grid().checkLength("values", values.length);
         return sizing(volume, VoxelType.FLOAT32, values, combine, options);
     }
@@ -273,6 +288,8 @@ public final class Mesher extends NativeObject {
      * @return a sizing field
      */
     public Sizing sizing(Volume volume, double[] values, boolean combine, Options options) {
+        Objects.requireNonNull(volume, "volume");
+        Objects.requireNonNull(values, "values");
         volume.grid().checkLength("values", values.length);
         return sizing(volume, VoxelType.FLOAT64, values, combine, options);
     }
@@ -377,13 +394,11 @@ public final class Mesher extends NativeObject {
      * @return a mesh
      */
     public Mesh meshOf(double[] points, int[] tets, int[] labels, int indexBase) {
-        if (points.length % 3 != 0)
-            throw new IllegalArgumentException("points has " + points.length + " numbers; it must be 3 a point");
-        if (tets.length % 4 != 0)
-            throw new IllegalArgumentException("tets has " + tets.length + " numbers; it must be 4 a tetrahedron");
-        if (labels != null && labels.length != tets.length / 4)
-            throw new IllegalArgumentException(
-                    "labels has " + labels.length + " elements; there are " + tets.length / 4 + " tetrahedra");
+        Arguments.groups("points", Objects.requireNonNull(points, "points").length, 3, "point");
+        Arguments.groups("tets", Objects.requireNonNull(tets, "tets").length, 4, "tetrahedron");
+        if (labels != null)
+            Arguments.length("labels", labels.length, tets.length / 4);
+        Arguments.indexBase(indexBase);
         return new Mesh(make((context, arguments, out) -> CleftNative.cleft_mesh_create(
                 context, points.length / 3, points, tets.length / 4, tets, labels, indexBase, out)));
     }

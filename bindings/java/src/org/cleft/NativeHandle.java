@@ -10,13 +10,16 @@ final class NativeHandle {
     private final String kind;
     private final LongConsumer destroy;
     private final long address;
+    private final long bytes;
     private int users = 1;
     private boolean closed;
 
-    NativeHandle(String kind, long address, LongConsumer destroy) {
+    NativeHandle(String kind, long address, long bytes, LongConsumer destroy) {
         this.kind = kind;
         this.address = address;
+        this.bytes = bytes;
         this.destroy = destroy;
+        NativeMemory.add(bytes);
     }
 
     /** The address, which stays good until release(). */
@@ -32,8 +35,10 @@ final class NativeHandle {
         synchronized (this) {
             last = --users == 0;
         }
-        if (last)
+        if (last) {
             destroy.accept(address);
+            NativeMemory.remove(bytes);
+        }
     }
 
     /** The owner's part: nobody gets a lease any more. Again and again is allowed. */

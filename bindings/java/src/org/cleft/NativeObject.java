@@ -13,15 +13,17 @@ import java.util.function.LongToIntFunction;
  */
 public abstract sealed class NativeObject implements AutoCloseable
         permits Mesher, Options, Volume, Sizing, Mesh, Surface {
-    private static final Cleaner CLEANER = Cleaner.create();
+    static final Cleaner CLEANER = Cleaner.create();
 
     private final NativeHandle handle;
     private final Cleaner.Cleanable cleanable;
 
-    NativeObject(String kind, long address, LongConsumer destroy) {
-        NativeHandle owned = new NativeHandle(kind, address, destroy);
+    /** @param bytes about how many the object holds outside the heap, as {@link NativeSize} tells */
+    NativeObject(String kind, long address, long bytes, LongConsumer destroy) {
+        NativeHandle owned = new NativeHandle(kind, address, bytes, destroy);
         handle = owned;
         cleanable = CLEANER.register(this, owned::close);
+        NativeMemory.makeRoom();
     }
 
     /** Gives the object up. Closing again does nothing; views that are still held stay good. */

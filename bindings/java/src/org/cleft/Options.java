@@ -10,7 +10,7 @@ import java.util.Objects;
 public final class Options extends NativeObject {
     /** Options with their defaults. */
     public Options() {
-        super("Options", create(), CleftNative::cleft_options_destroy);
+        super("Options", create(), NativeSize.SMALL, CleftNative::cleft_options_destroy);
     }
 
     private static long create() {
@@ -361,6 +361,7 @@ public final class Options extends NativeObject {
      * @return these options
      */
     public Options strip(int... labels) {
+        Objects.requireNonNull(labels, "labels");
         return refused(with(address -> CleftNative.cleft_options_set_strip(address, labels, labels.length)));
     }
 
@@ -371,6 +372,7 @@ public final class Options extends NativeObject {
      * @return these options
      */
     public Options only(int... labels) {
+        Objects.requireNonNull(labels, "labels");
         return refused(with(address -> CleftNative.cleft_options_set_only(address, labels, labels.length)));
     }
 
@@ -382,9 +384,10 @@ public final class Options extends NativeObject {
      * @return these options
      */
     public Options set(String name, String value) {
-        Objects.requireNonNull(name, "name");
-        Objects.requireNonNull(value, "value");
-        return refused(with(address -> CleftNative.cleft_options_set_text(address, name, value)));
+        int status = with(address -> CleftNative.cleft_options_set_text(address, name, value));
+        if (status != CleftNative.CLEFT_OK)  // in the words of the library, which are those of the caller here
+            throw CleftException.of(status, with(CleftNative::cleft_options_last_error));
+        return this;
     }
 
     private Options set(int key, long value) {
@@ -409,7 +412,7 @@ public final class Options extends NativeObject {
 
     private Options refused(int status) {
         if (status != CleftNative.CLEFT_OK)
-            throw CleftException.of(status, with(CleftNative::cleft_options_last_error));
+            throw CleftException.of(status, Wording.inJava(with(CleftNative::cleft_options_last_error)));
         return this;
     }
 }

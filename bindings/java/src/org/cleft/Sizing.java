@@ -5,7 +5,7 @@ import java.nio.FloatBuffer;
 /** The wanted edge length at each point; made by a {@link Mesher} or read by {@link MeshFiles}. It never changes. */
 public final class Sizing extends NativeObject {
     Sizing(long address) {
-        super("Sizing", address, CleftNative::cleft_sizing_destroy);
+        super("Sizing", address, NativeSize.ofSizing(address), CleftNative::cleft_sizing_destroy);
     }
 
     /**
@@ -61,6 +61,9 @@ public final class Sizing extends NativeObject {
      * @return the wanted edge length there
      */
     public double at(double x, double y, double z) {
+        Arguments.finitePoint("x", x);
+        Arguments.finitePoint("y", y);
+        Arguments.finitePoint("z", z);
         double[] size = new double[1];
         checked(address -> CleftNative.cleft_sizing_at(address, new double[] {x, y, z}, size));
         return size[0];

@@ -6,7 +6,7 @@ import java.util.function.LongFunction;
 /** The triangles of a mesh: those between labels, and those of the hull. They number the points of the mesh. */
 public final class Surface extends NativeObject {
     Surface(long address) {
-        super("Surface", address, CleftNative::cleft_surface_destroy);
+        super("Surface", address, NativeSize.ofSurface(address), CleftNative::cleft_surface_destroy);
     }
 
     /**

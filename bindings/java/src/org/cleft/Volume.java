@@ -3,11 +3,23 @@ package org.cleft;
 import java.nio.IntBuffer;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Objects;
 
-/** A labelled volume, or indicator functions; made by a {@link Mesher} or read by {@link MeshFiles}. It never changes. */
+/**
+ * A labelled volume, or indicator functions; made by a {@link Mesher} or read by {@link MeshFiles}. It never
+ * changes, but for the names of its labels.
+ */
 public final class Volume extends NativeObject {
-    Volume(long address) {
-        super("Volume", address, CleftNative::cleft_volume_destroy);
+    private Volume(long address, long bytes) {
+        super("Volume", address, bytes, CleftNative::cleft_volume_destroy);
+    }
+
+    static Volume ofLabels(long address) {
+        return new Volume(address, NativeSize.ofLabelMap(address));
+    }
+
+    static Volume ofIndicators(long address) {
+        return new Volume(address, NativeSize.ofIndicators(address));
     }
 
     /**
@@ -56,6 +68,38 @@ public final class Volume extends NativeObject {
     }
 
     /**
+     * The name of a label, as a file gave it or {@link #labelName(int, String)} did.
+     *
+     * @param label the label
+     * @return the name, "" if it has none
+     */
+    public String labelName(int label) {
+        return with(address -> CleftNative.cleft_volume_label_name(address, label));
+    }
+
+    /**
+     * The labels that have a name.
+     *
+     * @return from label to name, in the order of {@link #labels}
+     */
+    public Map<Integer, String> labelNames() {
+        return LabelNames.of(labels(), this::labelName);
+    }
+
+    /**
+     * Names a label. Meshes that are made of the volume after that have the name too. Not while another thread uses the volume.
+     *
+     * @param label a label of the volume
+     * @param name one line of text; "" takes the name away
+     * @return this volume
+     */
+    public Volume labelName(int label, String name) {
+        LabelNames.check("the volume", labels(), label, name);
+        checked(address -> CleftNative.cleft_volume_set_label_name(address, label, name));
+        return this;
+    }
+
+    /**
      * How many voxels each label has.
      *
      * @return from label to count, in the order of {@link #labels}
@@ -77,8 +121,9 @@ public final class Volume extends NativeObject {
      * @return a label a point
      */
     public int[] sample(double... points) {
-        if (points.length % 3 != 0)
-            throw new IllegalArgumentException("points has " + points.length + " numbers; it must be 3 a point");
+        Arguments.groups("points", Objects.requireNonNull(points, "points").length, 3, "point");
+        for (int i = 0; i < points.length; ++i)
+            Arguments.finitePoint("points[" + i + "]", points[i]);
         int[] labels = new int[points.length / 3];
         checked(address -> CleftNative.cleft_volume_sample(address, points, labels.length, labels));
         return labels;

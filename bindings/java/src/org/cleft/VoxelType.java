@@ -19,9 +19,11 @@ public enum VoxelType {
 
     final int number;
     final int bytes;
+    final boolean isWhole;
 
     VoxelType(int number, int bytes) {
         this.number = number;
         this.bytes = bytes;
+        isWhole = number != CleftNative.CLEFT_TYPE_FLOAT32 && number != CleftNative.CLEFT_TYPE_FLOAT64;
     }
 }

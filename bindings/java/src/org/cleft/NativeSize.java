@@ -1,0 +1,46 @@
+package org.cleft;
+
+/** About how many bytes the objects of the library hold, from the counts that it tells. */
+final class NativeSize {
+    /** A context, options: what has no arrays. */
+    static final long SMALL = 2048;
+
+    private NativeSize() {}
+
+    /** One or two bytes a voxel for its label, two for its weight. */
+    static long ofLabelMap(long volume) {
+        return SMALL + voxels(volume) * (CleftNative.cleft_volume_label_count(volume) > 256 ? 4 : 3);
+    }
+
+    /** One number of single precision a voxel and function. */
+    static long ofIndicators(long volume) {
+        return SMALL + voxels(volume) * 4 * CleftNative.cleft_volume_label_count(volume);
+    }
+
+    static long ofSizing(long sizing) {
+        long[] dims = new long[3];
+        CleftException.check(CleftNative.cleft_sizing_dims(sizing, dims));
+        return SMALL + 4 * product(dims);
+    }
+
+    /** Three coordinates a point; four corners and a label a tetrahedron. */
+    static long ofMesh(long mesh) {
+        return SMALL + 24 * CleftNative.cleft_mesh_point_count(mesh) + 20 * CleftNative.cleft_mesh_tet_count(mesh);
+    }
+
+    /** Three corners and two labels a triangle; on the hull a label and a side. */
+    static long ofSurface(long surface) {
+        return SMALL + 20 * (CleftNative.cleft_surface_interface_count(surface)
+                + CleftNative.cleft_surface_hull_count(surface));
+    }
+
+    private static long voxels(long volume) {
+        long[] dims = new long[3];
+        CleftException.check(CleftNative.cleft_volume_dims(volume, dims));
+        return product(dims);
+    }
+
+    private static long product(long[] dims) {
+        return dims[0] * dims[1] * dims[2];
+    }
+}
