@@ -92,7 +92,10 @@ namespace Cleft
             set { Set(CleftNative.CLEFT_OPTION_MAX_TETS, value); }
         }
 
-        /// <summary>The width in voxels of the kernel that smooths label maps.</summary>
+        /// <summary>
+        /// The width in voxels of the kernel that smooths label maps. It counts where a volume is made or read, in Mesher.Labels() and
+        /// MeshFiles.ReadVolume(): in a call with a finished volume it changes nothing.
+        /// </summary>
         public int Smooth
         {
             get { return (int)Integer(CleftNative.CLEFT_OPTION_SMOOTH); }

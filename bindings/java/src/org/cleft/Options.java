@@ -211,7 +211,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets the width in voxels of the kernel that smooths label maps.
+     * Sets the width in voxels of the kernel that smooths label maps. It counts where a volume is made or read, in
+     * {@link Mesher#labels} and {@link MeshFiles#readVolume}: in a call with a finished volume it changes nothing.
      *
      * @param value the new value
      * @return these options
@@ -221,7 +222,7 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * The width in voxels of the kernel that smooths label maps.
+     * The width in voxels of the kernel that smooths label maps, when a volume is made or read.
      *
      * @return the value
      */
