@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
@@ -55,6 +56,32 @@ sealed class CallbacksTest
         Checks.Check(levels.Contains(LogLevel.Warning), "no warning");
         mesher.Log = (level, sentence) => throw new OwnException();
         Checks.Thrown<OwnException>(() => mesher.Mesh(volume, tooFew));
+    }
+
+    static string StandardErrorOf(Action body)
+    {
+        TextWriter old = Console.Error;
+        var text = new StringWriter();
+        Console.SetError(text);
+        try {
+            body();
+        } finally {
+            Console.SetError(old);
+        }
+        return text.ToString();
+    }
+
+    /// <summary>Who gives no function sees warnings all the same.</summary>
+    void TestWarningsAreShown()
+    {
+        var tooFew = new Options { Background = Background.Lattice, Tets = 1 };
+        Volume volume = Checks.BallVolume(mesher);
+        string shown = StandardErrorOf(() => mesher.Mesh(volume, tooFew));
+        Checks.Check(shown.StartsWith("cleft: warning: "), shown);
+        mesher.Log = null;
+        Checks.Equal("", StandardErrorOf(() => mesher.Mesh(volume, tooFew)));
+        mesher.Log = Mesher.ShowWarnings;
+        Checks.Equal("", StandardErrorOf(() => Checks.BallMesh(mesher).Dispose()));
     }
 
     void TestCancelFromAnotherThread()

@@ -66,6 +66,28 @@ final class CallbacksTest {
         mesher.log(null).mesh(volume, tooFew);
     }
 
+    private static String standardErrorOf(Runnable body) {
+        var old = System.err;
+        var bytes = new java.io.ByteArrayOutputStream();
+        System.setErr(new java.io.PrintStream(bytes, true));
+        try {
+            body.run();
+        } finally {
+            System.setErr(old);
+        }
+        return bytes.toString();
+    }
+
+    /** Who gives no function sees warnings all the same. */
+    void testWarningsAreShown() {
+        Options tooFew = new Options().background(Background.LATTICE).tets(1);
+        Volume volume = Checks.ballVolume(mesher);
+        String shown = standardErrorOf(() -> mesher.mesh(volume, tooFew));
+        Checks.check(shown.startsWith("cleft: warning: "), shown);
+        Checks.equal("", standardErrorOf(() -> mesher.log(null).mesh(volume, tooFew)));
+        Checks.equal("", standardErrorOf(() -> Checks.ballMesh(mesher.log(Log::showWarnings))));
+    }
+
     void testCancelFromAnotherThread() throws Exception {
         CountDownLatch started = new CountDownLatch(1);
         Volume volume = Checks.slowVolume(mesher);

@@ -50,8 +50,17 @@ namespace Cleft
         /// </summary>
         public Func<double, string, bool> Progress { get; set; }
 
-        /// <summary>Is told what is worth knowing, on the thread that made the call. May be null.</summary>
-        public Action<LogLevel, string> Log { get; set; }
+        /// <summary>
+        /// Is told what is worth knowing, on the thread that made the call: at first <see cref="ShowWarnings"/>. May be null.
+        /// </summary>
+        public Action<LogLevel, string> Log { get; set; } = ShowWarnings;
+
+        /// <summary>Prints warnings on the standard error, and nothing else.</summary>
+        public static void ShowWarnings(LogLevel level, string sentence)
+        {
+            if (level == LogLevel.Warning)
+                Console.Error.WriteLine("cleft: warning: " + sentence);
+        }
 
         /// <summary>Stops calls with a CancelledException when it is cancelled.</summary>
         public CancellationToken Cancellation { get; set; }

@@ -1,6 +1,6 @@
 package org.cleft;
 
-/** Is told what is worth knowing. */
+/** Is told what is worth knowing. A mesher has {@link #showWarnings} unless it is given another. */
 @FunctionalInterface
 public interface Log {
     /** How much a sentence matters. */
@@ -28,4 +28,15 @@ public interface Log {
      * @param sentence what there is to say
      */
     void write(Level level, String sentence);
+
+    /**
+     * Prints warnings on the standard error, and nothing else.
+     *
+     * @param level how much it matters
+     * @param sentence what there is to say
+     */
+    static void showWarnings(Level level, String sentence) {
+        if (level == Level.WARNING)
+            System.err.println("cleft: warning: " + sentence);
+    }
 }

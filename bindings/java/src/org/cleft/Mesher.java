@@ -27,12 +27,13 @@ import java.util.Objects;
 public final class Mesher extends NativeObject {
     private final Calls calls = new Calls(handle());
     private Progress progress;
-    private Log log;
+    private Log log = Log::showWarnings;
 
     /** A mesher with one thread. */
     public Mesher() {
         super("Mesher", create(), NativeSize.SMALL, CleftNative::cleft_context_destroy);
         checked(address -> CleftNative.cleft_context_set_progress(address, true));
+        checked(address -> CleftNative.cleft_context_set_log(address, true));
     }
 
     private static long create() {
@@ -76,9 +77,9 @@ public final class Mesher extends NativeObject {
     }
 
     /**
-     * Sets who is told what is worth knowing.
+     * Sets who is told what is worth knowing: at first {@link Log#showWarnings}.
      *
-     * @param log a function, or null
+     * @param log a function, or null for nobody
      * @return this mesher
      */
     public Mesher log(Log log) {

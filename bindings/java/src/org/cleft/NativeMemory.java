@@ -30,10 +30,6 @@ final class NativeMemory {
         LEAST.accumulateAndGet(HELD.addAndGet(-bytes), Math::min);
     }
 
-    static long held() {
-        return HELD.get();
-    }
-
     /** Makes room if more than the budget may be garbage; with much in use, if it may be a third of all. */
     static void makeRoom() {
         if (isOverBudget())
