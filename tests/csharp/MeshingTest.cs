@@ -216,6 +216,11 @@ sealed class MeshingTest
             Checks.Equal(names, mesh.Labels.ToArray());
             Checks.Equal(wanted.CopyPoints(), mesh.CopyPoints());
             Checks.Equal(wanted.CopyTets(), mesh.CopyTets());
+            int[] renamed = Array.ConvertAll(wanted.CopyTetLabels(), label => names[Array.IndexOf(old, (byte)label)]);
+            Checks.Equal(renamed, mesh.CopyTetLabels());
+            Checks.Equal(renamed, mesh.TetLabels.ToArray());
+            Checks.Equal("minus one", mesh.SetLabelName(names[1], "minus one").LabelNames[names[1]]);
+            Checks.Equal(names, mesher.MeshOf(mesh.CopyPoints(), mesh.CopyTets(), renamed).Labels.ToArray());
             Checks.Check(mesher.Validate(mesh, true).IsValid, "not valid");
             Surface surface = mesher.Surface(mesh), same = mesher.Surface(wanted);
             Checks.Equal(same.HullSides.ToArray(), surface.HullSides.ToArray());

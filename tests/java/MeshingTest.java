@@ -218,6 +218,12 @@ final class MeshingTest {
             Checks.equal(names, mesh.labels());
             Checks.equal(wanted.points(), mesh.points());
             Checks.equal(wanted.tets(), mesh.tets());
+            Checks.equal(Arrays.stream(wanted.tetLabels()).map(label -> names[label == 7 ? 2 : label]).toArray(),
+                    mesh.tetLabels());
+            Checks.check(java.nio.IntBuffer.wrap(mesh.tetLabels()).equals(mesh.tetLabelsView()), "another view");
+            Checks.equal("minus one", mesh.labelName(names[1], "minus one").labelNames().get(names[1]));
+            Mesh again = mesher.meshOf(mesh.points(), mesh.tets(), mesh.tetLabels(), 0);
+            Checks.equal(names, again.labels());
             Checks.check(mesher.validate(mesh, true).valid(), "not valid");
             Checks.equal(sides, mesher.surface(mesh).hullSides());
             for (int m = 0; m < 3; ++m) {
