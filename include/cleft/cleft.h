@@ -20,6 +20,7 @@
  *    is destroyed; NULL if there are no elements) or copied into the caller's buffer (`_copy_`).
  *  - Counts are int64_t. Point numbers are int32_t, from 0 unless a function takes an index base. Coordinates are
  *    double, interleaved x y z. Labels (materials) are int32_t, the user's own values.
+ *  - Sentences count from the first: "the 3rd point" is point 2 of an array that begins at 0.
  *  - Lengths are in the unit of the volume's world coordinates. Results are the same bytes for every thread count.
  */
 #ifndef CLEFT_H

@@ -1,4 +1,5 @@
 // Meshes as arrays, in and out.
+#include "base/ordinal.hpp"
 #include "capi/firewall.hpp"
 #include "capi/mesh_frame.hpp"
 #include "mesh/adjacency.hpp"
@@ -8,6 +9,7 @@
 
 using namespace cleft::capi;
 using cleft::Error;
+using cleft::ordinal;
 using cleft::Run;
 
 namespace
@@ -30,8 +32,10 @@ std::vector<cleft::Tet> checked_tets(const int32_t* tets, int64_t tet_count, int
         for (size_t i = 0; i < 4; ++i) {
             const int64_t corner = int64_t{tets[4 * t + static_cast<int64_t>(i)]} - index_base;
             if (corner < 0 || corner >= point_count)
-                throw Error(CLEFT_ERROR_ARGUMENT, "tetrahedron " + std::to_string(t) + " names point " +
-                                                      std::to_string(corner + index_base) + ", which is not there");
+                throw Error(CLEFT_ERROR_ARGUMENT, "the " + ordinal(t) + " tetrahedron names point " +
+                                                      std::to_string(corner + index_base) + ", but there are " +
+                                                      std::to_string(point_count) + " points, counted from " +
+                                                      std::to_string(index_base));
             out[static_cast<size_t>(t)][i] = static_cast<int32_t>(corner);
         }
     return out;
@@ -67,7 +71,7 @@ cleft_status cleft_mesh_create(cleft_context* context, int64_t point_count, cons
         for (int64_t i = 0; i < point_count; ++i) {
             const cleft::Vec3 point(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
             if (!point.allFinite())
-                throw Error(CLEFT_ERROR_NOT_FINITE, "point " + std::to_string(i) + " is NaN or infinite");
+                throw Error(CLEFT_ERROR_NOT_FINITE, "the " + ordinal(i) + " point is NaN or infinite");
             mesh.mesh.points[static_cast<size_t>(i)] = point;
         }
         mesh.mesh.tets = checked_tets(tets, tet_count, point_count, index_base);

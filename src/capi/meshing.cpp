@@ -1,4 +1,5 @@
 // The entries that make meshes from volumes: background, cleaving, improving, stripping, and all at once.
+#include "base/ordinal.hpp"
 #include "base/stage_timer.hpp"
 #include "capi/firewall.hpp"
 #include "capi/mesh_frame.hpp"
@@ -67,7 +68,8 @@ cleft::TetMesh checked_background(const cleft_mesh& mesh, const cleft::Frame& fr
         const auto p = [&](size_t i) -> const cleft::Vec3& { return out.points[static_cast<size_t>(out.tets[t][i])]; };
         if (!((p(1) - p(0)).cross(p(2) - p(0)).dot(p(3) - p(0)) > 0))
             throw Error(CLEFT_ERROR_INVALID_MESH,
-                        "tetrahedron " + std::to_string(t) + " of the background is flat or not positively oriented");
+                        "the " + cleft::ordinal(static_cast<int64_t>(t)) +
+                            " tetrahedron of the background is flat or not positively oriented");
     }
     return out;
 }

@@ -2,6 +2,7 @@
 #include "io/cell_labels.hpp"
 
 #include "base/error.hpp"
+#include "base/ordinal.hpp"
 
 namespace cleft::io
 {
@@ -56,16 +57,18 @@ void take_tetrahedra(const CellLists& cells, const std::vector<CellArray>& array
         if (is_lower_dimensional(cells.types[c]))
             continue;
         if (cells.types[c] != vtk_tetra)
-            throw Error(CLEFT_ERROR_UNSUPPORTED, "cell " + std::to_string(c) + " is no tetrahedron but of VTK's type " +
+            throw Error(CLEFT_ERROR_UNSUPPORTED, "the " + ordinal(static_cast<int64_t>(c)) +
+                                                     " cell is no tetrahedron but of VTK's type " +
                                                      std::to_string(cells.types[c]));
         const int64_t begin = cells.offsets[c];
         const int64_t end = cells.offsets[c + 1];
         if (begin < 0 || end - 4 != begin || end > static_cast<int64_t>(cells.corners.size()))
-            fail("cell " + std::to_string(c) + " does not have four corners");
+            fail("the " + ordinal(static_cast<int64_t>(c)) + " cell does not have four corners");
         for (int64_t i = begin; i < end; ++i) {
             const int64_t point = cells.corners[static_cast<size_t>(i)];
             if (point < 0 || point >= points)
-                fail("cell " + std::to_string(c) + " names point " + std::to_string(point) + ", which is not there");
+                fail("the " + ordinal(static_cast<int64_t>(c)) + " cell names point " + std::to_string(point) +
+                     " of the " + std::to_string(points) + " that are counted from 0");
             mesh.tets.push_back(static_cast<int32_t>(point));
         }
         if (labels)

@@ -1,6 +1,7 @@
 #include "mesh/adjacency.hpp"
 
 #include "base/error.hpp"
+#include "base/ordinal.hpp"
 #include "base/parallel.hpp"
 #include "mesh/face_buckets.hpp"
 
@@ -14,9 +15,9 @@ constexpr int64_t kGrain = 2048;
 
 [[noreturn]] void refuse_crowded_face(const HalfFace* faces, size_t count)
 {
-    throw Error(CLEFT_ERROR_INVALID_MESH, std::to_string(count) + " tetrahedra share one face: " +
-                                              std::to_string(faces[0].tet()) + ", " + std::to_string(faces[1].tet()) +
-                                              ", " + std::to_string(faces[2].tet()) + (count > 3 ? ", ..." : ""));
+    throw Error(CLEFT_ERROR_INVALID_MESH, std::to_string(count) + " tetrahedra share one face: the " +
+                                              ordinal(faces[0].tet()) + ", the " + ordinal(faces[1].tet()) + ", the " +
+                                              ordinal(faces[2].tet()) + (count > 3 ? ", ..." : ""));
 }
 
 }  // namespace
@@ -25,8 +26,8 @@ std::vector<std::array<int32_t, 4>> tet_neighbours(const std::vector<Tet>& tets,
 {
     for (size_t t = 0; t < tets.size(); ++t)
         if (has_bad_index(tets[t], point_count) || has_repeated_corner(tets[t]))
-            throw Error(CLEFT_ERROR_INVALID_MESH,
-                        "tetrahedron " + std::to_string(t) + " does not have four different points of the mesh");
+            throw Error(CLEFT_ERROR_INVALID_MESH, "the " + ordinal(static_cast<int64_t>(t)) +
+                                                      " tetrahedron does not have four different points of the mesh");
     const FaceBuckets buckets(tets, point_count, run);
     std::vector<std::array<int32_t, 4>> neighbours(tets.size(), {-1, -1, -1, -1});
     const auto link = [&](const HalfFace& from, const HalfFace& to) {

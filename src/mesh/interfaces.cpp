@@ -1,5 +1,6 @@
 #include "mesh/interfaces.hpp"
 
+#include "base/ordinal.hpp"
 #include "base/parallel.hpp"
 #include "mesh/bounding_box.hpp"
 #include "mesh/face_buckets.hpp"
@@ -61,8 +62,8 @@ void add_face(const LabelledMesh& mesh, const HalfFace* face, size_t count, cons
     const auto material = [&](const HalfFace& f) { return mesh.material[static_cast<size_t>(f.tet())]; };
     if (count > 2)
         throw Error(CLEFT_ERROR_INVALID_MESH, std::to_string(count) +
-                                                  " tetrahedra share one face, the first of them tetrahedron " +
-                                                  std::to_string(face[0].tet()) + ": interfaces are not defined");
+                                                  " tetrahedra share one face, the first of them the " +
+                                                  ordinal(face[0].tet()) + " tetrahedron: interfaces are not defined");
     if (count == 1) {
         const Triangle corners = outward(mesh, face[0]);
         out.hull.push_back({side_of(mesh, corners, box), material(face[0]), corners});

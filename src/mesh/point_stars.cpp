@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/large_pages.hpp"
+#include "base/ordinal.hpp"
 #include "mesh/face_buckets.hpp"
 
 #include <algorithm>
@@ -23,8 +24,8 @@ PointStars::PointStars(const std::vector<Tet>& tets, size_t point_count, const R
         if (t % kTetsACheck == 0)
             run.check();
         if (has_bad_index(tets[t], static_cast<int64_t>(point_count)) || has_repeated_corner(tets[t]))
-            throw Error(CLEFT_ERROR_INVALID_MESH,
-                        "tetrahedron " + std::to_string(t) + " does not have four different points of the mesh");
+            throw Error(CLEFT_ERROR_INVALID_MESH, "the " + ordinal(static_cast<int64_t>(t)) +
+                                                      " tetrahedron does not have four different points of the mesh");
         for (const int32_t v : tets[t])
             ++lists_[static_cast<size_t>(v)].capacity;
     }

@@ -1,5 +1,6 @@
 #include "mesh/validate.hpp"
 
+#include "base/ordinal.hpp"
 #include "mesh/checks.hpp"
 #include "mesh/face_buckets.hpp"
 
@@ -31,25 +32,24 @@ public:
     std::string tet(int64_t t) const
     {
         const Tet& c = mesh_.tets[static_cast<size_t>(t)];
-        return "tetrahedron " + std::to_string(t) + " at " +
+        return "the " + ordinal(t) + " tetrahedron at " +
                text(at(c[0]) / 4 + at(c[1]) / 4 + at(c[2]) / 4 + at(c[3]) / 4);
     }
     std::string face(int64_t half_face) const
     {
         const auto [a, b, c] = face_points(mesh_.tets, static_cast<uint32_t>(half_face));
-        return "the face of points " + std::to_string(a) + ", " + std::to_string(b) + " and " + std::to_string(c) +
-               " at " + text(at(a) / 3 + at(b) / 3 + at(c) / 3) + " of tetrahedron " + std::to_string(half_face >> 2);
+        return "the face of the " + ordinal(a) + ", the " + ordinal(b) + " and the " + ordinal(c) + " point at " +
+               text(at(a) / 3 + at(b) / 3 + at(c) / 3) + " of the " + ordinal(half_face >> 2) + " tetrahedron";
     }
     std::string edge(int64_t points) const
     {
         const auto a = static_cast<int32_t>(points >> 32);
         const auto b = static_cast<int32_t>(points & INT32_MAX);
-        return "the edge of points " + std::to_string(a) + " and " + std::to_string(b) + " at " +
-               text(at(a) / 2 + at(b) / 2);
+        return "the edge of the " + ordinal(a) + " and the " + ordinal(b) + " point at " + text(at(a) / 2 + at(b) / 2);
     }
     std::string point(int64_t p) const
     {
-        return "point " + std::to_string(p) + " at " + text(mesh_.points[static_cast<size_t>(p)]);
+        return "the " + ordinal(p) + " point at " + text(mesh_.points[static_cast<size_t>(p)]);
     }
 
 private:
@@ -68,14 +68,14 @@ std::string first_fault(const LabelledMesh& mesh, const PointChecks& points, con
         return "the mesh has " + std::to_string(mesh.tets.size()) + " tetrahedra but " +
                std::to_string(mesh.material.size()) + " materials of tetrahedra";
     if (tets.bad_index.count)
-        return "tetrahedron " + std::to_string(tets.bad_index.first) + " names a point that is not among the " +
+        return "the " + ordinal(tets.bad_index.first) + " tetrahedron names a point that is not among the " +
                std::to_string(mesh.points.size()) + " points of the mesh";
     if (tets.repeated_corner.count)
         return name.tet(tets.repeated_corner.first) + " names a point twice";
     if (points.non_finite.count)
         return name.point(points.non_finite.first) + " is not finite";
     if (points.repeated.count)
-        return name.point(points.repeated.first) + " is at the place of point " + std::to_string(points.repeated_of);
+        return name.point(points.repeated.first) + " is at the place of the " + ordinal(points.repeated_of);
     if (points.unused.count)
         return name.point(points.unused.first) + " is in no tetrahedron";
     if (tets.negative.count)

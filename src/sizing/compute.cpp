@@ -120,11 +120,11 @@ void lower_to_one_voxel_parts(const Labelling& labelling, const Limits& limits, 
             h[v] = std::min(h[v], static_cast<float>(limits.thin));
 }
 
-void lower_to_user(const float* user, const Limits& limits, std::vector<float>& h)
+void lower_to_user(const float* user, const Grid& grid, const Limits& limits, std::vector<float>& h)
 {
     for (size_t v = 0; v < h.size(); ++v) {
         if (!(user[v] > 0) || !std::isfinite(user[v]))
-            throw bad_sizing_value(static_cast<int64_t>(v));
+            throw bad_sizing_value(static_cast<int64_t>(v), grid);
         h[v] = std::min(h[v], std::max(user[v], static_cast<float>(limits.least)));
     }
 }
@@ -162,7 +162,7 @@ SizingField field_of(const Sources& from, const Limits& limits, const Progress& 
     if (from.options.keep_thin)
         lower_to_one_voxel_parts(from.labelling, limits, field.h, progress.part(0, 0.15));
     if (from.options.user)
-        lower_to_user(from.options.user, limits, field.h);
+        lower_to_user(from.options.user, grid, limits, field.h);
     limit_gradient(grid, from.options.gradation, field.h, progress.part(0.15, 1));
     return field;
 }

@@ -1,4 +1,5 @@
 // Sizing fields that are given, what can be asked of any, and scaling it.
+#include "base/ordinal.hpp"
 #include "sizing/compute.hpp"
 #include "sizing/gradient_limit.hpp"
 
@@ -32,10 +33,10 @@ void check_sizing_grid(const Grid& grid)
         throw Error(CLEFT_ERROR_TOO_LARGE, "a sizing field can have at most 2147483647 voxels");
 }
 
-Error bad_sizing_value(int64_t voxel)
+Error bad_sizing_value(int64_t voxel, const Grid& grid)
 {
     return Error(CLEFT_ERROR_NOT_FINITE,
-                 "the sizing value of voxel " + std::to_string(voxel) + " is not a positive, finite number");
+                 "the sizing value of " + voxel_in_words(voxel, grid.dims) + " is not a positive, finite number");
 }
 
 SizingField constant_sizing(const Grid& grid, double size)
@@ -53,7 +54,7 @@ SizingField sizing_from_values(const Grid& grid, const double* values)
     for (size_t v = 0; v < field.h.size(); ++v) {
         field.h[v] = static_cast<float>(values[v]);
         if (!(field.h[v] > 0) || !std::isfinite(field.h[v]))
-            throw bad_sizing_value(static_cast<int64_t>(v));
+            throw bad_sizing_value(static_cast<int64_t>(v), grid);
     }
     return field;
 }

@@ -1,6 +1,7 @@
 #include "volume/frame.hpp"
 
 #include "base/error.hpp"
+#include "base/ordinal.hpp"
 
 #include <Eigen/LU>
 #include <cmath>
@@ -12,16 +13,18 @@ namespace cleft
 namespace
 {
 
+std::string voxels_along(size_t axis) { return std::string("the number of voxels along ") + "xyz"[axis] + " is "; }
+
 Grid checked_grid(const int64_t dims[3])
 {
     Grid grid;
     for (size_t axis = 0; axis < 3; ++axis) {
         if (dims[axis] < 1)
-            throw Error(CLEFT_ERROR_ARGUMENT, "dims[" + std::to_string(axis) + "] is " + std::to_string(dims[axis]) +
-                                                  "; each must be at least 1");
+            throw Error(CLEFT_ERROR_ARGUMENT,
+                        voxels_along(axis) + std::to_string(dims[axis]) + "; it must be at least 1");
         if (dims[axis] > INT32_MAX / 4)
-            throw Error(CLEFT_ERROR_TOO_LARGE, "dims[" + std::to_string(axis) + "] is " + std::to_string(dims[axis]) +
-                                                   ", too many for 32-bit numbering");
+            throw Error(CLEFT_ERROR_TOO_LARGE,
+                        voxels_along(axis) + std::to_string(dims[axis]) + ", too many for 32-bit numbering");
         grid.dims[axis] = static_cast<int32_t>(dims[axis]);
     }
     if (static_cast<double>(dims[0]) * static_cast<double>(dims[1]) * static_cast<double>(dims[2]) > INT32_MAX)
@@ -62,7 +65,8 @@ Frame make_frame(const int64_t dims[3], const double* affine)
     Vec3 origin;
     for (int i = 0; i < 12; ++i) {
         if (!std::isfinite(a[i]))
-            throw Error(CLEFT_ERROR_NOT_FINITE, "affine[" + std::to_string(i) + "] is NaN or infinite");
+            throw Error(CLEFT_ERROR_NOT_FINITE, "the affine has NaN or infinity in its " + ordinal(i / 4) + " row, " +
+                                                    ordinal(i % 4) + " column");
         frame.affine[static_cast<size_t>(i)] = a[i];
         if (i % 4 == 3)
             origin[i / 4] = a[i];
@@ -72,7 +76,8 @@ Frame make_frame(const int64_t dims[3], const double* affine)
     for (int axis = 0; axis < 3; ++axis) {
         frame.grid.spacing[axis] = length_of(columns.col(axis));
         if (!(frame.grid.spacing[axis] > 0) || !std::isfinite(frame.grid.spacing[axis]))
-            throw Error(CLEFT_ERROR_ARGUMENT, "column " + std::to_string(axis) + " of the affine has no length");
+            throw Error(CLEFT_ERROR_ARGUMENT,
+                        "the affine has no length along the " + ordinal(axis) + " axis of the voxels");
         frame.linear.col(axis) = columns.col(axis) / frame.grid.spacing[axis];
     }
     if (std::abs(frame.linear.determinant()) < 1e-6)

@@ -1,5 +1,6 @@
 #include "volume/indicator_field.hpp"
 
+#include "base/ordinal.hpp"
 #include "base/parallel.hpp"
 #include "volume/indicator_blocks.hpp"
 #include "volume/position.hpp"
@@ -135,16 +136,17 @@ Material greatest(size_t count, const Value& value)
 }
 
 template <class Value>
-std::vector<float> finite_copy(const Value* values, int64_t n, size_t field, const Run& run)
+std::vector<float> finite_copy(const Value* values, const Grid& grid, size_t field, const Run& run)
 {
+    const int64_t n = grid.size();
     std::vector<float> out(static_cast<size_t>(n));
     parallel_for(run, n, int64_t{1} << 16, [&](int64_t begin, int64_t end) {
         for (int64_t i = begin; i < end; ++i) {
             const auto f = static_cast<float>(values[i]);
             if (!std::isfinite(f))
-                throw Error(CLEFT_ERROR_NOT_FINITE, "indicator function " + std::to_string(field) +
-                                                        " has a value that is not a finite number at index " +
-                                                        std::to_string(i));
+                throw Error(CLEFT_ERROR_NOT_FINITE, "the " + ordinal(static_cast<int64_t>(field)) +
+                                                        " indicator function is NaN or infinite at " +
+                                                        voxel_in_words(i, grid.dims));
             out[static_cast<size_t>(i)] = f;
         }
     });
@@ -189,7 +191,7 @@ IndicatorField make_indicators(const std::vector<const Value*>& fields, const Gr
     out.grid = grid;
     for (size_t k = 0; k < fields.size(); ++k) {
         run.report(0.5 * static_cast<double>(k) / static_cast<double>(fields.size()), "volume");
-        out.field.push_back(finite_copy(fields[k], grid.size(), k, run));
+        out.field.push_back(finite_copy(fields[k], grid, k, run));
     }
     if (!out.is_signed())
         out.rest = find_rest(out.field, run);

@@ -1,5 +1,6 @@
 #include "volume/volume.hpp"
 
+#include "base/ordinal.hpp"
 #include "base/stage_timer.hpp"
 #include "volume/indicator_field.hpp"
 #include "volume/label_sample.hpp"
@@ -28,11 +29,12 @@ void check_grid(const Grid& grid)
 {
     for (size_t a = 0; a < 3; ++a)
         if (grid.dims[a] < 1)
-            throw Error(CLEFT_ERROR_ARGUMENT, "dims[" + std::to_string(a) + "] is " + std::to_string(grid.dims[a]) +
-                                                  ", but a volume needs at least one voxel along each axis");
+            throw Error(CLEFT_ERROR_ARGUMENT,
+                        "a volume needs at least one voxel along each axis, but the number along the " +
+                            ordinal(static_cast<int64_t>(a)) + " is " + std::to_string(grid.dims[a]));
     for (int a = 0; a < 3; ++a)
         if (!(grid.spacing[a] > 0) || !std::isfinite(grid.spacing[a]))
-            throw Error(CLEFT_ERROR_ARGUMENT, "spacing[" + std::to_string(a) + "] is " +
+            throw Error(CLEFT_ERROR_ARGUMENT, "the spacing along the " + ordinal(a) + " axis is " +
                                                   std::to_string(grid.spacing[a]) + ", not a positive finite number");
     const double voxels = double(grid.dims[0]) * double(grid.dims[1]) * double(grid.dims[2]);
     if (voxels > 0x1p56)
@@ -97,7 +99,7 @@ void store_indicators(const std::vector<const Value*>& fields, const Grid& grid,
         throw Error(CLEFT_ERROR_ARGUMENT, "more than 65535 indicator functions are given");
     for (size_t k = 0; k < fields.size(); ++k)
         if (!fields[k])
-            throw Error(CLEFT_ERROR_NULL, "indicator function " + std::to_string(k) + " is NULL");
+            throw Error(CLEFT_ERROR_NULL, "the " + ordinal(static_cast<int64_t>(k)) + " indicator function is NULL");
     data.labels = indicator_labels(fields.size(), labels);
     data.field = make_indicators(fields, grid, run);
 }

@@ -56,11 +56,11 @@ static void mistakes_are_named(void** state)
     memcpy(tets, kTets, sizeof tets);
     tets[6] = 5;
     assert_fails(context, CLEFT_ERROR_ARGUMENT, cleft_mesh_create(context, 5, points, 2, tets, NULL, 0, &mesh));
-    assert_non_null(strstr(cleft_context_last_error(context), "tetrahedron 1"));
+    assert_non_null(strstr(cleft_context_last_error(context), "the 2nd tetrahedron"));
     assert_fails(context, CLEFT_ERROR_ARGUMENT, cleft_mesh_create(context, 5, points, 2, kTets, NULL, 1, &mesh));
     points[4] = INFINITY;
     assert_fails(context, CLEFT_ERROR_NOT_FINITE, cleft_mesh_create(context, 5, points, 2, kTets, NULL, 0, &mesh));
-    assert_non_null(strstr(cleft_context_last_error(context), "point 1"));
+    assert_non_null(strstr(cleft_context_last_error(context), "the 2nd point"));
     assert_fails(context, CLEFT_ERROR_NULL, cleft_mesh_create(context, 5, NULL, 2, kTets, NULL, 0, &mesh));
     assert_fails(context, CLEFT_ERROR_ARGUMENT, cleft_mesh_create(context, -1, kPoints, 2, kTets, NULL, 0, &mesh));
     assert_fails(context, CLEFT_ERROR_TOO_LARGE,

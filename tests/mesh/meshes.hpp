@@ -180,7 +180,7 @@ inline std::vector<MeshCase> mesh_cases()
     broken("inverted", "is inverted", [](LabelledMesh& m) { std::swap(m.tets[40][0], m.tets[40][1]); });
     broken("inner_hole", "has nothing behind it", [](LabelledMesh& m) { remove_tet(m, inner_tet(m)); });
     broken("notch", "has nothing behind it", [](LabelledMesh& m) { remove_tet(m, m.tets.size() - 1); });
-    broken("repeated_point", "is at the place of point", repeat_point);
+    broken("repeated_point", "is at the place of the", repeat_point);
     broken("t_junction", "has nothing behind it", make_t_junction);
     broken("folded", "on one side", fold);
     broken("crowded", "more than two tetrahedra", crowd_a_face);
@@ -189,7 +189,7 @@ inline std::vector<MeshCase> mesh_cases()
     broken("dented", "has nothing behind it", [](LabelledMesh& m) { m.points[at(side_point(m))][2] += 0.01; });
     broken("wavy_side", "a volume of", [](LabelledMesh& m) { m.points[at(side_point(m))][2] += 1e-6; });
     broken("repeated_corner", "names a point twice", [](LabelledMesh& m) { m.tets[40][2] = m.tets[40][1]; });
-    broken("several", "is at the place of point", [](LabelledMesh& m) {
+    broken("several", "is at the place of the", [](LabelledMesh& m) {
         make_t_junction(m);
         remove_tet(m, 3);
         repeat_point(m);

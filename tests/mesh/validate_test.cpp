@@ -1,10 +1,12 @@
 #include "mesh/validate.hpp"
+#include "base/ordinal.hpp"
 
 #include "mesh/finish.hpp"
 #include "mesh/meshes.hpp"
 #include "support/cmocka.hpp"
 #include "support/near.hpp"
 
+#include <iterator>
 #include <limits>
 
 using namespace cleft;
@@ -63,17 +65,28 @@ void good_meshes_have_the_measures_of_their_box(void**)
     assert_true(v.interface_faces > 0);
 }
 
+void things_are_counted_from_the_first(void**)
+{
+    const char* const words[] = {"1st", "2nd", "3rd", "4th", "11th", "12th", "13th", "21st", "111th", "122nd"};
+    const int64_t indices[] = {0, 1, 2, 3, 10, 11, 12, 20, 110, 121};
+    for (size_t i = 0; i < std::size(words); ++i)
+        assert_string_equal(ordinal(indices[i]).c_str(), words[i]);
+    const int32_t dims[3] = {4, 3, 2};
+    assert_string_equal(voxel_in_words(4 * (3 * 1 + 2) + 3, dims).c_str(),
+                        "the voxel that is the 4th along x, the 3rd along y and the 2nd along z");
+}
+
 void the_place_of_a_fault_is_told(void**)
 {
     LabelledMesh mesh = good_mesh(1);
     std::swap(mesh.tets[40][0], mesh.tets[40][1]);
     const Validation v = check(mesh);
-    assert_true(says(v, "tetrahedron 40 at ("));
+    assert_true(says(v, "the 41st tetrahedron at ("));
     mesh = good_mesh(1);
     mesh.points.push_back(Vec3(0.25, 1.5, 0.5));
-    const std::string last = std::to_string(mesh.points.size() - 1);
+    const std::string last = std::to_string(mesh.points.size());
     assert_string_equal(check(mesh).first_fault.c_str(),
-                        ("point " + last + " at (0.25, 1.5, 0.5) is in no tetrahedron").c_str());
+                        ("the " + last + "th point at (0.25, 1.5, 0.5) is in no tetrahedron").c_str());
 }
 
 Validation check_case(const std::string& name)
@@ -121,7 +134,7 @@ void bad_numbers_never_crash(void**)
         mesh.tets[7][2] = bad;
         const Validation v = check(mesh);
         assert_int_equal(v.bad_index, 1);
-        assert_true(says(v, "tetrahedron 7 names a point that is not among"));
+        assert_true(says(v, "the 8th tetrahedron names a point that is not among"));
     }
     for (const double bad : {kNan, HUGE_VAL, -HUGE_VAL}) {
         LabelledMesh mesh = good_mesh(3);
@@ -218,6 +231,7 @@ int main()
     const CMUnitTest tests[] = {
         cmocka_unit_test(each_fault_is_found_and_named),
         cmocka_unit_test(good_meshes_have_the_measures_of_their_box),
+        cmocka_unit_test(things_are_counted_from_the_first),
         cmocka_unit_test(the_place_of_a_fault_is_told),
         cmocka_unit_test(each_break_counts_where_it_should),
         cmocka_unit_test(a_crack_along_an_interface_leaves_open_edges),
