@@ -1,20 +1,12 @@
 #!/usr/bin/python3
 """Makes a wheel, which pip installs without a network, of the installed files of the Python package and libraries."""
 import argparse
-import base64
-import hashlib
 import pathlib
 import sysconfig
 import zipfile
 
-METADATA = """Metadata-Version: 2.1
-Name: cleft
-Version: {version}
-Summary: Conforming multi-material tetrahedral meshes from labelled volumes
-License-File: LICENSE
-Requires-Python: >=3.11
-Requires-Dist: numpy
-"""
+import dist_info
+
 WHEEL = "Wheel-Version: 1.0\nGenerator: cleft\nRoot-Is-Purelib: false\nTag: {tag}\n"
 
 
@@ -33,11 +25,6 @@ def members(stage):
         yield f"cleft/{path.name}", path
 
 
-def record_line(name, data):
-    digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
-    return f"{name},sha256={digest},{len(data)}\n"
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--version", required=True)
@@ -45,13 +32,11 @@ def main():
     parser.add_argument("--output", required=True, type=pathlib.Path)
     options = parser.parse_args()
 
-    info = f"cleft-{options.version}.dist-info"
+    info = dist_info.folder_name(options.version)
     contents = {name: path.read_bytes() for name, path in members(options.stage)}
-    contents[f"{info}/METADATA"] = METADATA.format(version=options.version).encode()
-    contents[f"{info}/LICENSE"] = next(options.stage.rglob("doc/cleft/LICENSE")).read_bytes()
-    contents[f"{info}/WHEEL"] = WHEEL.format(tag=tag()).encode()
-    record = "".join(record_line(name, data) for name, data in contents.items()) + f"{info}/RECORD,,\n"
-    contents[f"{info}/RECORD"] = record.encode()
+    own = {**dist_info.files(options.version), "WHEEL": WHEEL.format(tag=tag()).encode()}
+    contents.update({f"{info}/{name}": data for name, data in own.items()})
+    contents[f"{info}/RECORD"] = dist_info.record(contents, options.version)
 
     for former in options.output.glob("cleft-*.whl"):
         former.unlink()

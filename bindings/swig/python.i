@@ -137,7 +137,7 @@ static int cleft_python_progress(double fraction, const char* stage, void* user)
     int cancel = PyErr_Occurred() || PyErr_CheckSignals() != 0;
     if (!cancel && user != (void*)Py_None) {
         PyObject* answer = PyObject_CallFunction((PyObject*)user, "ds", fraction, stage);
-        cancel = !answer || answer == Py_False;
+        cancel = !answer || (answer != Py_None && PyObject_IsTrue(answer) != 1);  // -1: its truth raised an exception
         Py_XDECREF(answer);
     }
     PyGILState_Release(state);

@@ -16,6 +16,12 @@ foreach(component ${CPACK_COMPONENTS_ALL})
         compress(${manual})
     endif()
     file(REMOVE ${staged}/share/doc/cleft/LICENSE)
+    file(GLOB record ${staged}/lib/python3/dist-packages/*.dist-info/RECORD)
+    if(record)  # which files there are, dpkg knows
+        get_filename_component(dist_info ${record} DIRECTORY)
+        file(REMOVE ${record} ${dist_info}/LICENSE)
+        file(WRITE ${dist_info}/INSTALLER "debian\n")
+    endif()
     file(WRITE ${staged}/share/doc/${name}/copyright "Cleft\n\n${licence}")
     file(WRITE ${staged}/share/doc/${name}/changelog.Debian
         "cleft (${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) unstable; urgency=medium\n\n"

@@ -109,9 +109,13 @@ def check_csharp():
 
 
 def check_python():
-    (_, ten), = blocks("docs/python.md")
+    (_, ten), (_, masks), (_, missing) = blocks("docs/python.md")
     write("ten.py", ten)
     run(f"{sys.executable} ten.py", expect=TETRAHEDRA)
+    write("parts.py", ten, masks, "assert cleft.Volume(together).labels.tolist() == [0, 1, 2]",
+          "import importlib.metadata", "assert importlib.metadata.version('cleft') == cleft.__version__", missing)
+    printed = re.search(r"print\(error.*# (.*)", missing).group(1)
+    run(f"{sys.executable} parts.py", expect=re.escape(printed))
     assert os.path.getsize("cube.vtu") > 0 and os.path.getsize("cube.png") > 0
 
 

@@ -1,4 +1,6 @@
 """Arrays in: any order, stride, type and byte order; their axes and their place in the world."""
+import pathlib
+import tempfile
 import unittest
 
 import numpy as np
@@ -48,21 +50,64 @@ class Arrays(unittest.TestCase):
         labels[:] = 5
         self.assertTrue(same_mesh(cleft.mesh(volume, **QUICK), self.wanted))
 
+    def test_whole_numbers_of_a_real_type_are_labels(self):
+        for kind in "f2 f4 f8 >f4 >f8 g".split():
+            self.assertTrue(same_mesh(meshed(np.asfortranarray(self.labels.astype(kind))), self.wanted), kind)
+        self.assertEqual(cleft.Volume(np.where(self.labels == 7, -2.0**31, 2.0**31 - 1)).labels.tolist(),
+                         [-2**31, 2**31 - 1])
+        with self.assertRaises(OverflowError):
+            cleft.Volume(np.where(self.labels == 7, 2.0**31, 0))
+
+    def test_numbers_that_are_not_whole_are_named(self):
+        for value in (0.988, 7014.9999, -0.5):
+            labels = self.labels.astype(float)
+            labels[3, 4, 5] = value
+            with self.assertRaisesRegex(ValueError, rf"labels\[3, 4, 5\] is {value}.*rint.*from_indicators"):
+                cleft.Volume(labels)
+        for value in (np.nan, np.inf, -np.inf):
+            labels[0, 2, 13] = value
+            with self.assertRaisesRegex(cleft.NotFinite, r"labels\[0, 2, 13\]"):
+                cleft.Volume(labels)
+
+    def test_arrays_that_cannot_be_written_to(self):
+        frozen = self.labels.copy()
+        frozen.flags.writeable = False
+        self.assertTrue(same_mesh(meshed(frozen), self.wanted))
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "labels.npy")
+            np.save(path, self.labels)
+            self.assertTrue(same_mesh(meshed(np.load(path, mmap_mode="r")), self.wanted))
+
+    def test_masked_arrays(self):
+        hidden = np.ma.masked_equal(self.labels, 7)
+        with self.assertRaisesRegex(TypeError, "masked"):
+            cleft.Volume(hidden)
+        with self.assertRaisesRegex(TypeError, "masked"):
+            cleft.Volume.from_indicators([hidden.astype(float)])
+        self.assertEqual(cleft.Volume(hidden.filled(0)).labels.tolist(), [0, 1])
+        self.assertTrue(same_mesh(meshed(np.ma.masked_array(self.labels)), self.wanted))  # with nothing masked
+        mesh = self.wanted
+        with self.assertRaisesRegex(TypeError, "masked"):
+            cleft.Mesh(np.ma.masked_less(mesh.points, 1.0), mesh.tets)
+        with self.assertRaisesRegex(TypeError, "masked"):
+            cleft.Mesh(mesh.points, mesh.tets, np.ma.masked_equal(mesh.labels, 7))
+
     def test_wrong_arrays(self):
-        with self.assertRaises(TypeError):
-            cleft.Volume(self.labels.astype(float))
-        with self.assertRaises(TypeError):
-            cleft.Volume(np.full((2, 2, 2), None))
+        for kind in ("c16", "m8[s]", "M8[s]", "O", "S1", "U1", [("a", "i4")]):
+            with self.assertRaises(TypeError):
+                cleft.Volume(np.zeros((2, 2, 2), kind))
+            with self.assertRaises(TypeError):
+                cleft.Volume.from_indicators([np.zeros((2, 2, 2), kind)])
+            with self.assertRaises(TypeError):
+                cleft.Mesh(np.zeros((4, 3)), np.zeros((1, 4), kind))
         with self.assertRaises(TypeError):
             cleft.Volume(None, affine=np.eye(4))
         with self.assertRaises(TypeError):
             cleft.Volume("labels")
-        with self.assertRaisesRegex(TypeError, "masked"):
-            cleft.Volume(np.ma.masked_equal(self.labels, 7))
-        self.assertTrue(cleft.Volume(np.ma.masked_equal(self.labels, 7).filled(0)))
-        for wrong in (np.zeros((3, 3), int), np.zeros((2, 2, 2, 2), int), np.zeros((0, 2, 2), int)):
-            with self.assertRaises(ValueError):
-                cleft.Volume(wrong)
+        for wrong, told in (((3, 3), "two dimensions.*one slice"), ((2, 2, 2, 2), "4 dimensions"), ((0, 2, 2), "no voxels"),
+                            ((0,), "1 dimensions")):
+            with self.assertRaisesRegex(ValueError, told):
+                cleft.Volume(np.zeros(wrong, int))
 
     def test_first_index_runs_along_x(self):
         volume = cleft.Volume(self.labels, spacing=(0.5, 1, 2), origin=(10, 20, 30))
@@ -111,6 +156,18 @@ class Arrays(unittest.TestCase):
             cleft.Volume.from_indicators([distance], [1, 2, 3])
         with self.assertRaises(cleft.NotFinite):
             cleft.Volume.from_indicators([distance * np.nan])
+        bad = distance.copy()
+        bad[2, 3, 10] = np.inf
+        with self.assertRaisesRegex(cleft.NotFinite, "2nd indicator function .* 3rd along x, the 4th along y and the 11th"):
+            cleft.Volume.from_indicators([distance, bad])
+
+    def test_functions_come_as_a_list(self):
+        masks = np.stack([self.labels == label for label in (0, 1, 7)])
+        volume = cleft.Volume.from_indicators(list(masks), [0, 1, 7])
+        self.assertEqual(volume.voxel_counts, cleft.Volume(self.labels).voxel_counts)
+        for array in (masks, np.moveaxis(masks, 0, -1), masks[1]):  # which axis counts them, nobody can tell
+            with self.assertRaisesRegex(TypeError, "list of arrays"):
+                cleft.Volume.from_indicators(array)
 
 
 if __name__ == "__main__":

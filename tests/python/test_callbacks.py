@@ -4,17 +4,22 @@ import signal
 import threading
 import time
 import unittest
+import warnings
 
 import numpy as np
 
 import cleft
-from support import QUICK, ball_volume
+from support import QUICK, ball_labels, ball_volume
 
 
 def slow_volume():
     """Meshing this takes seconds if nothing stops it."""
     labels = np.random.default_rng(1).integers(0, 3, (40, 40, 40))
     return cleft.Volume(labels)
+
+
+def ball_volume_of(**keywords):
+    return cleft.Volume(ball_labels(), **keywords)
 
 
 class Callbacks(unittest.TestCase):
@@ -32,12 +37,17 @@ class Callbacks(unittest.TestCase):
         self.assertTrue(all(0 <= fraction <= 1 and stage for fraction, stage in seen))
         self.assertEqual(threads, {threading.get_ident()})
 
-    def test_false_cancels_and_all_else_goes_on(self):
-        with self.assertRaises(cleft.Cancelled):
-            cleft.mesh(ball_volume(), mesher=cleft.Mesher(progress=lambda fraction, stage: False), **QUICK)
-        for answer in (None, True, 0, ""):
-            mesher = cleft.Mesher(progress=lambda fraction, stage, answer=answer: answer)
-            self.assertTrue(cleft.mesh(ball_volume(), mesher=mesher, **QUICK))
+    def test_false_cancels_and_no_answer_goes_on(self):
+        def answering(answer):
+            return cleft.mesh(ball_volume(), mesher=cleft.Mesher(progress=lambda fraction, stage: answer), **QUICK)
+
+        for answer in (False, np.False_, np.array(False), 0, 0.0, "", []):
+            with self.assertRaises(cleft.Cancelled):
+                answering(answer)
+        for answer in (None, True, np.True_, 1, "go on"):
+            self.assertTrue(answering(answer))
+        with self.assertRaisesRegex(ValueError, "ambiguous"):  # the truth of an array is no answer
+            answering(np.array([True, False]))
 
     def test_exceptions_of_callbacks_come_out(self):
         class Own(Exception):
@@ -66,9 +76,32 @@ class Callbacks(unittest.TestCase):
         with self.assertRaises(KeyError):
             cleft.mesh(ball_volume(), mesher=cleft.Mesher(log=broken), **too_few)
 
+    def test_warnings_without_a_log(self):
+        too_few = {"background": "lattice", "tets": 1}
+        for mesher in (None, cleft.Mesher()):
+            with self.assertWarnsRegex(cleft.CleftWarning, "tetrahedra") as told:
+                cleft.mesh(ball_volume(), mesher=mesher, **too_few)
+            self.assertEqual(told.filename, __file__)  # where the user called
+        self.assertTrue(issubclass(cleft.CleftWarning, UserWarning))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            with self.assertRaises(cleft.CleftWarning):
+                cleft.mesh(ball_volume(), **too_few)
+            self.assertTrue(cleft.mesh(ball_volume(), mesher=cleft.Mesher(log=lambda level, sentence: None), **too_few))
+            self.assertTrue(cleft.mesh(ball_volume(), **QUICK))
+
+    def test_options_that_a_volume_does_not_read_are_told(self):
+        with self.assertWarnsRegex(cleft.CleftWarning, "size_max.*mesh()") as told:
+            ball_volume_of(size_max=3.0)
+        self.assertEqual(told.filename, __file__)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.assertTrue(ball_volume_of(smooth=3))
+            self.assertTrue(ball_volume_of(options=cleft.Options(size_max=3.0, smooth=3)))
+
     def test_cancel_from_another_thread(self):
         started = threading.Event()
-        mesher = cleft.Mesher(progress=lambda fraction, stage: started.set())
+        mesher = cleft.Mesher(progress=lambda fraction, stage: started.set())  # answers None
         volume = slow_volume()
 
         def cancel():

@@ -1,6 +1,8 @@
 """Reading and writing."""
+import errno
 import os
 import pathlib
+import pickle
 import subprocess
 import sys
 import tempfile
@@ -43,6 +45,18 @@ class Files(unittest.TestCase):
         other = cleft.read_volume([str(DATA / "mickey.nrrd")], world="RAS", kind="labels", spacing=(0, 0, 9))
         self.assertTrue(np.allclose(np.linalg.norm(other.affine[:3, 2]), 9))
         self.assertTrue(np.allclose(other.affine[:2, 0], -volume.affine[:2, 0]))
+
+    def test_scale(self):
+        plain, small = (cleft.read_volume(DATA / "mickey.nrrd", scale=scale) for scale in (None, 0.001))
+        self.assertTrue(np.allclose(small.affine[:3], plain.affine[:3] / 1000, rtol=1e-12))
+        for wrong in (0, -1, float("nan"), float("inf")):
+            with self.assertRaises(ValueError):
+                cleft.read_volume(DATA / "mickey.nrrd", scale=wrong)
+        cleft.write_sizing(cleft.Sizing.constant(plain, 2.0), self.folder / "sizes.nrrd")
+        self.assertAlmostEqual(cleft.read_sizing(self.folder / "sizes.nrrd", small, scale=0.001).values.max(), 0.002, 9)
+        self.assertTrue(np.allclose(cleft.read_field(self.folder / "sizes.nrrd", scale=0.001)[1], small.affine))
+        with self.assertRaises(ValueError):
+            cleft.read_sizing(self.folder / "sizes.nrrd", small)
 
     def test_raw(self):
         labels = ball_labels(kind=np.uint16)
@@ -87,6 +101,81 @@ class Files(unittest.TestCase):
                     lambda: cleft.write_mesh(None, "a.vtu")):
             with self.assertRaises(TypeError):
                 use()
+
+    def failure(self, use, kind):
+        """The exception of `use`, which must be of this class, of cleft's and of Python's."""
+        with self.assertRaises(kind) as raised:
+            use()
+        self.assertIsInstance(raised.exception, cleft.FileError)
+        self.assertIsInstance(raised.exception, OSError)
+        self.assertEqual(raised.exception.status, -13)
+        self.assertNotIn("[Errno", str(raised.exception))  # it is the library's sentence
+        return raised.exception
+
+    def test_files_that_are_not_there(self):
+        there, volume = self.folder / "there.vtu", ball_volume()
+        ball_mesh().write(there)
+        (self.folder / "half.node").write_text("0 3 0 0\n")
+        gone = self.folder / "gone.nii"
+        for use, name in ((lambda: cleft.read_volume(gone), gone), (lambda: cleft.read_volume(str(gone)), gone),
+                          (lambda: cleft.read_volume([DATA / "mickey.nrrd", gone]), gone),
+                          (lambda: cleft.read_volume(self.folder / "slice*.png"), self.folder / "slice*.png"),
+                          (lambda: cleft.read_volume(self.folder / "slice%03d.png"), self.folder / "slice%03d.png"),
+                          (lambda: cleft.read_raw(gone, (2, 2, 2), "uint8"), gone),
+                          (lambda: cleft.read_field(gone), gone), (lambda: cleft.read_sizing(gone, volume), gone),
+                          (lambda: cleft.read_mesh(self.folder / "gone.vtu"), self.folder / "gone.vtu"),
+                          (lambda: cleft.read_mesh(self.folder / "half.node"), self.folder / "half.ele"),
+                          (lambda: ball_mesh().write(self.folder / "none" / "a.vtu"), self.folder / "none" / "a.vtu"),
+                          (lambda: cleft.write_sizing(cleft.Sizing(volume), self.folder / "none" / "a.nrrd"),
+                           self.folder / "none" / "a.nrrd")):
+            error = self.failure(use, FileNotFoundError)
+            self.assertEqual((error.errno, error.filename), (errno.ENOENT, str(name)))
+            again = pickle.loads(pickle.dumps(error))
+            self.assertEqual((type(again), str(again), again.errno), (type(error), str(error), error.errno))
+
+    def test_files_and_folders_that_cannot_be_used(self):
+        (self.folder / "a.vtu").mkdir()
+        for use in (lambda: cleft.read_mesh(self.folder / "a.vtu"), lambda: ball_mesh().write(self.folder / "a.vtu")):
+            error = self.failure(use, IsADirectoryError)
+            self.assertEqual((error.errno, error.filename), (errno.EISDIR, str(self.folder / "a.vtu")))
+        (self.folder / "file").write_text("text")
+        error = self.failure(lambda: ball_mesh().write(self.folder / "file" / "a.vtu"), NotADirectoryError)
+        self.assertEqual(error.errno, errno.ENOTDIR)
+        (self.folder / "noise.nii").write_bytes(b"noise")  # it is there, and can be read: the system has no number
+        with self.assertRaises(cleft.CleftError) as raised:
+            cleft.read_volume(self.folder / "noise.nii")
+        self.assertNotIsInstance(raised.exception, FileNotFoundError)
+        if os.path.exists("/dev/full"):
+            self.failure(lambda: ball_mesh().write("/dev/full", "vtu"), cleft.FileError)
+
+    def test_files_without_permission(self):
+        locked, path = self.folder / "locked", self.folder / "locked" / "a.vtu"
+        locked.mkdir()
+        ball_mesh().write(path)
+        script = "import cleft, errno, sys\n" \
+                 "for use in (lambda: cleft.read_mesh(sys.argv[1]),\n" \
+                 "            lambda: cleft.write_mesh(cleft.Mesh([], []), sys.argv[1])):\n" \
+                 "    try: use()\n" \
+                 "    except PermissionError as error: assert error.errno == errno.EACCES, error\n" \
+                 "    else: sys.exit('allowed')\n"
+        script = script.replace("cleft.Mesh([], [])", "cleft.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 1, 2, 3]])")
+        path.chmod(0)
+        locked.chmod(0o555)
+        if os.geteuid() == 0:  # whom permissions do not stop
+            self.folder.chmod(0o755)
+            command = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"]
+        else:
+            command = []
+        subprocess.run([*command, sys.executable, "-c", script, str(path)], check=True)
+        locked.chmod(0o755)
+
+    def test_shapes_are_whole_numbers(self):
+        path = self.folder / "labels.raw"
+        path.write_bytes(bytes(27))
+        for shape, skip in (((3.7, 3, 3), 0), ((3, 3, 3), 0.5)):
+            with self.assertRaises(TypeError):
+                cleft.read_raw(path, shape, "uint8", skip=skip)
+        self.assertEqual(cleft.read_raw(path, np.array([3, 3, 3]), "uint8").shape, (3, 3, 3))
 
     def test_files_are_loaded_late(self):
         script = "import sys, cleft; assert 'cleft.native_io' not in sys.modules; cleft.formats(); " \

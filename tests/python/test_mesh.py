@@ -61,6 +61,27 @@ class Meshes(unittest.TestCase):
         self.assertAlmostEqual(sum(row.mesh_volume for row in rows), 12 * 13 * 14)
         self.assertFalse(any(row.lost for row in rows))
 
+    def test_names_of_labels(self):
+        volume = ball_volume()
+        self.assertEqual(volume.label_names, {})
+        volume.label_names = {1: "left kidney", 7: "Größe"}
+        self.assertEqual(volume.label_names, {1: "left kidney", 7: "Größe"})
+        mesh = cleft.mesh(volume, **QUICK)
+        self.assertEqual(mesh.label_names, volume.label_names)
+        self.assertEqual(cleft.strip_labels(mesh, strip=[7]).label_names, {1: "left kidney"})
+        mesh.label_names = {0: "outside"}  # replaces all, of the mesh alone
+        self.assertEqual(mesh.label_names, {0: "outside"})
+        self.assertEqual(volume.label_names, {1: "left kidney", 7: "Größe"})
+        with self.assertRaises(TypeError):
+            mesh.label_names[1] = "a copy would swallow this"
+        for wrong, kind in (({3: "no such label"}, ValueError), ({1: "two\nlines"}, ValueError), ({1: "a\0b"}, ValueError),
+                            ({1: 5}, TypeError), ({1: None}, TypeError), ({1: "\ud800"}, ValueError)):
+            with self.assertRaises(kind):
+                volume.label_names = {7: "must not change", **wrong}
+            self.assertEqual(volume.label_names, {1: "left kidney", 7: "Größe"})
+        volume.label_names = {}
+        self.assertEqual(volume.label_names, {})
+
     def test_quality(self):
         mesh = ball_mesh()
         quality = mesh.quality()

@@ -1,4 +1,5 @@
 """Options: their names, defaults and ranges are those of the library."""
+import pydoc
 import unittest
 
 import cleft
@@ -11,6 +12,18 @@ class OptionsTest(unittest.TestCase):
         for row in cleft.option_table():
             self.assertEqual(getattr(options, row.name), row.default)
             self.assertTrue(row.text)
+
+    def test_help_lists_the_options(self):
+        for what in (cleft.mesh, cleft.Options):
+            text = pydoc.plain(pydoc.render_doc(what))
+            for row in cleft.option_table():
+                line = next(line for line in text.splitlines() if line.strip(" |").startswith(f"{row.name} : "))
+                self.assertIn(f"= {row.default!r}", line)
+                self.assertIn(row.text.split()[0], text)
+            for name in ("label_sizes", "strip", "only"):
+                self.assertIn(f"{name} : ", text)
+            self.assertIn("gradation : float = 0.3, 0.01 to 1\n", text)
+            self.assertIn("snap : 'quality', 'safe', 'none' = 'quality'\n", text)
 
     def test_every_option_is_a_keyword(self):
         names = {row.name for row in cleft.option_table()} | {"label_sizes", "strip", "only"}

@@ -1,6 +1,7 @@
-"""The wheel is whole: unpacked anywhere, away from the build, it works, and RECORD tells the truth."""
+"""The wheel and the install tree are whole: away from the build they work, and tell the truth of themselves."""
 import base64
 import hashlib
+import importlib.metadata
 import os
 import pathlib
 import subprocess
@@ -9,7 +10,8 @@ import tempfile
 import unittest
 import zipfile
 
-WHEEL, = pathlib.Path(sys.argv.pop(1)).glob("cleft-*.whl")
+BUILD = sys.argv.pop(1)
+WHEEL, = pathlib.Path(BUILD, "bindings/python").glob("cleft-*.whl")
 USE = """
 import cleft, numpy, pathlib
 mesh = cleft.mesh(cleft.Volume(numpy.ones((4, 4, 4), int)), background="lattice", size=2.0)
@@ -18,6 +20,24 @@ maps = pathlib.Path("/proc/self/maps").read_text()
 lines = [line.split()[-1] for line in maps.splitlines() if "libcleft" in line]
 assert lines and all(line.startswith(HERE) for line in lines), lines
 """
+
+
+def distribution(folder):
+    found, = importlib.metadata.distributions(name="cleft", path=[str(folder)])
+    return found
+
+
+def check_metadata(test, folder):
+    """What `pip show` and indexes tell of the package that is in a folder."""
+    told = distribution(folder).metadata
+    for field in ("Summary", "Author", "License", "Keywords", "License-File", "Requires-Python"):
+        test.assertTrue(told[field], field)
+    test.assertEqual(told["Version"], WHEEL.name.split("-")[1])
+    test.assertIn("numpy", distribution(folder).requires)
+    test.assertIn("Typing :: Typed", told.get_all("Classifier"))
+    test.assertEqual(told["Description-Content-Type"], "text/markdown")
+    test.assertIn("# Cleft from Python", told.get_payload())
+    test.assertTrue((pathlib.Path(folder) / "cleft" / "py.typed").exists())
 
 
 class Wheel(unittest.TestCase):
@@ -41,6 +61,40 @@ class Wheel(unittest.TestCase):
             self.assertIn("cleft/libcleft.so.0", names)
             self.assertIn("cleft/py.typed", names)
             self.assertIn(record.replace("RECORD", "LICENSE"), names)
+
+    def test_metadata(self):
+        with tempfile.TemporaryDirectory() as folder:
+            zipfile.ZipFile(WHEEL).extractall(folder)
+            check_metadata(self, folder)
+
+    def test_pip_installs_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([sys.executable, "-m", "pip", "install", "--quiet", "--no-index", "--no-deps", "--no-compile",
+                            "--root-user-action=ignore", "--target", folder, str(WHEEL)], check=True)
+            check_metadata(self, folder)
+            self.assertEqual(distribution(folder).read_text("INSTALLER").strip(), "pip")
+
+
+class Installed(unittest.TestCase):
+    def test_the_install_tree_tells_of_itself(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for component in ("runtime", "io", "python"):
+                subprocess.run(["cmake", "--install", BUILD, "--component", component, "--prefix", "tree"], check=True,
+                               cwd=folder, stdout=subprocess.DEVNULL)
+            package, = pathlib.Path(folder).rglob("cleft/__init__.py")
+            packages = package.parent.parent
+            check_metadata(self, packages)
+            self.assertEqual(distribution(packages).read_text("INSTALLER").strip(), "cmake")
+            for file in distribution(packages).files:
+                data = (packages / file).read_bytes()
+                if file.hash:
+                    digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
+                    self.assertEqual((file.hash.value, file.size), (digest, len(data)), file)
+            named = {str(file) for file in distribution(packages).files}
+            self.assertEqual(named, {str(path.relative_to(packages)) for path in packages.rglob("*") if path.is_file()})
+            script = "import cleft, importlib.metadata as m; assert m.version('cleft') == cleft.__version__"
+            subprocess.run([sys.executable, "-c", script], check=True, cwd=folder,
+                           env={**os.environ, "PYTHONPATH": str(packages), "PYTHONDONTWRITEBYTECODE": "1"})
 
 
 if __name__ == "__main__":

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import operator
-import os
 from typing import Any, Sequence
 
 import numpy as np
@@ -35,12 +34,18 @@ def type_named(name: str) -> int:
     return _TYPES[np.dtype(_BY_NAME[name])]
 
 
+def _unmasked(values: Any, name: str) -> np.ndarray[Any, Any]:
+    if np.ma.is_masked(values):
+        raise TypeError(f"{name} is masked; say what the masked values are, by {name}.filled()")
+    return np.asarray(values)
+
+
 def int32_array(values: Any, name: str) -> np.ndarray[Any, Any]:
     """Whole numbers as contiguous int32; OverflowError for those that do not fit."""
-    array = np.asarray(values)
+    array = _unmasked(values, name)
     if array.size == 0:
         return np.zeros(array.shape, np.int32)
-    if array.dtype == bool or not np.issubdtype(array.dtype, np.integer):
+    if array.dtype.kind not in "iu":
         raise TypeError(f"{name} must be whole numbers, not {array.dtype}")
     limits = np.iinfo(np.int32)
     if array.dtype.itemsize >= 4 and (array.min() < limits.min or array.max() > limits.max):
@@ -50,11 +55,9 @@ def int32_array(values: Any, name: str) -> np.ndarray[Any, Any]:
 
 def float_array(values: Any, name: str) -> np.ndarray[Any, Any]:
     """Numbers as contiguous double."""
-    array = np.asarray(values)
-    if array.dtype == object or not (np.issubdtype(array.dtype, np.number) or array.size == 0):
-        raise TypeError(f"{name} must be numbers, not {array.dtype}")
-    if np.issubdtype(array.dtype, np.complexfloating):
-        raise TypeError(f"{name} must be real numbers")
+    array = _unmasked(values, name)
+    if array.dtype.kind not in "iuf":
+        raise TypeError(f"{name} must be real numbers, not {array.dtype}")
     return np.ascontiguousarray(array, np.float64)
 
 
@@ -66,12 +69,12 @@ def rows(array: np.ndarray[Any, Any], width: int, name: str) -> np.ndarray[Any, 
 
 
 def _volume_shaped(values: Any, name: str) -> np.ndarray[Any, Any]:
-    if np.ma.is_masked(values):
-        raise TypeError(f"{name} is masked; say what the masked voxels are, by {name}.filled()")
-    array = np.asarray(values)
-    if array.dtype == object or array.dtype.kind in "USV":
+    array = _unmasked(values, name)
+    if array.dtype.kind not in "biuf":
         found = type(values).__name__ if array.ndim == 0 else f"an array of {array.dtype}"
-        raise TypeError(f"{name} must be an array of numbers, not {found}")
+        raise TypeError(f"{name} must be an array of real numbers, not {found}")
+    if array.ndim == 2:
+        raise InvalidArgument(f"{name} has two dimensions; {name}[:, :, None] makes one slice of a volume of it")
     if array.ndim != 3:
         raise InvalidArgument(f"{name} has {array.ndim} dimensions; it must have three: [i, j, k]")
     if 0 in array.shape:
@@ -79,17 +82,31 @@ def _volume_shaped(values: Any, name: str) -> np.ndarray[Any, Any]:
     return array
 
 
+def _check_whole(array: np.ndarray[Any, Any]) -> None:
+    """Labels may be stored as real numbers, as nibabel's get_fdata() does: each must then be a whole one."""
+    wrong = ~np.isfinite(array) | (array != np.rint(array))
+    if not wrong.any():
+        return
+    first = [int(n) for n in np.unravel_index(np.argmax(wrong), array.shape)]
+    value = float(array[tuple(first)])
+    if not np.isfinite(value):
+        raise NotFinite(f"labels{first} is {value!r}; labels must be whole numbers")
+    raise InvalidArgument(
+        f"labels{first} is {value!r}, which is not whole: give numpy.rint(labels) if inexact storage made it so, or "
+        "Volume.from_indicators([labels]) if it is a signed function")
+
+
 def label_voxels(values: Any) -> np.ndarray[Any, Any]:
     """A label map as the library reads it: one of its whole-number types, native byte order, x fastest in memory."""
     array = _volume_shaped(values, "labels")
-    if array.dtype == bool:
-        array = array.astype(np.uint8)
-    if not np.issubdtype(array.dtype, np.integer):
-        raise TypeError(f"labels must be of a whole-number type, not {array.dtype}; see Volume.from_indicators()")
     kind = array.dtype.newbyteorder("=")
-    if kind == np.int8:
+    if kind == bool:
+        kind = np.dtype(np.uint8)
+    elif kind == np.int8:
         kind = np.dtype(np.int16)
-    elif kind not in _TYPES:
+    elif kind.kind == "f" or kind not in _TYPES:
+        if kind.kind == "f":
+            _check_whole(array)
         limits = np.iinfo(np.int32)
         if array.min() < limits.min or array.max() > limits.max:
             raise OverflowError("labels must fit into 32 bits")
@@ -100,9 +117,24 @@ def label_voxels(values: Any) -> np.ndarray[Any, Any]:
 def real_voxels(values: Any, name: str) -> np.ndarray[Any, Any]:
     """A field of real numbers as the library reads it: float or double, x fastest in memory."""
     array = _volume_shaped(values, name)
-    if not (np.issubdtype(array.dtype, np.number) or array.dtype == bool) or np.iscomplexobj(array):
-        raise TypeError(f"{name} must be real numbers, not {array.dtype}")
     return np.asfortranarray(array, np.float32 if array.dtype.itemsize <= 2 or array.dtype == np.float32 else np.float64)
+
+
+def field_list(fields: Any) -> list[np.ndarray[Any, Any]]:
+    """The arrays of indicator functions, of one shape and type."""
+    if isinstance(fields, np.ndarray):
+        raise TypeError(
+            f"fields must be a list of arrays [i, j, k], not an array of {fields.ndim} dimensions: list(fields) if its "
+            "first index counts functions, list(numpy.moveaxis(fields, -1, 0)) if its last does, [fields] for a single one")
+    arrays = [real_voxels(field, f"fields[{n}]") for n, field in enumerate(fields)]
+    if not arrays:
+        raise InvalidArgument("fields is empty; there must be at least one indicator function")
+    for n, array in enumerate(arrays):
+        if array.shape != arrays[0].shape:
+            raise InvalidArgument(f"fields[{n}] has the shape {array.shape}, but fields[0] has {arrays[0].shape}")
+    if any(array.dtype != arrays[0].dtype for array in arrays):
+        arrays = [array.astype(np.float64, order="F") for array in arrays]
+    return arrays
 
 
 def whole_number(value: Any, name: str, least: int, greatest: int) -> int:
@@ -165,11 +197,3 @@ def affine_from(read: Any) -> np.ndarray[Any, Any]:
     read(upper)
     matrix[:3] = upper
     return matrix
-
-
-def path_bytes(path: Any) -> bytes:
-    """A path as the library reads it; ValueError if it has a zero in it."""
-    text = os.fsencode(path)
-    if b"\0" in text:
-        raise ValueError("embedded null byte in a path")
-    return text + b"\0"

@@ -1,6 +1,10 @@
 """Exceptions: one class a status of the library, each also one of Python's own kinds where there is a natural one."""
 from __future__ import annotations
 
+import os
+import sys
+import warnings
+
 
 class CleftError(Exception):
     """What every failure of the library is raised as. `status` is the library's number for its kind."""
@@ -19,7 +23,7 @@ class OutOfMemory(CleftError, MemoryError):
 
 
 class Cancelled(CleftError):
-    """The progress function answered False, or Mesher.cancel() was called."""
+    """The progress function answered a false value, or Mesher.cancel() was called."""
 
     status = -3
 
@@ -67,9 +71,43 @@ class LabelLost(CleftError):
 
 
 class FileError(CleftError, OSError):
-    """A file cannot be read or written."""
+    """A file cannot be read or written. `filename` is its path and `errno` the system's number, None if it has none.
+
+    Where Python has a class for that number, the exception is of that class too: FileNotFoundError, PermissionError,
+    IsADirectoryError, NotADirectoryError.
+    """
 
     status = -13
+    sentence = ""  # of the library
+
+    def __str__(self) -> str:
+        return self.sentence or super().__str__()
+
+
+class FileMissing(FileError, FileNotFoundError):
+    """There is no such file, or no such folder."""
+
+
+class FileForbidden(FileError, PermissionError):
+    """There is no permission to read the file, or to write into its folder."""
+
+
+class FileIsFolder(FileError, IsADirectoryError):
+    """There is a folder where a file should be."""
+
+
+class FolderIsFile(FileError, NotADirectoryError):
+    """There is a file where a folder should be."""
+
+
+def file_error(found: OSError, path: str | bytes, sentence: str) -> FileError:
+    """The exception for a file: the system's number as `found`, the sentence of the library."""
+    kinds = {FileNotFoundError: FileMissing, PermissionError: FileForbidden, IsADirectoryError: FileIsFolder,
+             NotADirectoryError: FolderIsFile}
+    number = found.errno or 0
+    error = kinds.get(type(found), FileError)(number, os.strerror(number), path)
+    error.sentence = sentence
+    return error
 
 
 class FormatError(CleftError, ValueError):
@@ -89,6 +127,21 @@ _CLASSES = {kind.status: kind for kind in (
     LabelLost, FileError, FormatError, Closed)}
 _CLASSES[-4] = InvalidArgument  # a missing pointer
 _CLASSES[-8] = InvalidArgument  # a buffer that is too small
+
+
+class CleftWarning(UserWarning):
+    """What the library warns of, where no log function was given."""
+
+
+_PACKAGE = os.path.dirname(__file__) + os.sep
+
+
+def warn(sentence: str) -> None:
+    """Warns through Python's `warnings`, at the line of the user that called the package."""
+    depth, frame = 1, sys._getframe()
+    while frame.f_back is not None and frame.f_code.co_filename.startswith(_PACKAGE):
+        depth, frame = depth + 1, frame.f_back
+    warnings.warn(sentence, CleftWarning, stacklevel=depth)
 
 
 def raise_for(status: int, sentence: str) -> None:

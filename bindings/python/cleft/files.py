@@ -1,27 +1,24 @@
 """Reading and writing files. The file component is loaded when the first of these functions is called."""
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Sequence, Union, Unpack
+from typing import TYPE_CHECKING, Any, Sequence, Unpack
 
 import numpy as np
 import numpy.typing as npt
 
 from . import native
-from ._arrays import affine_from, path_bytes, triple, type_named
+from ._arrays import affine_from, triple, type_named, whole_number
 from ._handle import Handle, required, view
+from ._paths import Path, path_bytes, path_list, reading, writing
 from .errors import InvalidArgument, Unsupported, raise_for
 from .mesher import Mesher, mesher_or_plain
-from .options import OptionKeywords, Options, options_of
+from .options import OptionKeywords, Options, options_of, options_of_volume
 from .sizing import Sizing
 from .volume import Volume
 
 if TYPE_CHECKING:
     from .meshes import Mesh
-
-Path = Union[str, "os.PathLike[str]"]
-
 
 @dataclass(frozen=True)
 class Format:
@@ -66,17 +63,21 @@ def guess(path: Path) -> str:
 
 
 def read_volume(path: Path | Sequence[Path], *, world: str = "LPS", kind: str = "auto",
-                spacing: Sequence[float] | None = None, mesher: Mesher | None = None, options: Options | None = None,
-                **keywords: Unpack[OptionKeywords]) -> Volume:
+                spacing: Sequence[float] | None = None, scale: float | None = None, mesher: Mesher | None = None,
+                options: Options | None = None, **keywords: Unpack[OptionKeywords]) -> Volume:
     """Reads a volume: NIfTI, NRRD, MetaImage, TIFF, a folder with a DICOM series ...; several paths: indicators.
 
     `world`: coordinates come out as "LPS" (ITK, DICOM, 3D Slicer's files) or "RAS" (NIfTI, nibabel). `kind`: "labels",
-    "indicators" or "auto". `spacing`: lengths taken instead of the file's, 0 for the file's.
+    "indicators" or "auto". `scale` multiplies the origin and the spacing of the file together: 0.001 makes metres of
+    millimetres. `spacing`: lengths taken instead of the file's, 0 for the file's; the origin stays as it is.
     """
     io = _io()
-    chosen = options_of(options, keywords)
-    return Volume._adopt(mesher_or_plain(mesher)._call(
-        io.cleft_io_read_volume, chosen._native if chosen else None, _path_list(path), _reading(world, kind, spacing)))
+    chosen = options_of_volume(options, keywords)
+    paths = path_list(path)
+    how = _reading(world, kind, spacing, scale)
+    with reading(*paths, folders=True):
+        return Volume._adopt(mesher_or_plain(mesher)._call(
+            io.cleft_io_read_volume, chosen._native if chosen else None, b"".join(map(path_bytes, paths)), how))
 
 
 def read_raw(path: Path | Sequence[Path], shape: Sequence[int], type: str, *, big_endian: bool = False, skip: int = 0,
@@ -87,55 +88,66 @@ def read_raw(path: Path | Sequence[Path], shape: Sequence[int], type: str, *, bi
     raw = io.NativeRaw()
     raw.type = type_named(type)
     raw.big_endian = int(big_endian)
-    raw.skip = skip
+    raw.skip = whole_number(skip, "skip", 0, 2**63 - 1)
     lengths = np.zeros(3) if spacing is None else triple(spacing, "spacing")
     if len(shape) != 3:
         raise InvalidArgument("shape must be three numbers of voxels")
     for axis in range(3):
-        raw.set_axis(axis, int(shape[axis]), float(lengths[axis]))
-    chosen = options_of(options, keywords)
-    return Volume._adopt(mesher_or_plain(mesher)._call(
-        io.cleft_io_read_raw, chosen._native if chosen else None, _path_list(path), raw))
+        raw.set_axis(axis, whole_number(shape[axis], "shape", 1, 2**31 - 1), float(lengths[axis]))
+    chosen = options_of_volume(options, keywords)
+    paths = path_list(path)
+    with reading(*paths):
+        return Volume._adopt(mesher_or_plain(mesher)._call(
+            io.cleft_io_read_raw, chosen._native if chosen else None, b"".join(map(path_bytes, paths)), raw))
 
 
-def read_field(path: Path, *, world: str = "LPS", spacing: Sequence[float] | None = None,
+def read_field(path: Path, *, world: str = "LPS", spacing: Sequence[float] | None = None, scale: float | None = None,
                mesher: Mesher | None = None) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
     """Reads one number a voxel: values[i, j, k], and the 4 x 4 matrix from indices to the world."""
     io = _io()
     dims = np.zeros(3, np.int64)
     address: list[int] = []
+    how = _reading(world, "auto", spacing, scale)
 
     def read(matrix: Any) -> None:
         address.append(mesher_or_plain(mesher)._call(
-            io.cleft_io_read_field, path_bytes(path), _reading(world, "auto", spacing), dims, matrix))
+            io.cleft_io_read_field, path_bytes(path), how, dims, matrix))
 
-    affine = affine_from(read)
+    with reading(path, folders=True):
+        affine = affine_from(read)
     handle = Handle(address[0], io.cleft_io_free)
     return view(handle, address[0], tuple(dims.tolist()[::-1]), np.float64).T, affine
 
 
 def read_sizing(path: Path, volume: Volume, *, combine: bool = False, world: str = "LPS",
-                spacing: Sequence[float] | None = None, mesher: Mesher | None = None, options: Options | None = None,
-                **keywords: Unpack[OptionKeywords]) -> Sizing:
-    """Reads a sizing field of your own from a file with the same voxels as the volume; see Sizing.from_values()."""
+                spacing: Sequence[float] | None = None, scale: float | None = None, mesher: Mesher | None = None,
+                options: Options | None = None, **keywords: Unpack[OptionKeywords]) -> Sizing:
+    """Reads a sizing field of your own from a file with the same voxels as the volume; see Sizing.from_values().
+
+    Give the `world`, `spacing` and `scale` with which the volume was read. `scale` multiplies the edge lengths too.
+    """
     io = _io()
     chosen = options_of(options, keywords)
-    return Sizing._adopt(mesher_or_plain(mesher)._call(
-        io.cleft_io_read_sizing, required(volume, Volume, "volume"), path_bytes(path),
-        _reading(world, "auto", spacing), int(combine), chosen._native if chosen else None))
+    how = _reading(world, "auto", spacing, scale)
+    with reading(path, folders=True):
+        return Sizing._adopt(mesher_or_plain(mesher)._call(
+            io.cleft_io_read_sizing, required(volume, Volume, "volume"), path_bytes(path), how, int(combine),
+            chosen._native if chosen else None))
 
 
 def write_sizing(sizing: Sizing, path: Path, *, world: str = "LPS", mesher: Mesher | None = None) -> None:
     """Writes a sizing field as a volume of numbers, to look at; `world` is the one in which the volume was read."""
     io = _io()
-    mesher_or_plain(mesher)._call(
-        io.cleft_io_write_sizing, required(sizing, Sizing, "sizing"), path_bytes(path), _world(world))
+    with writing(path):
+        mesher_or_plain(mesher)._call(
+            io.cleft_io_write_sizing, required(sizing, Sizing, "sizing"), path_bytes(path), _world(world))
 
 
 def read_mesh(path: Path, *, mesher: Mesher | None = None) -> Mesh:
     """Reads a mesh of tetrahedra: .vtu, .vtk, .mesh, .msh, .node with .ele."""
     from .meshes import Mesh
-    return Mesh._adopt(mesher_or_plain(mesher)._call(_io().cleft_io_read_mesh, path_bytes(path)))
+    with reading(path):
+        return Mesh._adopt(mesher_or_plain(mesher)._call(_io().cleft_io_read_mesh, path_bytes(path)))
 
 
 def write_mesh(mesh: Mesh, path: Path, format: str | None = None, *, mesher: Mesher | None = None) -> None:
@@ -148,25 +160,25 @@ def write_mesh(mesh: Mesh, path: Path, format: str | None = None, *, mesher: Mes
         if format not in numbers:
             raise InvalidArgument(f"format is {format!r}; it must be one of {', '.join(numbers)}")
         number = numbers[format]
-    mesher_or_plain(mesher)._call(
-        io.cleft_io_write_mesh, required(mesh, Mesh, "mesh"), path_bytes(path), number)
-
-
-def _path_list(path: Path | Sequence[Path]) -> bytes:
-    paths = [path] if isinstance(path, (str, bytes, os.PathLike)) else list(path)
-    return b"".join(map(path_bytes, paths))
+    with writing(path):
+        mesher_or_plain(mesher)._call(
+            io.cleft_io_write_mesh, required(mesh, Mesh, "mesh"), path_bytes(path), number)
 
 
 def _world(name: str) -> int:
     return _choice(name, "world", {"LPS": _io().CLEFT_IO_WORLD_LPS, "RAS": _io().CLEFT_IO_WORLD_RAS})
 
 
-def _reading(world: str, kind: str, spacing: Sequence[float] | None) -> Any:
+def _reading(world: str, kind: str, spacing: Sequence[float] | None, scale: float | None) -> Any:
     io = _io()
     reading = io.NativeReading()
     reading.world = _world(world)
     reading.kind = _choice(kind, "kind", {"auto": io.CLEFT_IO_KIND_AUTO, "labels": io.CLEFT_IO_KIND_LABELS,
                                           "indicators": io.CLEFT_IO_KIND_INDICATORS})
+    if scale is not None:
+        reading.scale = float(scale)
+        if not reading.scale > 0:
+            raise InvalidArgument(f"scale is {scale!r}; it must be above 0")
     if spacing is not None:
         for axis, length in enumerate(triple(spacing, "spacing")):
             reading.set_spacing(axis, float(length))

@@ -3,19 +3,26 @@ from __future__ import annotations
 
 import contextlib
 import threading
-from typing import Any, Callable, Iterator, Optional, Union
+from typing import Any, Callable, Iterator
 
 from . import native
 from ._arrays import whole_number
 from ._handle import Handle
-from .errors import Closed, CleftError, raise_for
+from .errors import Closed, CleftError, raise_for, warn
 
-#: Called with the fraction done and the stage in words; False stops the call, any other answer goes on.
-Progress = Callable[[float, str], Optional[bool]]
+#: Called with the fraction done and the stage in words. An answer that is false stops the call (False, numpy.False_, 0);
+#: no answer (None) and true ones go on.
+Progress = Callable[[float, str], object]
 #: Called with a level ("warning", "info" or "debug") and a sentence.
 Log = Callable[[str, str], object]
 
 _LEVELS = {native.CLEFT_LOG_WARNING: "warning", native.CLEFT_LOG_INFO: "info", native.CLEFT_LOG_DEBUG: "debug"}
+
+
+def _warn(level: int, sentence: str) -> None:
+    """What is done with sentences where the user gave no log function."""
+    if level == native.CLEFT_LOG_WARNING:
+        warn(sentence)
 
 
 class Mesher:
@@ -23,7 +30,7 @@ class Mesher:
 
     `threads` is 1 to 1024, or 0 for as many as the machine has; the result does not depend on it. `progress` and `log`
     are called on the thread that made the call; an exception that they raise stops the call and comes out of it. Ctrl-C
-    stops the call with KeyboardInterrupt.
+    stops the call with KeyboardInterrupt. Without a `log`, warnings come as CleftWarning through Python's `warnings`.
 
     One call runs on a Mesher at a time; another thread that tries gets a RuntimeError. cancel() is for other threads.
     """
@@ -38,7 +45,7 @@ class Mesher:
         self._busy = threading.Lock()
         # The library borrows the two functions: they must live as long as the context.
         self._progress = progress
-        self._log = None if log is None else lambda level, sentence: log(_LEVELS.get(level, "info"), sentence)
+        self._log = _warn if log is None else lambda level, sentence: log(_LEVELS.get(level, "info"), sentence)
         self.threads = threads
         self._check(native.cleft_context_set_progress(self._native, self._progress))
         self._check(native.cleft_context_set_log(self._native, self._log))

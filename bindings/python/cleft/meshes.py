@@ -9,11 +9,12 @@ import numpy.typing as npt
 
 from . import native
 from ._arrays import float_array, int32_array, rows
-from ._handle import Handle, Owner, native_of, required, view
+from ._handle import Handle, native_of, required, view
+from ._label_names import Named
 from .errors import InvalidArgument, raise_for
 from .mesher import Mesher, mesher_or_plain
-from .options import OptionKeywords, Options, options_of
-from .results import LabelReport, Quality, Validation, from_struct
+from .options import OptionKeywords, Options, lists_options, options_of
+from .results import Contact, LabelReport, Quality, Report, Validation, from_struct
 from .sizing import Sizing
 from .surface import Surface
 from .volume import Volume
@@ -22,12 +23,18 @@ if TYPE_CHECKING:
     import meshio
 
 
-class Mesh(Owner):
+class Mesh(Named):
     """Points, tetrahedra and their labels; a background mesh has the label 0 only. It never changes.
 
     Meshes come from `cleft.mesh()` and the other stages, or from arrays: Mesh(points, tets, labels). Those are copied;
     `index_base` is the number of the first point, 0 or 1.
     """
+
+    _get_name = staticmethod(native.cleft_mesh_label_name)
+    _set_name = staticmethod(native.cleft_mesh_set_label_name)
+
+    def _own_labels(self) -> list[int]:
+        return self.different_labels.tolist()
 
     def __init__(self, points: npt.ArrayLike, tets: npt.ArrayLike, labels: npt.ArrayLike | None = None, *,
                  index_base: int = 0, mesher: Mesher | None = None) -> None:
@@ -107,18 +114,18 @@ class Mesh(Owner):
         """The triangles between labels, and those of the hull."""
         return Surface(self._native, mesher_or_plain(mesher))
 
-    def report(self, volume: Volume, *, mesher: Mesher | None = None) -> list[LabelReport]:
-        """What became of each label of the volume; for a mesh that was not stripped."""
+    def report(self, volume: Volume, *, mesher: Mesher | None = None) -> Report:
+        """What became of each label of the volume, and `contacts`; for a mesh that was not stripped."""
         address = mesher_or_plain(mesher)._call(
             native.cleft_report_create, required(volume, Volume, "volume"), self._native)
         handle = Handle(address, native.cleft_report_destroy)
-        rows_of_report = []
+        report = Report()
         for index in range(native.cleft_report_count(handle)):
             struct = native.NativeLabelReport()
             raise_for(native.cleft_report_label(handle, index, struct), "no such row")
             joined = native.cleft_report_joined(handle, index)
-            rows_of_report.append(from_struct(LabelReport, struct, large_components_joined=joined))
-        return rows_of_report
+            report.append(from_struct(LabelReport, struct, large_components_joined=joined))
+        return report
 
     def write(self, path: str | os.PathLike[str], format: str | None = None, *, mesher: Mesher | None = None) -> None:
         """Writes a file, all or nothing; `format` is one of `cleft.formats()`, or None for that of the extension."""
@@ -142,11 +149,14 @@ class Mesh(Owner):
         return f"<Mesh of {len(self.points)} points, {len(self.tets)} tetrahedra, {len(self.different_labels)} labels>"
 
 
+@lists_options
 def mesh(volume: Volume, *, sizing: Sizing | None = None, background_mesh: Mesh | None = None,
          mesher: Mesher | None = None, options: Options | None = None, **keywords: Unpack[OptionKeywords]) -> Mesh:
     """Meshes a volume: sizing (unless given), background mesh (unless given), cleaving, improving, stripping.
 
         mesh = cleft.mesh(volume, size_max=3.0, strip=[0])
+
+    `smooth` is an option of the volume: give it to Volume() or read_volume().
     """
     chosen = options_of(options, keywords)
     return Mesh._adopt(mesher_or_plain(mesher)._call(

@@ -2,15 +2,16 @@
 from __future__ import annotations
 
 import operator
+import textwrap
 from dataclasses import dataclass
-from typing import Any, Iterable, Mapping, TypedDict, Unpack
+from typing import Any, Callable, Iterable, Mapping, TypedDict, TypeVar, Unpack
 
 import numpy as np
 
 from . import native
 from ._arrays import int32_array, whole_number
 from ._handle import Handle, Owner
-from .errors import raise_for
+from .errors import raise_for, warn
 
 
 class OptionKeywords(TypedDict, total=False):
@@ -70,7 +71,11 @@ def _described(index: int) -> OptionDescription:
 
 
 _TABLE = {row.name: row for row in map(_described, range(native.cleft_option_count()))}
-_LISTS = ("label_sizes", "strip", "only")
+_LISTS = {
+    "label_sizes": ("{label: float} = {}", "edge lengths that are aimed at inside single labels, in world units"),
+    "strip": ("[label, ...] = []", "labels whose tetrahedra are left out of the finished mesh"),
+    "only": ("[label, ...] = []", "labels whose tetrahedra alone are kept; none: all"),
+}
 
 
 def option_table() -> list[OptionDescription]:
@@ -78,12 +83,40 @@ def option_table() -> list[OptionDescription]:
     return list(_TABLE.values())
 
 
+def _kind_of(row: OptionDescription) -> str:
+    if row.type == "choice":
+        return f"{', '.join(map(repr, row.choices))} = {row.default!r}"
+    if row.type == "flag":
+        return f"bool = {row.default!r}"
+    name = "float" if row.type == "real" else "int"
+    limits = f"at least {row.least:g}" if row.greatest > 1e300 else f"{row.least:.16g} to {row.greatest:.16g}"
+    return f"{name} = {row.default!r}, {limits}"
+
+
+def describe_options() -> str:
+    """Name, type, default, range and meaning of all options, as the docstrings have them."""
+    rows = [(row.name, _kind_of(row), row.text) for row in _TABLE.values()]
+    rows += [(name, kind, text) for name, (kind, text) in _LISTS.items()]
+    return "\n".join(f"{name} : {kind}\n" + textwrap.indent(textwrap.fill(text, 90), "    ") for name, kind, text in rows)
+
+
+_Documented = TypeVar("_Documented", bound=Callable[..., Any])
+
+
+def lists_options(documented: _Documented) -> _Documented:
+    """Puts the list of all options under a docstring."""
+    if documented.__doc__:
+        lines = "The options, as keywords or as attributes of an Options object:\n\n" + describe_options()
+        documented.__doc__ = documented.__doc__.rstrip() + "\n\n" + textwrap.indent(lines, "    ") + "\n    "
+    return documented
+
+
+@lists_options
 class Options(Owner):
     """How to mesh: Options(size=2.0, background="octree", strip=[0]). Values can be read and set as attributes.
 
-    `label_sizes` maps labels to the greatest edge length inside them; `strip` lists labels that are left out of the
-    finished mesh, `only` those that alone are kept. The others are in `cleft.option_table()`. A value out of its range
-    raises OptionError, which is a ValueError; a name that is no option raises TypeError.
+    A value out of its range raises OptionError, which is a ValueError; a name that is no option raises TypeError.
+    `cleft.option_table()` has the options that have one value as a list.
     """
 
     def __init__(self, **values: Unpack[OptionKeywords]) -> None:
@@ -177,6 +210,14 @@ def _text(value: str) -> str:
     if not isinstance(value, str):
         raise TypeError(f"expected a text, not {type(value).__name__}")
     return value
+
+
+def options_of_volume(options: Options | None, keywords: Mapping[str, Any]) -> Options | None:
+    """The options of a call that makes a volume. What it does not read is told, where it was given to it alone."""
+    for name in keywords:
+        if name in _TABLE and name != "smooth" or name in _LISTS:
+            warn(f"a volume has no use for the option {name}: give it to mesh()")
+    return options_of(options, keywords)
 
 
 def options_of(options: Options | None, keywords: Mapping[str, Any]) -> Options | None:

@@ -72,6 +72,26 @@ class LabelReport:
     lost: bool  #: the label has voxels but no tetrahedron
 
 
+@dataclass(frozen=True)
+class Contact:
+    """Two labels that share triangles in the mesh, but of which no two voxels share a face, an edge or a corner.
+
+    The gap between them is narrower than the tetrahedra there; a smaller size opens it.
+    """
+
+    first: int  #: the lower of the two labels
+    second: int
+    triangles: int  #: that the two share
+
+
+class Report(list[LabelReport]):
+    """The reports of all labels of a volume, in its order, and the `contacts` that its voxels do not have."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.contacts: list[Contact] = []
+
+
 def from_struct(kind: Any, struct: Any, **more: Any) -> Any:
     """A value of a class above, from the library's struct of the same field names and from `more`."""
     values = {field.name: getattr(struct, field.name) for field in dataclasses.fields(kind) if field.name not in more}

@@ -7,26 +7,36 @@ import numpy as np
 import numpy.typing as npt
 
 from . import native
-from ._arrays import (affine_from, buffer_of, dims_of, float_array, int32_array, label_voxels, real_voxels, rows,
-                      type_of, world_matrix)
-from ._handle import Handle, Owner, view
+from ._arrays import (affine_from, buffer_of, dims_of, field_list, float_array, int32_array, label_voxels, rows, type_of,
+                      world_matrix)
+from ._handle import Handle, view
+from ._label_names import Named
 from .errors import InvalidArgument, raise_for
 from .mesher import Mesher, mesher_or_plain
-from .options import OptionKeywords, Options, options_of
+from .options import OptionKeywords, Options, options_of_volume
 
 
-class Volume(Owner):
+class Volume(Named):
     """A label map: Volume(labels, spacing=(0.5, 0.5, 2.0), origin=(0, 0, 0)).
 
-    `labels[i, j, k]` is the label of voxel (i, j, k), in a numpy array of any whole-number type and memory order. i runs
-    along x: that is the order of nibabel and of affine matrices. Arrays in the order [k, j, i] (SimpleITK, imageio,
-    tifffile) come as `labels.transpose(2, 1, 0)`, which costs nothing. The voxels are copied.
+    `labels[i, j, k]` is the label of voxel (i, j, k), in a numpy array of any memory order and type of whole numbers; a
+    bool array has the labels 0 and 1, and real numbers are taken where all of them are whole. i runs along x: that is the
+    order of nibabel and of affine matrices. Arrays in the order [k, j, i] (SimpleITK, imageio, tifffile) come as
+    `labels.transpose(2, 1, 0)`, which costs nothing. The voxels are copied.
 
     Where the voxels are in the world: `affine`, a (3, 4) or (4, 4) matrix that maps indices to world coordinates, or
     `spacing` and `origin`, the centre of voxel (0, 0, 0). Without an origin the corner of the box is at zero.
 
-    `options` or keywords: of the options, `smooth` is read. Give the volume the same options as the mesh.
+    Of the options, `smooth` is read: Volume(labels, smooth=3), or the same `options` as the mesh's.
+
+    `label_names` gives names to labels.
     """
+
+    _get_name = staticmethod(native.cleft_volume_label_name)
+    _set_name = staticmethod(native.cleft_volume_set_label_name)
+
+    def _own_labels(self) -> list[int]:
+        return self.labels.tolist()
 
     def __init__(self, labels: npt.ArrayLike, *, spacing: Sequence[float] | None = None,
                  origin: Sequence[float] | None = None, affine: npt.ArrayLike | None = None,
@@ -34,7 +44,7 @@ class Volume(Owner):
                  **keywords: Unpack[OptionKeywords]) -> None:
         voxels = label_voxels(labels)
         matrix = world_matrix(spacing, origin, affine)
-        chosen = options_of(options, keywords)
+        chosen = options_of_volume(options, keywords)
         address = mesher_or_plain(mesher)._call(
             native.cleft_volume_create_labels, type_of(voxels), buffer_of(voxels), dims_of(voxels), matrix,
             chosen._native if chosen else None)
@@ -55,13 +65,7 @@ class Volume(Owner):
         A single one is a signed function, inside where it is above 0. `labels` are what the materials are called: as
         many as there are functions (two for a single one, the outside first); 0, 1, 2 ... without them.
         """
-        arrays = [real_voxels(field, f"fields[{n}]") for n, field in enumerate(fields)]
-        if not arrays:
-            raise InvalidArgument("fields is empty; there must be at least one indicator function")
-        if any(array.shape != arrays[0].shape for array in arrays):
-            raise InvalidArgument("fields must all have the same shape")
-        if any(array.dtype != arrays[0].dtype for array in arrays):
-            arrays = [array.astype(np.float64, order="F") for array in arrays]
+        arrays = field_list(fields)
         names = None if labels is None else int32_array(labels, "labels")
         wanted = len(arrays) if len(arrays) > 1 else 2
         if names is not None and names.shape != (wanted,):
