@@ -2,6 +2,7 @@
 !
 ! - Handles are type(c_ptr). What may be NULL in C is a type(c_ptr) here, too: pass c_null_ptr or c_loc(array).
 ! - Texts that go in end with c_null_char. Texts and arrays that come out are type(c_ptr), borrowed: see c_f_pointer.
+! - Numbers that come out are intent(inout), for they are left untouched on failure.
 ! - Points are numbered from 0, as in C. The module `cleft` numbers them from 1 and needs no pointers.
 module cleft_c
   use, intrinsic :: iso_c_binding
@@ -282,7 +283,7 @@ module cleft_c
       type(c_ptr), value :: context
       integer(c_int64_t), value :: index
       type(c_ptr), intent(out) :: name
-      real(c_double), intent(out) :: value
+      real(c_double), intent(inout) :: value
       integer(c_int32_t) :: answer
     end function
 
@@ -351,7 +352,7 @@ module cleft_c
       import
       type(c_ptr), value :: options
       integer(c_int32_t), value :: key
-      integer(c_int64_t), intent(out) :: value
+      integer(c_int64_t), intent(inout) :: value
       integer(c_int32_t) :: answer
     end function
 
@@ -359,7 +360,7 @@ module cleft_c
       import
       type(c_ptr), value :: options
       integer(c_int32_t), value :: key
-      real(c_double), intent(out) :: value
+      real(c_double), intent(inout) :: value
       integer(c_int32_t) :: answer
     end function
 
@@ -421,14 +422,14 @@ module cleft_c
     function cleft_volume_dims(volume, dims) bind(C) result(answer)
       import
       type(c_ptr), value :: volume
-      integer(c_int64_t), intent(out) :: dims(3)
+      integer(c_int64_t), intent(inout) :: dims(3)
       integer(c_int32_t) :: answer
     end function
 
     function cleft_volume_affine(volume, affine) bind(C) result(answer)
       import
       type(c_ptr), value :: volume
-      real(c_double), intent(out) :: affine(12)
+      real(c_double), intent(inout) :: affine(12)
       integer(c_int32_t) :: answer
     end function
 
@@ -462,7 +463,7 @@ module cleft_c
     function cleft_volume_copy_voxel_counts(volume, counts, capacity) bind(C) result(answer)
       import
       type(c_ptr), value :: volume
-      integer(c_int64_t), intent(out) :: counts(*)
+      integer(c_int64_t), intent(inout) :: counts(*)
       integer(c_int64_t), value :: capacity
       integer(c_int32_t) :: answer
     end function
@@ -472,7 +473,7 @@ module cleft_c
       type(c_ptr), value :: volume
       real(c_double), intent(in) :: points(*)
       integer(c_int64_t), value :: count
-      integer(c_int32_t), intent(out) :: labels(*)
+      integer(c_int32_t), intent(inout) :: labels(*)
       integer(c_int32_t) :: answer
     end function
 
@@ -512,14 +513,14 @@ module cleft_c
     function cleft_sizing_dims(sizing, dims) bind(C) result(answer)
       import
       type(c_ptr), value :: sizing
-      integer(c_int64_t), intent(out) :: dims(3)
+      integer(c_int64_t), intent(inout) :: dims(3)
       integer(c_int32_t) :: answer
     end function
 
     function cleft_sizing_affine(sizing, affine) bind(C) result(answer)
       import
       type(c_ptr), value :: sizing
-      real(c_double), intent(out) :: affine(12)
+      real(c_double), intent(inout) :: affine(12)
       integer(c_int32_t) :: answer
     end function
 
@@ -533,7 +534,7 @@ module cleft_c
       import
       type(c_ptr), value :: sizing
       real(c_double), intent(in) :: point(3)
-      real(c_double), intent(out) :: size
+      real(c_double), intent(inout) :: size
       integer(c_int32_t) :: answer
     end function
 
@@ -661,7 +662,7 @@ module cleft_c
     function cleft_mesh_copy_points(mesh, points, capacity) bind(C) result(answer)
       import
       type(c_ptr), value :: mesh
-      real(c_double), intent(out) :: points(*)
+      real(c_double), intent(inout) :: points(*)
       integer(c_int64_t), value :: capacity
       integer(c_int32_t) :: answer
     end function
@@ -670,7 +671,7 @@ module cleft_c
       import
       type(c_ptr), value :: mesh
       integer(c_int32_t), value :: index_base
-      integer(c_int32_t), intent(out) :: tets(*)
+      integer(c_int32_t), intent(inout) :: tets(*)
       integer(c_int64_t), value :: capacity
       integer(c_int32_t) :: answer
     end function
@@ -678,7 +679,7 @@ module cleft_c
     function cleft_mesh_copy_tet_labels(mesh, labels, capacity) bind(C) result(answer)
       import
       type(c_ptr), value :: mesh
-      integer(c_int32_t), intent(out) :: labels(*)
+      integer(c_int32_t), intent(inout) :: labels(*)
       integer(c_int64_t), value :: capacity
       integer(c_int32_t) :: answer
     end function
@@ -692,7 +693,7 @@ module cleft_c
       integer(c_int64_t), value :: point_capacity
       type(c_ptr), value :: tets
       integer(c_int64_t), value :: tet_capacity
-      integer(c_int64_t), intent(out) :: point_count
+      integer(c_int64_t), intent(inout) :: point_count
       integer(c_int32_t) :: answer
     end function
 

@@ -1,11 +1,12 @@
 ! Contexts: threads, progress, cancelling, figures and the sentence of the last failure.
 module cleft_contexts
   use, intrinsic :: iso_c_binding
+  use, intrinsic :: iso_fortran_env, only: error_unit
   use cleft_c
   use cleft_support
   implicit none
   private
-  public :: cleft_context, cleft_progress, cleft_log
+  public :: cleft_context, cleft_progress, cleft_log, cleft_show_warnings
 
   abstract interface
 
@@ -109,6 +110,13 @@ contains
     call self%conclude(cleft_context_set_log(handle, callback, c_loc(self%listeners)), stat, errmsg)
   end subroutine
 
+  ! A listener for set_log that writes warnings to the standard error.
+  subroutine cleft_show_warnings(level, sentence)
+    integer, intent(in) :: level
+    character(len=*), intent(in) :: sentence
+    if (level == CLEFT_LOG_WARNING) write (error_unit, '(2a)') 'cleft: warning: ', sentence
+  end subroutine
+
   ! Asks the running call to stop soon with CLEFT_ERROR_CANCELLED; from any thread.
   subroutine cancel(self, stat, errmsg)
     class(cleft_context), intent(inout) :: self
@@ -136,9 +144,9 @@ contains
     integer(c_int32_t) :: status
 
     value = 0
-    chars = c_null_ptr
     status = cleft_context_metric(self%c_handle(), int(index - 1, c_int64_t), chars, value)
-    name = text_at(chars)
+    name = ''
+    if (status == CLEFT_OK) name = text_at(chars)
     call self%conclude(status, stat, errmsg)
   end subroutine
 

@@ -22,26 +22,27 @@ module cleft_io
 
 contains
 
-  ! `world`: CLEFT_IO_WORLD_LPS (the default) or _RAS. `kind`: CLEFT_IO_KIND_... `spacing`: instead of the file's.
-  subroutine read_one(context, path, volume, options, world, kind, spacing, stat, errmsg)
+  ! `world`: CLEFT_IO_WORLD_LPS (the default) or _RAS. `kind`: CLEFT_IO_KIND_... `scale` multiplies the origin and the
+  ! spacing of the file together: 0.001 makes metres of millimetres. `spacing`: instead of the file's, whose origin stays.
+  subroutine read_one(context, path, volume, options, world, kind, spacing, scale, stat, errmsg)
     type(cleft_context), intent(inout) :: context
     character(len=*), intent(in) :: path
     type(cleft_volume), intent(inout) :: volume
     type(cleft_options), intent(inout), optional :: options
     integer(c_int32_t), intent(in), optional :: world, kind
-    real(c_double), intent(in), optional :: spacing(3)
+    real(c_double), intent(in), optional :: spacing(3), scale
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call read_several(context, [path], volume, options, world, kind, spacing, stat, errmsg)
+    call read_several(context, [path], volume, options, world, kind, spacing, scale, stat, errmsg)
   end subroutine
 
-  subroutine read_several(context, paths, volume, options, world, kind, spacing, stat, errmsg)
+  subroutine read_several(context, paths, volume, options, world, kind, spacing, scale, stat, errmsg)
     type(cleft_context), intent(inout) :: context
     character(len=*), intent(in) :: paths(:)
     type(cleft_volume), intent(inout) :: volume
     type(cleft_options), intent(inout), optional :: options
     integer(c_int32_t), intent(in), optional :: world, kind
-    real(c_double), intent(in), optional :: spacing(3)
+    real(c_double), intent(in), optional :: spacing(3), scale
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     character(kind=c_char), target :: chars(len(paths) + 1, size(paths))
@@ -50,13 +51,15 @@ contains
     integer(c_int32_t) :: status
     integer :: i, j
 
+    call volume%destroy()
+    if (is_wrong(scale, stat, errmsg)) return
     do j = 1, size(paths)
       chars(:, j) = c_null_char
       do i = 1, len_trim(paths(j))
         chars(i, j) = paths(j)(i:i)
       end do
     end do
-    reading = how_to_read(world, kind, spacing)
+    reading = how_to_read(world, kind, spacing, scale)
     status = cleft_io_read_volume(context%c_handle(), c_options(options), [(c_loc(chars(1, j)), j=1, size(paths))], &
       size(paths, kind=c_int64_t), c_loc(reading), made)
     call volume%adopt(made)
@@ -108,8 +111,9 @@ contains
       cleft_io_write_sizing(context%c_handle(), sizing%c_handle(), c_text(path), wanted), stat, errmsg)
   end subroutine
 
-  ! The file must lie on the grid of the volume. With `combine`, the smaller of it and the computed field is taken.
-  subroutine cleft_read_sizing(context, volume, path, sizing, combine, options, world, stat, errmsg)
+  ! The file must lie on the grid of the volume, read with the same `world`, `spacing` and `scale`; `scale` multiplies the
+  ! edge lengths too. With `combine`, the smaller of it and the computed field is taken.
+  subroutine cleft_read_sizing(context, volume, path, sizing, combine, options, world, spacing, scale, stat, errmsg)
     type(cleft_context), intent(inout) :: context
     type(cleft_volume), intent(in) :: volume
     character(len=*), intent(in) :: path
@@ -117,13 +121,16 @@ contains
     logical, intent(in), optional :: combine
     type(cleft_options), intent(inout), optional :: options
     integer(c_int32_t), intent(in), optional :: world
+    real(c_double), intent(in), optional :: spacing(3), scale
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     type(cleft_io_reading), target :: reading
     type(c_ptr) :: made
     integer(c_int32_t) :: status, c_combine
 
-    reading = how_to_read(world)
+    call sizing%destroy()
+    if (is_wrong(scale, stat, errmsg)) return
+    reading = how_to_read(world, spacing=spacing, scale=scale)
     c_combine = 0
     if (present(combine)) c_combine = merge(1_c_int32_t, 0_c_int32_t, combine)
     status = cleft_io_read_sizing(context%c_handle(), volume%c_handle(), c_text(path), c_loc(reading), c_combine, &
@@ -132,9 +139,19 @@ contains
     call context%conclude(status, stat, errmsg)
   end subroutine
 
-  pure function how_to_read(world, kind, spacing) result(reading)
+  function is_wrong(scale, stat, errmsg) result(answer)
+    real(c_double), intent(in), optional :: scale
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    logical :: answer
+    answer = .false.
+    if (present(scale)) answer = .not. scale > 0
+    if (answer) call conclude(CLEFT_ERROR_ARGUMENT, 'scale must be above 0', stat, errmsg)
+  end function
+
+  pure function how_to_read(world, kind, spacing, scale) result(reading)
     integer(c_int32_t), intent(in), optional :: world, kind
-    real(c_double), intent(in), optional :: spacing(3)
+    real(c_double), intent(in), optional :: spacing(3), scale
     type(cleft_io_reading) :: reading
 
     reading%struct_size = int(c_sizeof(reading), c_int32_t)
@@ -146,6 +163,7 @@ contains
     if (present(world)) reading%world = world
     if (present(kind)) reading%kind = kind
     if (present(spacing)) reading%spacing = spacing
+    if (present(scale)) reading%scale = scale
   end function
 
 end module

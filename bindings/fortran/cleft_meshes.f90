@@ -27,6 +27,8 @@ module cleft_meshes
     procedure :: tets
     procedure :: tet_labels
     procedure :: labels
+    procedure :: set_label_name
+    procedure :: label_name
     procedure :: quadratic
     procedure :: quality
     procedure :: validate
@@ -211,6 +213,30 @@ contains
     if (count == 0) return
     call c_f_pointer(cleft_mesh_labels(self%c_handle()), borrowed, [count])
     labels = borrowed
+  end function
+
+  ! Names a label, in one line; '' takes the name away. Meshes have the names of their volume.
+  subroutine set_label_name(self, label, name, stat, errmsg)
+    class(cleft_mesh), intent(inout) :: self
+    integer(c_int32_t), intent(in) :: label
+    character(len=*), intent(in) :: name
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    character(kind=c_char, len=:), allocatable, target :: chars
+    character(len=16) :: number
+
+    chars = c_text(name)
+    write (number, '(i0)') label
+    call conclude(cleft_mesh_set_label_name(self%c_handle(), label, c_loc(chars)), &
+      'the mesh has no label ' // trim(number) // ', or the name is not one line of text: ' // trim(name), stat, errmsg)
+  end subroutine
+
+  ! The name of a label, '' if it has none.
+  function label_name(self, label) result(name)
+    class(cleft_mesh), intent(in) :: self
+    integer(c_int32_t), intent(in) :: label
+    character(len=:), allocatable :: name
+    name = text_at(cleft_mesh_label_name(self%c_handle(), label))
   end function
 
   ! Ten-node tetrahedra, tets(10, m), with a point at the middle of each edge: 01, 12, 02, 03, 13, 23 after the corners.

@@ -86,6 +86,7 @@ contains
     integer(c_int64_t) :: whole
 
     number = 0
+    whole = 0
     if (.not. find_option(name, row)) then
       call conclude(CLEFT_ERROR_OPTION, 'there is no option "' // trim(name) // '"', stat, errmsg)
     else if (row%type == CLEFT_OPTION_TYPE_REAL) then
@@ -111,7 +112,7 @@ contains
     end do
   end function
 
-  ! The greatest edge length inside one label; 0 takes the wish back.
+  ! The edge length that is aimed at inside one label; 0 takes the wish back.
   subroutine set_label_size(self, label, size, stat, errmsg)
     class(cleft_options), intent(inout) :: self
     integer(c_int32_t), intent(in) :: label

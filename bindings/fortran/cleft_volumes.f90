@@ -19,6 +19,8 @@ module cleft_volumes
     procedure :: dims
     procedure :: affine
     procedure :: labels
+    procedure :: set_label_name
+    procedure :: label_name
     procedure :: voxel_counts
     procedure :: sample
     procedure :: adopt
@@ -32,7 +34,8 @@ contains
 
   ! The voxels' places in the world are told by the lengths of a voxel and the centre of the first one, or by `affine`:
   ! world = matmul(affine(:, 1:3), index) + affine(:, 4), the index counted from 0. Without them, voxels are unit cubes
-  ! and the corner of the box is at the origin. Voxels of 8 bits are unsigned: 0 to 255.
+  ! and the corner of the box is at the origin. `affine` together with one of the others is refused, for they may
+  ! disagree. Voxels of 8 bits are unsigned: 0 to 255.
   subroutine create_labels_8(self, context, voxels, spacing, origin, affine, options, stat, errmsg)
     class(cleft_volume), intent(inout) :: self
     type(cleft_context), intent(inout) :: context
@@ -101,10 +104,16 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     real(c_double), target :: rows(12)
+    character(len=:), allocatable :: mistake
     type(c_ptr) :: made
     integer(c_int32_t) :: status
 
-    rows = c_affine(spacing, origin, affine)
+    call self%destroy()
+    call find_place(spacing, origin, affine, rows, mistake)
+    if (len(mistake) > 0) then
+      call conclude(CLEFT_ERROR_ARGUMENT, mistake, stat, errmsg)
+      return
+    end if
     status = cleft_volume_create_labels(context%c_handle(), type, voxels, dims, c_loc(rows), &
       c_options(options), made)
     call self%adopt(made)
@@ -185,12 +194,18 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     real(c_double), target :: rows(12)
     integer(c_int32_t), allocatable, target :: names(:)
+    character(len=:), allocatable :: mistake
     type(c_ptr) :: names_at
     integer :: names_wanted
     type(c_ptr) :: made
     integer(c_int32_t) :: status
 
     call self%destroy()
+    call find_place(spacing, origin, affine, rows, mistake)
+    if (len(mistake) > 0) then
+      call conclude(CLEFT_ERROR_ARGUMENT, mistake, stat, errmsg)
+      return
+    end if
     names_wanted = max(2, size(fields))
     names_at = c_null_ptr
     if (present(labels)) then
@@ -201,32 +216,35 @@ contains
       names = labels
       names_at = c_loc(names)
     end if
-    rows = c_affine(spacing, origin, affine)
     status = cleft_volume_create_indicators(context%c_handle(), type, fields, &
       size(fields, kind=c_int64_t), dims, c_loc(rows), names_at, made)
     call self%adopt(made)
     call context%conclude(status, stat, errmsg)
   end subroutine
 
-  ! The rows of the affine map as C has them.
-  pure function c_affine(spacing, origin, affine) result(rows)
+  ! The rows of the affine map as C has them, or what is wrong with the arguments: '' if nothing is.
+  pure subroutine find_place(spacing, origin, affine, rows, mistake)
     real(c_double), intent(in), optional :: spacing(3), origin(3), affine(3, 4)
-    real(c_double) :: rows(12), map(3, 4)
+    real(c_double), intent(out) :: rows(12)
+    character(len=:), allocatable, intent(out) :: mistake
+    real(c_double) :: map(3, 4)
     integer :: axis
 
+    mistake = ''
+    map = 0
+    do axis = 1, 3
+      map(axis, axis) = 1
+      if (present(spacing)) map(axis, axis) = spacing(axis)
+      if (map(axis, axis) <= 0) mistake = 'spacing must be above 0 along each axis'
+      map(axis, 4) = map(axis, axis) / 2
+      if (present(origin)) map(axis, 4) = origin(axis)
+    end do
     if (present(affine)) then
+      if (present(spacing) .or. present(origin)) mistake = 'give either affine, or spacing and origin'
       map = affine
-    else
-      map = 0
-      do axis = 1, 3
-        map(axis, axis) = 1
-        if (present(spacing)) map(axis, axis) = spacing(axis)
-        map(axis, 4) = map(axis, axis) / 2
-        if (present(origin)) map(axis, 4) = origin(axis)
-      end do
     end if
     rows = reshape(transpose(map), [12])
-  end function
+  end subroutine
 
   ! The handle of options that may be absent.
   function c_options(options) result(handle)
@@ -273,13 +291,37 @@ contains
     labels = borrowed
   end function
 
+  ! Names a label, in one line; '' takes the name away. Meshes of the volume have its names.
+  subroutine set_label_name(self, label, name, stat, errmsg)
+    class(cleft_volume), intent(inout) :: self
+    integer(c_int32_t), intent(in) :: label
+    character(len=*), intent(in) :: name
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    character(kind=c_char, len=:), allocatable, target :: chars
+    character(len=16) :: number
+
+    chars = c_text(name)
+    write (number, '(i0)') label
+    call conclude(cleft_volume_set_label_name(self%c_handle(), label, c_loc(chars)), &
+      'the volume has no label ' // trim(number) // ', or the name is not one line of text: ' // trim(name), stat, errmsg)
+  end subroutine
+
+  ! The name of a label, '' if it has none.
+  function label_name(self, label) result(name)
+    class(cleft_volume), intent(in) :: self
+    integer(c_int32_t), intent(in) :: label
+    character(len=:), allocatable :: name
+    name = text_at(cleft_volume_label_name(self%c_handle(), label))
+  end function
+
   ! Voxels of each material.
   function voxel_counts(self, stat, errmsg) result(counts)
     class(cleft_volume), intent(in) :: self
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     integer(c_int64_t), allocatable :: counts(:)
-    allocate (counts(cleft_volume_label_count(self%c_handle())))
+    allocate (counts(cleft_volume_label_count(self%c_handle())), source=0_c_int64_t)
     call conclude(cleft_volume_copy_voxel_counts(self%c_handle(), counts, size(counts, kind=c_int64_t)), &
       closed, stat, errmsg)
   end function

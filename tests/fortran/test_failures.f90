@@ -24,6 +24,7 @@ program test_failures
   call meshes_refuse()
   call what_is_destroyed_refuses()
   call cancelling_leaves_no_mesh()
+  call messages_count_from_one()
   call finish()
 
 contains
@@ -73,6 +74,8 @@ contains
     call check(stat /= CLEFT_OK, 'a flat voxel is refused')
     call other%create(context, two_balls(), spacing=[1d0, nan, 1d0], stat=stat, errmsg=errmsg)
     call failed(CLEFT_ERROR_NOT_FINITE, 'a spacing of NaN is refused')
+    call other%create(context, two_balls(), spacing=[1d0, -1d0, 1d0], stat=stat, errmsg=errmsg)
+    call failed(CLEFT_ERROR_ARGUMENT, 'a negative spacing, which would be a mirror, is refused')
     field = 1
     field(2, 2, 2) = nan
     call other%create(context, field, stat=stat, errmsg=errmsg)
@@ -80,10 +83,72 @@ contains
     field = 1
     call other%create(context, field, labels=[1, 2, 3], stat=stat, errmsg=errmsg)
     call failed(CLEFT_ERROR_ARGUMENT, 'three labels for two materials are refused')
+    call places_told_twice_are_refused(other, field)
     labels = volume%sample(reshape([1d0, 2d0], [2, 1]), stat, errmsg)
     call failed(CLEFT_ERROR_ARGUMENT, 'points of two coordinates are refused')
     labels = volume%sample(reshape([1d0, nan, 2d0], [3, 1]), stat, errmsg)
     call failed(CLEFT_ERROR_NOT_FINITE, 'a point of NaN is refused')
+  end subroutine
+
+  subroutine places_told_twice_are_refused(other, field)
+    type(cleft_volume), intent(inout) :: other
+    real(c_double), intent(in) :: field(:, :, :)
+    real(c_double), parameter :: affine(3, 4) = &
+      reshape([1d0, 0d0, 0d0, 0d0, 1d0, 0d0, 0d0, 0d0, 1d0, 0d0, 0d0, 0d0], [3, 4]), one(3) = 1
+
+    call other%create(context, two_balls(), affine=affine, stat=stat, errmsg=errmsg)
+    call check(stat == CLEFT_OK, 'an affine map alone is taken')
+    call other%create(context, two_balls(), spacing=one, affine=affine, stat=stat, errmsg=errmsg)
+    call failed(CLEFT_ERROR_ARGUMENT, 'affine and spacing are refused')
+    call check(size(other%labels()) == 0, 'and the former volume is gone')
+    call other%create(context, two_balls(), origin=one, affine=affine, stat=stat, errmsg=errmsg)
+    call failed(CLEFT_ERROR_ARGUMENT, 'affine and origin are refused')
+    call other%create(context, field, spacing=one, affine=affine, stat=stat, errmsg=errmsg)
+    call failed(CLEFT_ERROR_ARGUMENT, 'affine and spacing are refused for functions')
+  end subroutine
+
+  ! What a message numbers is what the program numbers so.
+  subroutine messages_count_from_one()
+    type(cleft_volume) :: other
+    type(cleft_mesh) :: mesh
+    type(cleft_validation) :: findings
+    real(c_double) :: points(3, 8), fields(4, 4, 4, 3), affine(3, 4)
+    integer(c_int32_t) :: tets(4, 2)
+
+    points = reshape([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 5, 5, 5, 6, 5, 5, 5, 6, 5, 5, 5, 6], [3, 8])
+    tets = reshape([1, 2, 3, 4, 5, 6, 7, 9], [4, 2])
+    call mesh%create_arrays(context, points, tets, stat=stat, errmsg=errmsg)
+    call told('the 2nd tetrahedron names point 9, but there are 8 points, counted from 1')
+    tets(4, 2) = 0
+    call mesh%create_arrays(context, points, tets, stat=stat, errmsg=errmsg)
+    call told('the 2nd tetrahedron names point 0')
+    tets(:, 2) = [6, 5, 7, 8]
+    call mesh%create_arrays(context, points, tets)
+    findings = mesh%validate(context)
+    errmsg = context%last_error()
+    call told('the 2nd tetrahedron at (5.25, 5.25, 5.25) is inverted')
+    points(2, 3) = nan
+    call mesh%create_arrays(context, points, tets, stat=stat, errmsg=errmsg)
+    call told('the 3rd point')
+
+    fields = 1
+    fields(4, 1, 2, 3) = nan
+    call other%create(context, fields, stat=stat, errmsg=errmsg)
+    call told('the 3rd indicator function')
+    call told('the 4th along x, the 1st along y and the 2nd along z')
+    affine = 0
+    affine(1, 1) = 1
+    affine(2, 2) = 1
+    call other%create(context, two_balls(), affine=affine, stat=stat, errmsg=errmsg)
+    call told('3rd axis')
+    affine(2, 3) = nan
+    call other%create(context, two_balls(), affine=affine, stat=stat, errmsg=errmsg)
+    call told('2nd row, 3rd column')
+  end subroutine
+
+  subroutine told(words)
+    character(len=*), intent(in) :: words
+    call check(index(errmsg, words) > 0, trim(errmsg) // ' does not tell of ' // words)
   end subroutine
 
   subroutine sizings_refuse()
@@ -133,8 +198,12 @@ contains
     real(c_double), allocatable :: points(:, :)
     integer(c_int32_t), allocatable :: tets(:, :)
     real(c_float), allocatable :: values(:, :, :)
+    character(len=:), allocatable :: name
+    real(c_double) :: value
     integer :: dims(3)
 
+    call context%metric(0, name, value, stat, errmsg)
+    call check(stat /= CLEFT_OK .and. name == '' .and. abs(value) < tiny(value), 'there is no figure number 0')
     call other%create_arrays(context, mesh%points(), mesh%tets())
     call other%destroy()
     call other%destroy()

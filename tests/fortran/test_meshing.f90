@@ -35,6 +35,7 @@ program test_meshing
   call surface_belongs_to_mesh()
   call report_agrees()
   call indicators_are_taken()
+  call labels_have_names()
   call figures_are_noted()
   call finish()
 
@@ -160,6 +161,25 @@ contains
     call check(report%count() == 3, 'the report has a row for each label')
     row = report%label(2)
     call check(row%label == 5 .and. row%tets == count(mesh%tet_labels() == 5), 'its rows are counted from 1')
+  end subroutine
+
+  subroutine labels_have_names()
+    type(cleft_volume) :: named
+    type(cleft_mesh) :: made
+    character(len=200) :: errmsg
+    integer :: stat
+
+    call named%create(context, two_balls())
+    call check(named%label_name(5) == '', 'no label has a name at first')
+    call named%set_label_name(5, 'left kidney')
+    call named%set_label_name(9, 'liver')
+    call named%set_label_name(9, '')
+    call named%set_label_name(4, 'none', stat, errmsg)
+    call check(stat == CLEFT_ERROR_ARGUMENT .and. index(errmsg, '4') > 0, 'a label that is not there has no name')
+    call made%create(context, named, options)
+    call check(made%label_name(5) == 'left kidney' .and. made%label_name(9) == '', 'the mesh has the names of the volume')
+    call made%set_label_name(9, 'spleen')
+    call check(made%label_name(9) == 'spleen' .and. named%label_name(9) == '', 'and its own')
   end subroutine
 
   subroutine indicators_are_taken()
