@@ -91,7 +91,7 @@ contains
     call self%conclude(cleft_context_set_progress(handle, callback, c_loc(self%listeners)), stat, errmsg)
   end subroutine
 
-  ! Has sentences told to `listener`; to none if it is absent.
+  ! Has sentences told to `listener`; to none if it is absent. Until this is called, warnings are shown.
   subroutine set_log(self, listener, stat, errmsg)
     class(cleft_context), intent(inout) :: self
     procedure(cleft_log), optional :: listener
@@ -110,7 +110,7 @@ contains
     call self%conclude(cleft_context_set_log(handle, callback, c_loc(self%listeners)), stat, errmsg)
   end subroutine
 
-  ! A listener for set_log that writes warnings to the standard error.
+  ! The listener that a new context has: it writes warnings to the standard error.
   subroutine cleft_show_warnings(level, sentence)
     integer, intent(in) :: level
     character(len=*), intent(in) :: sentence
@@ -180,6 +180,8 @@ contains
     if (.not. c_associated(self%handle)) then
       call conclude(cleft_context_create(self%handle), 'a context cannot be made')
       allocate (self%listeners)
+      self%listeners%log => cleft_show_warnings
+      call self%conclude(cleft_context_set_log(self%handle, c_funloc(tell_log), c_loc(self%listeners)))
     end if
     handle = self%handle
   end function

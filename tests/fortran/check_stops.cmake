@@ -1,4 +1,6 @@
 execute_process(COMMAND ${PROGRAM} OUTPUT_VARIABLE output ERROR_VARIABLE errors RESULT_VARIABLE result)
-if(result EQUAL 0 OR output MATCHES "went on" OR NOT errors MATCHES "cleft: .*gradation")
+string(REGEX MATCHALL "cleft: warning: [^\n]*wanted number" warnings "${errors}")
+list(LENGTH warnings count)
+if(result EQUAL 0 OR output MATCHES "went on" OR NOT errors MATCHES "cleft: .*gradation" OR NOT count EQUAL 1)
     message(FATAL_ERROR "result ${result}, \"${output}\", \"${errors}\"")
 endif()
