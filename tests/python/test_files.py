@@ -145,6 +145,9 @@ class Files(unittest.TestCase):
         with self.assertRaises(cleft.CleftError) as raised:
             cleft.read_volume(self.folder / "noise.nii")
         self.assertNotIsInstance(raised.exception, FileNotFoundError)
+        self.assertNotIn("Errno", str(raised.exception))
+        if isinstance(raised.exception, cleft.FileError):
+            self.assertEqual(raised.exception.filename, str(self.folder / "noise.nii"))
         if os.path.exists("/dev/full"):
             self.failure(lambda: ball_mesh().write("/dev/full", "vtu"), cleft.FileError)
 

@@ -39,6 +39,8 @@ def reading(*paths: Path, folders: bool = False) -> Iterator[None]:
                     _try_to_read(part, folders)
                 except OSError as found:
                     raise file_error(found, part, str(error)) from None
+        if len(paths) == 1:
+            _name(error, paths[0])
         raise
 
 
@@ -53,7 +55,14 @@ def writing(path: Path) -> Iterator[None]:
             _try_to_write(name, str(error))
         except OSError as found:
             raise file_error(found, name, str(error)) from None
+        _name(error, path)
         raise
+
+
+def _name(error: FileError, path: Path) -> None:
+    """Gives the exception the name of the file where the system has no number for what is wrong with it."""
+    error.sentence = str(error)
+    error.filename = os.fsdecode(path)
 
 
 def _files_of(path: str) -> list[str]:
