@@ -83,6 +83,13 @@ public:
     State(const State&) = delete;
     State& operator=(const State&) = delete;
 
+    void pass_over(uintmax_t bytes)
+    {
+        if (lseek(descriptor_, static_cast<off_t>(bytes), SEEK_CUR) < 0)
+            cannot_read(errno);
+        unread_ -= bytes;
+    }
+
     bool is_plain() const { return coding_ == Coding::plain; }
     uintmax_t left() const { return unread_ + (is_plain() ? 0 : stream_.avail_in); }
     size_t read_some(char* to, size_t bytes) { return is_plain() ? read_file(to, bytes) : inflate_some(to, bytes); }
@@ -188,6 +195,10 @@ void ByteSource::read(void* to, size_t bytes)
 void ByteSource::skip(uintmax_t bytes)
 {
     expect(bytes);
+    if (state_->is_plain()) {
+        state_->pass_over(bytes);
+        return;
+    }
     std::vector<char> waste(static_cast<size_t>(std::min<uintmax_t>(bytes, buffer_bytes)));
     while (bytes > 0) {
         const auto step = static_cast<size_t>(std::min<uintmax_t>(bytes, waste.size()));

@@ -19,5 +19,7 @@ bool is_foreign_format(const FileHead& head);
 Image refuse_foreign_format(const std::string& path, const FileHead& head);
 bool is_itk_format(const FileHead& head);
 Image read_itk_image(const std::string& path, const FileHead& head);
+// Writes a volume of float as NIfTI.
+void write_itk_image(const std::string& path, const Image& image);
 
 }  // namespace cleft::io

@@ -216,7 +216,7 @@ std::vector<std::string> dicom_slices(const std::string& folder)
     });
 }
 
-void write_image(const std::string& path, const Image& image)
+void write_itk_image(const std::string& path, const Image& image)
 {
     const std::string extension = extension_of(path);
     with_itk([&] {

@@ -4,6 +4,8 @@
 #include "io/file_head.hpp"
 #include "io/image_readers.hpp"
 
+#include <algorithm>
+
 namespace cleft::io
 {
 
@@ -17,18 +19,66 @@ struct Reader {
 };
 
 constexpr Reader readers[] = {
+    {"NRRD", is_nrrd, read_nrrd},
+    {"MetaImage", is_metaimage, read_metaimage},
+    {"VTK legacy", is_vtk_volume, read_vtk_volume},
+    {"known, but not read", is_foreign_format, refuse_foreign_format},
     {"by ITK", is_itk_format, read_itk_image},
 };
 
-}  // namespace
+// How many bytes of a character of UTF-8 stand there; 0 if none does, or one that controls a terminal.
+size_t character_at(const std::string& text, size_t at)
+{
+    const auto byte = [&](size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+    const unsigned first = byte(at);
+    if (first < 0x80)
+        return first >= ' ' && first != 0x7f ? 1 : 0;
+    const size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+    bool whole = first >= 0xc2 && first <= 0xf4;
+    for (size_t i = 1; i < length; ++i)
+        whole = whole && byte(at + i) >> 6 == 2;
+    const unsigned second = byte(at + 1);
+    const bool proper = !(first == 0xe0 && second < 0xa0) && !(first == 0xed && second > 0x9f) &&
+                        !(first == 0xf0 && second < 0x90) && !(first == 0xf4 && second > 0x8f) &&
+                        !(first == 0xc2 && second < 0xa0);
+    return whole && proper ? length : 0;
+}
 
-Image read_image(const std::string& path)
+// Parts of damaged files stand in sentences; these must be text nevertheless.
+std::string printable(const std::string& text)
+{
+    std::string clean;
+    for (size_t at = 0; at < text.size();) {
+        const size_t length = character_at(text, at);
+        clean += length == 0 ? "?" : text.substr(at, length);
+        at += std::max<size_t>(length, 1);
+    }
+    return clean;
+}
+
+Image read_by_table(const std::string& path)
 {
     const FileHead head = read_head(path);
     for (const Reader& reader : readers)
         if (reader.is(head))
             return reader.read(path, head);
     throw Error(CLEFT_ERROR_FILE, "it is in no format of volumes that can be read, or it is damaged");
+}
+
+}  // namespace
+
+Image read_image(const std::string& path)
+{
+    try {
+        Image image = read_by_table(path);
+        for (std::string& note : image.notes)
+            note = printable(note);
+        for (auto& [label, name] : image.names)
+            name = printable(name);
+        return image;
+    } catch (const Error& error) {
+        throw Error(error.status(), printable(error.what()));
+    }
 }
 
 }  // namespace cleft::io

@@ -1,6 +1,7 @@
 /* dump_volume WORLD KIND SX SY SZ OUT PATH...: reads a volume (WORLD and KIND: numbers of cleft_io.h; S: spacing, 0 for
  * the file's) and writes to OUT: dims (3 int64), affine (12 double), number of labels (int64), labels (int32), and the
- * label that the volume has at the world place of each voxel centre (int32). Prints the failure, if any. */
+ * label that the volume has at the world place of each voxel centre (int32). Prints what the library tells ("warning:
+ * ") and the failure, if any. */
 #include "cleft/cleft_io.h"
 
 #include <stdio.h>
@@ -24,12 +25,20 @@ static void write_centres(const cleft_volume* volume, const int64_t dims[3], con
             }
 }
 
+static void on_log(int32_t level, const char* sentence, void* user)
+{
+    (void)user;
+    if (level == CLEFT_LOG_WARNING)
+        printf("warning: %s\n", sentence);
+}
+
 int main(int argc, char** argv)
 {
     cleft_context* context = NULL;
     cleft_volume* volume = NULL;
     if (argc < 8 || cleft_context_create(&context) != CLEFT_OK)
         return 2;
+    cleft_context_set_log(context, on_log, NULL);
     cleft_io_reading reading = {.struct_size = sizeof reading, .world = atoi(argv[1]), .kind = atoi(argv[2])};
     for (int axis = 0; axis < 3; ++axis)
         reading.spacing[axis] = atof(argv[3 + axis]);

@@ -1,0 +1,124 @@
+// Formats of volumes that are not read, but known: each is called by its name, with a way to turn it into one that is.
+#include "base/error.hpp"
+#include "io/file_name.hpp"
+#include "io/image_readers.hpp"
+
+namespace cleft::io
+{
+
+namespace
+{
+
+using namespace std::string_view_literals;
+
+struct Foreign {
+    std::string_view mark;        // of the first bytes, decompressed; "" if the extension must do
+    std::string_view extensions;  // each followed by a blank; "": any
+    const char* name;
+    const char* way;  // FILE and STEM stand for the name of the file, with and without its extension
+};
+
+constexpr const char* by_nibabel = "in Python, nibabel.save(nibabel.load('FILE'), 'STEM.nii.gz') converts it";
+constexpr const char* by_numpy =
+    "save it by nibabel or pynrrd as .nii.gz or .nrrd, or write its array by tofile() and give the file with --dims";
+constexpr const char* by_h5py =
+    "read its array by h5py and save it as .nii.gz or .nrrd, or write it by tofile() and give the file with --dims";
+constexpr const char* by_paraview = "in ParaView, save its data as .vtk (legacy)";
+constexpr const char* by_fiji = "in Fiji (Bio-Formats), save the label image as .tif";
+constexpr const char* by_unzip = "decompress it first";
+
+constexpr Foreign table[] = {
+    {"\0\0\0\1"sv, ".mgz .mgh .mgh.gz ", "a volume of FreeSurfer (MGH)",
+     "'mri_convert FILE STEM.nii.gz' converts it, or in Python nibabel.save(nibabel.load('FILE'), 'STEM.nii.gz')"},
+    {"\x93NUMPY"sv, "", "an array of NumPy", by_numpy},
+    {"PK\3\4"sv, ".npz ", "an archive of NumPy", by_numpy},
+    {"PK\3\4"sv, "", "a ZIP archive", by_unzip},
+    {"\x89HDF\r\n\x1a\n"sv, ".mnc ", "a volume in MINC 2 (HDF5)", by_nibabel},
+    {"\x89HDF\r\n\x1a\n"sv, ".ims ", "a file of Imaris (HDF5)", by_fiji},
+    {"\x89HDF\r\n\x1a\n"sv, "", "an HDF5 file", by_h5py},
+    {"CDF\1"sv, ".mnc ", "a volume in MINC 1 (NetCDF)", by_nibabel},
+    {"CDF\2"sv, ".mnc ", "a volume in MINC 1 (NetCDF)", by_nibabel},
+    {"CDF"sv, ".nc ", "a NetCDF file", by_numpy},
+    {"MATLAB "sv, "", "a file of MATLAB",
+     "in MATLAB, niftiwrite(labels, 'STEM.nii') writes its array, or scipy.io.loadmat reads it in Python"},
+    {"\xda\xce\xbe\x0a"sv, "", "a file of Nikon (ND2)", by_fiji},
+    {"ZISRAWFILE"sv, "", "a file of Zeiss (CZI)", by_fiji},
+    {"\x70\0\0\0"sv, ".lif ", "a file of Leica (LIF)", by_fiji},
+    {"# AmiraMesh"sv, "", "a file of Amira (AmiraMesh)", "in Amira or Avizo, export it as .nrrd, or in Fiji as .tif"},
+    {"# Avizo"sv, "", "a file of Avizo (AmiraMesh)", "in Amira or Avizo, export it as .nrrd, or in Fiji as .tif"},
+    {"#INRIMAGE-4#{"sv, "", "a volume in INRIMAGE format", "its voxels begin at byte 256: give --dims and --skip 256"},
+    {"BZh"sv, "", "compressed by bzip2", by_unzip},
+    {"\xfd"
+     "7zXZ"sv,
+     "", "compressed by xz", by_unzip},
+    {"\x28\xb5\x2f\xfd"sv, "", "compressed by Zstandard", by_unzip},
+    {"7z\xbc\xaf\x27\x1c"sv, "", "a 7-Zip archive", by_unzip},
+    {"SIMPLE  ="sv, "", "a FITS file", by_numpy},
+    {""sv, ".npy .npz ", "an array of NumPy by its name, but it is damaged", by_numpy},
+    {""sv, ".raw .bin .dat .vol ", "of voxels without a header, as its name has it",
+     "give their number by --dims and their type by --type"},
+};
+
+constexpr std::string_view xml_images[] = {"ImageData", "PImageData", "RectilinearGrid", "StructuredGrid"};
+
+// "x.nii.gz " is in the list if each of its items has a blank behind it.
+bool is_listed(std::string_view list, const std::string& extension)
+{
+    return !extension.empty() && list.find(extension + " ") != std::string_view::npos;
+}
+
+bool fits(const Foreign& row, const FileHead& head)
+{
+    return head.begins_with(row.mark) && (row.extensions.empty() || is_listed(row.extensions, head.extension));
+}
+
+bool is_vtk_xml(const FileHead& head) { return head.text().substr(0, 1000).find("<VTKFile") != std::string_view::npos; }
+
+std::string kind_of_vtk_xml(const FileHead& head)
+{
+    const std::string_view text = head.text();
+    const size_t begin = text.find("type=\"", text.find("<VTKFile"));
+    if (begin == std::string_view::npos)
+        return "";
+    return std::string(text.substr(begin + 6, std::min<size_t>(text.find('"', begin + 6) - begin - 6, 40)));
+}
+
+void replace_all(std::string& text, const std::string& from, const std::string& to)
+{
+    for (size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+}
+
+[[noreturn]] void refuse(const std::string& path, const std::string& name, std::string way)
+{
+    const std::string file = path.substr(path.find_last_of('/') + 1);
+    replace_all(way, "STEM", file.substr(0, file.size() - extension_of(path).size()));
+    replace_all(way, "FILE", file);
+    throw Error(CLEFT_ERROR_UNSUPPORTED, "it is " + name + ", which cannot be read: " + way);
+}
+
+}  // namespace
+
+bool is_foreign_format(const FileHead& head)
+{
+    for (const Foreign& row : table)
+        if (fits(row, head))
+            return true;
+    return is_vtk_xml(head) || (head.gzip && (head.begins_with("NRRD") || head.begins_with("# vtk DataFile")));
+}
+
+Image refuse_foreign_format(const std::string& path, const FileHead& head)
+{
+    for (const Foreign& row : table)
+        if (fits(row, head))
+            refuse(path, row.name, row.way);
+    if (!is_vtk_xml(head))
+        refuse(path, "compressed by gzip as a whole", by_unzip);
+    const std::string kind = kind_of_vtk_xml(head);
+    for (const std::string_view image : xml_images)
+        if (kind == image)
+            refuse(path, "VTK XML (" + kind + ")", by_paraview);
+    throw Error(CLEFT_ERROR_UNSUPPORTED, "it is VTK XML of kind '" + kind + "', not a volume");
+}
+
+}  // namespace cleft::io

@@ -1,0 +1,22 @@
+// Which axes of an NRRD file are of space, and where its voxels lie.
+#pragma once
+
+#include "io/image.hpp"
+#include "io/nrrd_header.hpp"
+
+#include <optional>
+
+namespace cleft::io
+{
+
+struct NrrdAxes {
+    std::vector<size_t> space;    // two or three, in the order of the file
+    std::optional<size_t> other;  // the axis along which volumes or layers are counted: the first or the last
+};
+
+// Throws if the axes are none of a volume, or of several.
+NrrdAxes nrrd_axes(const NrrdHeader& header);
+// Sets directions, spacing and origin.
+void set_nrrd_geometry(const NrrdHeader& header, const NrrdAxes& axes, Image& image);
+
+}  // namespace cleft::io

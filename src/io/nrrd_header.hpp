@@ -1,0 +1,37 @@
+// The header of an NRRD file as it stands there.
+#pragma once
+
+#include "io/vector3.hpp"
+#include "io/voxel_data.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cleft::io
+{
+
+struct NrrdHeader {
+    std::vector<int64_t> sizes;
+    Component component = Component::uint8;
+    VoxelData data;  // files and skips too
+    // What is said of each axis; empty, or as long as `sizes`.
+    std::vector<std::optional<std::vector<double>>> directions;
+    std::vector<double> spacings;
+    std::vector<double> mins;
+    std::vector<double> maxs;
+    std::vector<std::string> centers;
+    std::vector<std::string> kinds;
+    // Of the space; empty and 0 if there is none.
+    std::string space;
+    size_t space_dimension = 0;
+    std::vector<double> origin;
+    std::map<std::string, std::string> keys;  // key:=value
+    std::vector<std::string> notes;
+};
+
+// Throws Errors that do not name the file.
+NrrdHeader read_nrrd_header(const std::string& path);
+
+}  // namespace cleft::io

@@ -1,0 +1,358 @@
+// MetaImage (.mha, .mhd): lines of "Key = Value" that end with ElementDataFile.
+#include "base/error.hpp"
+#include "io/header_values.hpp"
+#include "io/image_readers.hpp"
+#include "io/text_source.hpp"
+#include "io/voxel_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace cleft::io
+{
+
+namespace
+{
+
+constexpr uintmax_t longest_header = uintmax_t{1} << 26;
+
+using Fields = std::map<std::string, std::string>;
+
+struct MetaHeader {
+    Fields fields;
+    std::vector<std::string> list;  // the lines behind "ElementDataFile = LIST"
+    uintmax_t end = 0;
+};
+
+bool is_list(const std::string& value) { return value.substr(0, 4) == "LIST"; }
+
+MetaHeader read_header(const std::string& path)
+{
+    TextSource source(path);
+    MetaHeader header;
+    std::string line;
+    while (header.fields.count("ElementDataFile") == 0) {
+        if (!source.next_line(line))
+            throw Error(CLEFT_ERROR_FORMAT, "its header has no field 'ElementDataFile', or is cut short");
+        if (source.position() > longest_header)
+            throw Error(CLEFT_ERROR_FORMAT, "its header has no end");
+        if (trimmed(line).empty())
+            continue;
+        const size_t sign = line.find('=');
+        const std::string key(trimmed(line.substr(0, sign)));
+        if (sign == std::string::npos || key.empty())
+            throw Error(CLEFT_ERROR_FORMAT, "the line '" + line.substr(0, 40) + "' of its header is no field");
+        const std::string value(trimmed(line.substr(sign + 1)));
+        if (!header.fields.emplace(key, value).second && key != "Comment")
+            refuse_field(key, value, "it stands there twice");
+    }
+    header.end = source.position();
+    if (is_list(header.fields["ElementDataFile"]))
+        while (source.next_line(line))
+            if (!trimmed(line).empty())
+                header.list.emplace_back(trimmed(line));
+    return header;
+}
+
+bool truth_of(const Fields& fields, const std::string& key, bool otherwise)
+{
+    const auto found = fields.find(key);
+    if (found == fields.end())
+        return otherwise;
+    const std::string value = in_small_letters(found->second);
+    if (value == "true" || value == "t" || value == "1" || value == "yes")
+        return true;
+    if (value == "false" || value == "f" || value == "0" || value == "no")
+        return false;
+    refuse_field(key, found->second, "True or False is wanted");
+}
+
+// The value of the first key that is there, or null; they are names of one thing.
+const Fields::value_type* one_of(const Fields& fields, std::initializer_list<const char*> keys)
+{
+    const Fields::value_type* first = nullptr;
+    for (const char* key : keys) {
+        const auto found = fields.find(key);
+        if (found == fields.end())
+            continue;
+        if (first && words_of(first->second) != words_of(found->second))
+            refuse_field(key, found->second, "'" + first->first + "' says otherwise");
+        if (!first)
+            first = &*found;
+    }
+    return first;
+}
+
+Component component_of(const Fields& fields)
+{
+    static const std::map<std::string, Component> types{
+        {"MET_CHAR", Component::int8},       {"MET_UCHAR", Component::uint8},       {"MET_SHORT", Component::int16},
+        {"MET_USHORT", Component::uint16},   {"MET_INT", Component::int32},         {"MET_UINT", Component::uint32},
+        {"MET_LONG", Component::int32},      {"MET_ULONG", Component::uint32},  // four bytes in any of its writers
+        {"MET_LONG_LONG", Component::int64}, {"MET_ULONG_LONG", Component::uint64}, {"MET_FLOAT", Component::float32},
+        {"MET_DOUBLE", Component::float64}};
+    const auto type = fields.find("ElementType");
+    if (type == fields.end())
+        throw Error(CLEFT_ERROR_FORMAT, "its header has no field 'ElementType'");
+    const auto found = types.find(type->second);
+    if (found == types.end())
+        refuse_field("ElementType", type->second, "such voxels cannot be read");
+    return found->second;
+}
+
+std::vector<int64_t> sizes_of(const Fields& fields)
+{
+    const auto kind = fields.find("ObjectType");
+    if (kind != fields.end() && kind->second != "Image")
+        refuse_field("ObjectType", kind->second, "only an Image is a volume");
+    for (const char* key : {"NDims", "DimSize"})
+        if (fields.count(key) == 0)
+            throw Error(CLEFT_ERROR_FORMAT, std::string("its header has no field '") + key + "'");
+    const std::string& number = fields.at("NDims");
+    const int64_t axes = integer_of("NDims", number);
+    if (axes < 2 || axes > 4)
+        refuse_field("NDims", number, "a volume has 2 to 4 dimensions");
+    const std::vector<int64_t> sizes = integers_of("DimSize", fields.at("DimSize"), static_cast<size_t>(axes));
+    for (const int64_t size : sizes)
+        if (size < 1)
+            refuse_field("DimSize", fields.at("DimSize"), "an axis must have a voxel");
+    const auto channels = fields.find("ElementNumberOfChannels");
+    if (channels != fields.end() && integer_of("ElementNumberOfChannels", channels->second) != 1)
+        throw Error(CLEFT_ERROR_FORMAT,
+                    "it has " + channels->second + " numbers a voxel (colours or vectors); one is wanted");
+    return sizes;
+}
+
+// The rows of the matrix are the directions of the axes. A fourth axis must keep to itself.
+void set_directions(const Fields& fields, size_t axes, Image& image)
+{
+    const auto* matrix = one_of(fields, {"TransformMatrix", "Rotation", "Orientation"});
+    if (!matrix)
+        return;
+    const std::vector<double> numbers = reals_of(matrix->first, matrix->second, axes * axes);
+    const size_t space = std::min<size_t>(axes, 3);
+    for (size_t axis = 0; axis < axes; ++axis)
+        for (size_t row = 0; row < axes; ++row)
+            if ((axis > 2) != (row > 2) && numbers[axis * axes + row] != 0)
+                refuse_field(matrix->first, matrix->second, "the fourth axis is turned into the others");
+    for (size_t axis = 0; axis < space; ++axis) {
+        Vector3 direction{0, 0, 0};
+        for (size_t row = 0; row < space; ++row)
+            direction[row] = numbers[axis * axes + row];
+        const double norm = length(direction);
+        if (!(norm > 0) || !std::isfinite(norm))
+            refuse_field(matrix->first, matrix->second, "an axis has no direction");
+        image.directions[axis] = times(1 / norm, direction);
+        image.spacing[axis] *= norm;
+    }
+}
+
+void set_geometry(const Fields& fields, size_t axes, Image& image)
+{
+    const size_t space = std::min<size_t>(axes, 3);
+    const auto spacing = fields.find("ElementSpacing");
+    const auto size = spacing != fields.end() ? spacing : fields.find("ElementSize");
+    if (size != fields.end()) {
+        const std::vector<double> numbers = reals_of(size->first, size->second, axes);
+        std::copy_n(numbers.begin(), space, image.spacing.begin());
+    } else {
+        image.notes.emplace_back("it gives no ElementSpacing, which is taken for 1");
+    }
+    if (const auto* origin = one_of(fields, {"Offset", "Position", "Origin"})) {
+        const std::vector<double> numbers = reals_of(origin->first, origin->second, axes);
+        std::copy_n(numbers.begin(), space, image.origin.begin());
+    }
+    set_directions(fields, axes, image);
+    for (size_t axis = 0; axis < space; ++axis)
+        if (image.spacing[axis] < 0) {
+            image.spacing[axis] = -image.spacing[axis];
+            image.directions[axis] = times(-1, image.directions[axis]);
+        }
+    if (axes == 2)
+        image.spacing[2] = image.spacing[0];
+}
+
+// Each of several files holds all of the first so many axes.
+void check_number_of_files(const std::vector<std::string>& files, int64_t held, const std::vector<int64_t>& sizes)
+{
+    int64_t wanted = 1;
+    for (size_t axis = static_cast<size_t>(held); axis < sizes.size(); ++axis)
+        if (__builtin_mul_overflow(wanted, sizes[axis], &wanted))
+            throw Error(CLEFT_ERROR_TOO_LARGE, "there are too many voxels");
+    if (static_cast<int64_t>(files.size()) != wanted)
+        refuse_field("ElementDataFile", std::to_string(files.size()) + " files",
+                     std::to_string(wanted) + " are wanted for the sizes that are given");
+}
+
+std::vector<std::string> files_of(const MetaHeader& header, const std::vector<int64_t>& sizes)
+{
+    const std::string& value = header.fields.at("ElementDataFile");
+    const std::vector<std::string> words = words_of(value);
+    const auto axes = static_cast<int64_t>(sizes.size());
+    if (words.empty())
+        refuse_field("ElementDataFile", value, "a name is wanted");
+    if (is_list(value)) {
+        std::string held = value.substr(4);  // "LIST", "LIST2D", "LIST 2D"
+        held = std::string(trimmed(held));
+        if (!held.empty() && (held.back() == 'D' || held.back() == 'd'))
+            held.pop_back();
+        const int64_t number = held.empty() ? axes - 1 : integer_of("ElementDataFile", held);
+        if (number < 1 || number > axes)
+            refuse_field("ElementDataFile", value, "a file holds between one and all dimensions");
+        check_number_of_files(header.list, number, sizes);
+        return header.list;
+    }
+    if (value.find('%') == std::string::npos)
+        return {value};
+    const auto number = [&](size_t word, int64_t otherwise) {
+        return words.size() > word ? integer_of("ElementDataFile", words[word]) : otherwise;
+    };
+    if (words.size() > 4)
+        refuse_field("ElementDataFile", value, "a pattern is followed by the first number, the last, and the step");
+    const std::vector<std::string> files =
+        names_of_pattern("ElementDataFile", words[0], number(1, 1), number(2, sizes.back()), number(3, 1));
+    check_number_of_files(files, axes - 1, sizes);
+    return files;
+}
+
+void set_encoding(const Fields& fields, Component component, VoxelData& data, Image& image)
+{
+    const bool compressed = truth_of(fields, "CompressedData", false);
+    const auto* order = one_of(fields, {"BinaryDataByteOrderMSB", "ElementByteOrderMSB"});
+    if (order)
+        data.big_endian = truth_of(fields, order->first, false);
+    if (!truth_of(fields, "BinaryData", true)) {
+        if (compressed)
+            refuse_field("CompressedData", "True", "numbers of text are not compressed");
+        data.encoding = VoxelData::Encoding::text;
+        return;
+    }
+    if (!order && size_of(component) > 1)
+        image.notes.emplace_back("it does not give the order of bytes, which is taken for little-endian");
+    if (!compressed)
+        return;
+    data.encoding = VoxelData::Encoding::deflated;
+    const auto length = fields.find("CompressedDataSize");
+    if (length != fields.end() && data.files.size() == 1) {
+        const int64_t bytes = integer_of("CompressedDataSize", length->second);
+        if (bytes < 1)
+            refuse_field("CompressedDataSize", length->second, "a number of bytes is wanted");
+        data.length = static_cast<uintmax_t>(bytes);
+    }
+}
+
+VoxelData data_of(const std::string& path, const MetaHeader& header, const std::vector<int64_t>& sizes, Image& image)
+{
+    VoxelData data;
+    const std::string value = in_small_letters(header.fields.at("ElementDataFile"));
+    if (value == "local") {
+        data.files = {path};
+        data.attached = true;
+        data.offset = static_cast<int64_t>(header.end);
+    } else {
+        for (const std::string& name : files_of(header, sizes))
+            data.files.push_back(beside(path, name));
+    }
+    set_encoding(header.fields, image.component, data, image);
+    const auto skip = header.fields.find("HeaderSize");
+    if (skip != header.fields.end()) {
+        const int64_t bytes = integer_of("HeaderSize", skip->second);
+        if (bytes < -1 || (bytes == -1 && data.encoding != VoxelData::Encoding::raw))
+            refuse_field("HeaderSize", skip->second, "it may be -1 for raw data, and not less");
+        if (bytes != 0)
+            data.offset = bytes;
+    }
+    return data;
+}
+
+// Fields that change nothing about voxels and places.
+void note_other_fields(const Fields& fields, Image& image)
+{
+    static const std::set<std::string> known{"ObjectType",
+                                             "ObjectSubType",
+                                             "NDims",
+                                             "DimSize",
+                                             "ElementType",
+                                             "ElementNumberOfChannels",
+                                             "ElementSpacing",
+                                             "ElementSize",
+                                             "Offset",
+                                             "Position",
+                                             "Origin",
+                                             "TransformMatrix",
+                                             "Rotation",
+                                             "Orientation",
+                                             "BinaryData",
+                                             "BinaryDataByteOrderMSB",
+                                             "ElementByteOrderMSB",
+                                             "CompressedData",
+                                             "CompressedDataSize",
+                                             "HeaderSize",
+                                             "ElementDataFile",
+                                             "Comment",
+                                             "TransformType",
+                                             "Name",
+                                             "ID",
+                                             "ParentID",
+                                             "Color",
+                                             "CenterOfRotation",
+                                             "AnatomicalOrientation",
+                                             "Modality",
+                                             "SequenceID",
+                                             "ElementMin",
+                                             "ElementMax",
+                                             "ElementNBits",
+                                             "CompressionLevel",
+                                             "DistanceUnits",
+                                             "AcquisitionDate",
+                                             "ElementToIntensityFunctionSlope",
+                                             "ElementToIntensityFunctionOffset",
+                                             "ElementToIntensityFunctionIntercept"};
+    const auto differs = [&](const char* key, double neutral) {
+        const auto found = fields.find(key);
+        return found != fields.end() && real_of(key, found->second) != neutral;
+    };
+    if (differs("ElementToIntensityFunctionSlope", 1) || differs("ElementToIntensityFunctionOffset", 0) ||
+        differs("ElementToIntensityFunctionIntercept", 0))
+        image.notes.emplace_back("its field 'ElementToIntensityFunctionSlope' is not applied to the voxels");
+    std::string names;
+    size_t count = 0;
+    for (const auto& [key, value] : fields)
+        if (known.count(key) == 0 && ++count <= 3)
+            names += (names.empty() ? "'" : ", '") + key.substr(0, 40) + "'";
+    if (count > 0)
+        image.notes.push_back("fields of its header are not known, and not used: " + names +
+                              (count > 3 ? " and " + std::to_string(count - 3) + " more" : ""));
+}
+
+}  // namespace
+
+// The format has no mark of its own.
+bool is_metaimage(const FileHead& head)
+{
+    if (head.gzip)
+        return false;
+    if (head.extension == ".mha" || head.extension == ".mhd")
+        return true;
+    const std::string_view text = trimmed(head.text().substr(0, 200));
+    return text.substr(0, 10) == "ObjectType" && text.find("NDims") != std::string_view::npos;
+}
+
+Image read_metaimage(const std::string& path, const FileHead&)
+{
+    const MetaHeader header = read_header(path);
+    const std::vector<int64_t> sizes = sizes_of(header.fields);
+    Image image;
+    image.component = component_of(header.fields);
+    std::copy_n(sizes.begin(), std::min<size_t>(sizes.size(), 3), image.dims.begin());
+    if (sizes.size() == 4)
+        image.fields = sizes[3];
+    set_geometry(header.fields, sizes.size(), image);
+    note_other_fields(header.fields, image);
+    read_voxels(data_of(path, header, sizes, image), image);
+    return image;
+}
+
+}  // namespace cleft::io

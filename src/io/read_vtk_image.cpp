@@ -1,0 +1,295 @@
+// Volumes in legacy VTK files: structured points, and rectilinear grids that are evenly spaced. Values on cells are one
+// voxel a cell; values on points are one voxel about each point.
+#include "base/error.hpp"
+#include "io/header_values.hpp"
+#include "io/image_readers.hpp"
+#include "io/text_source.hpp"
+#include "io/voxel_data.hpp"
+#include "io/vtk_arrays.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <set>
+
+namespace cleft::io
+{
+
+namespace
+{
+
+struct Grid {
+    bool binary = false;
+    std::array<int64_t, 3> points{0, 0, 0};
+    Vector3 origin{0, 0, 0};
+    Vector3 spacing{1, 1, 1};
+};
+
+int64_t product_of(const std::array<int64_t, 3>& dims)
+{
+    int64_t product = 1;
+    for (const int64_t dim : dims)
+        if (__builtin_mul_overflow(product, dim, &product))
+            throw Error(CLEFT_ERROR_TOO_LARGE, "there are too many voxels");
+    return product;
+}
+
+// An axis of one point has one layer of cells.
+std::array<int64_t, 3> cells_of(const Grid& grid)
+{
+    std::array<int64_t, 3> cells{};
+    for (size_t axis = 0; axis < 3; ++axis)
+        cells[axis] = std::max<int64_t>(1, grid.points[axis] - 1);
+    return cells;
+}
+
+Vector3 three_reals(TextSource& source, const char* field)
+{
+    Vector3 numbers{};
+    for (double& number : numbers)
+        number = real_of(field, source.word());
+    return numbers;
+}
+
+void take_dimensions(TextSource& source, Grid& grid)
+{
+    for (int64_t& dim : grid.points) {
+        dim = integer_of("DIMENSIONS", source.word());
+        if (dim < 1)
+            refuse_field("DIMENSIONS", std::to_string(dim), "an axis must have a point");
+    }
+    product_of(grid.points);
+}
+
+std::vector<double> coordinates(TextSource& source, bool binary, const char* field, int64_t wanted)
+{
+    const int64_t count = vtk_count(source, field);
+    if (count != wanted)
+        refuse_field(field, std::to_string(count), std::to_string(wanted) + " are wanted");
+    const std::string type = in_small_letters(source.word());
+    if (type != "float" && type != "double" && !(type == "int" && !binary))
+        refuse_field(field, type, "float or double is wanted");
+    source.rest_is_blank();
+    std::vector<double> values;
+    const size_t size = type == "double" ? 8 : 4;
+    if (binary)
+        source.expect(static_cast<uintmax_t>(count) * size);
+    else
+        source.expect(static_cast<uintmax_t>(count));
+    for (int64_t i = 0; i < count; ++i) {
+        if (!binary) {
+            values.push_back(real_of(field, source.word()));
+            continue;
+        }
+        std::byte bytes[8];
+        source.read(bytes, size);
+        swap_bytes(bytes, 1, size);
+        double wide = 0;
+        float narrow = 0;
+        std::memcpy(&wide, bytes, size == 8 ? size : 0);
+        std::memcpy(&narrow, bytes, size == 4 ? size : 0);
+        values.push_back(size == 8 ? wide : static_cast<double>(narrow));
+    }
+    return values;
+}
+
+void take_coordinates(TextSource& source, const char* field, size_t axis, Grid& grid)
+{
+    constexpr double tolerance = 1e-3;  // of a voxel
+    const std::vector<double> places = coordinates(source, grid.binary, field, grid.points[axis]);
+    grid.origin[axis] = places.front();
+    if (places.size() == 1)
+        return;
+    const double step = (places.back() - places.front()) / static_cast<double>(places.size() - 1);
+    for (size_t i = 0; i < places.size(); ++i)
+        if (!(std::abs(places[i] - places.front() - static_cast<double>(i) * step) <= tolerance * std::abs(step)))
+            throw Error(CLEFT_ERROR_UNSUPPORTED,
+                        std::string("its rectilinear grid is not evenly spaced (") + field + "): resample it");
+    grid.spacing[axis] = step;
+}
+
+// Takes a keyword of the geometry; false if it is none.
+bool take_geometry(TextSource& source, const std::string& keyword, bool rectilinear, Grid& grid)
+{
+    static constexpr std::array<const char*, 3> names{"X_COORDINATES", "Y_COORDINATES", "Z_COORDINATES"};
+    if (keyword == "DIMENSIONS") {
+        take_dimensions(source, grid);
+    } else if (!rectilinear && keyword == "ORIGIN") {
+        grid.origin = three_reals(source, "ORIGIN");
+    } else if (!rectilinear && (keyword == "SPACING" || keyword == "ASPECT_RATIO")) {
+        grid.spacing = three_reals(source, "SPACING");
+    } else if (keyword == "METADATA") {
+        skip_vtk_metadata(source);
+    } else if (keyword == "FIELD") {
+        skip_vtk_field(source, grid.binary);
+    } else {
+        const auto found = std::find(names.begin(), names.end(), keyword);
+        if (!rectilinear || found == names.end())
+            return false;
+        if (grid.points[0] == 0)
+            throw Error(CLEFT_ERROR_FORMAT, "its DIMENSIONS must come before its coordinates");
+        take_coordinates(source, *found, static_cast<size_t>(found - names.begin()), grid);
+    }
+    return true;
+}
+
+std::string upper_case(std::string_view text)
+{
+    std::string upper(text);
+    std::transform(upper.begin(), upper.end(), upper.begin(),
+                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+    return upper;
+}
+
+// Up to POINT_DATA or CELL_DATA, which are left for the next reader.
+Grid read_grid(TextSource& source)
+{
+    std::string line;
+    source.next_line(line);       // "# vtk DataFile Version 3.0"
+    if (!source.next_line(line))  // the title, which may be anything
+        throw Error(CLEFT_ERROR_FORMAT, "its header is cut short");
+    Grid grid;
+    const std::string coding = upper_case(source.word());
+    if (coding != "ASCII" && coding != "BINARY")
+        throw Error(CLEFT_ERROR_FORMAT, "its third line is neither ASCII nor BINARY");
+    grid.binary = coding == "BINARY";
+    std::string keyword = upper_case(source.word());
+    while (keyword == "FIELD" || keyword == "METADATA" || (!keyword.empty() && keyword[0] == '#')) {
+        if (keyword == "FIELD")
+            skip_vtk_field(source, grid.binary);
+        else if (keyword == "METADATA")
+            skip_vtk_metadata(source);
+        else
+            source.next_line(line);
+        keyword = upper_case(source.word());
+    }
+    if (keyword != "DATASET")
+        throw Error(CLEFT_ERROR_FORMAT, "'" + keyword.substr(0, 40) + "' stands where DATASET is wanted");
+    const std::string kind = upper_case(source.word());
+    if (kind == "STRUCTURED_GRID")
+        throw Error(CLEFT_ERROR_UNSUPPORTED,
+                    "it is a STRUCTURED_GRID, whose points may lie anywhere: resample it to "
+                    "structured points");
+    if (kind != "STRUCTURED_POINTS" && kind != "RECTILINEAR_GRID")
+        throw Error(CLEFT_ERROR_UNSUPPORTED, "it holds a dataset of kind " + kind.substr(0, 40) + ", not a volume");
+    for (std::string_view next = source.peek(); !next.empty(); next = source.peek()) {
+        keyword = upper_case(next);
+        if (keyword == "POINT_DATA" || keyword == "CELL_DATA")
+            break;
+        source.word();
+        if (!take_geometry(source, keyword, kind == "RECTILINEAR_GRID", grid))
+            throw Error(CLEFT_ERROR_FORMAT, "its keyword '" + keyword.substr(0, 40) + "' is not known");
+    }
+    if (grid.points[0] == 0)
+        throw Error(CLEFT_ERROR_FORMAT, "it gives no DIMENSIONS");
+    return grid;
+}
+
+bool is_likely_name(const std::string& name)
+{
+    static const std::set<std::string> likely{"label",      "labels",       "labelmap",   "label_map",   "labelids",
+                                              "material",   "materials",    "materialid", "materialids", "material_id",
+                                              "featureids", "segmentation", "phase",      "phases",      "scalars"};
+    return likely.count(in_small_letters(name)) > 0;
+}
+
+// Of one array there is no question. Of several, the one that is called as labels are, if it is the only one.
+VtkArray chosen(const std::vector<VtkArray>& arrays, Image& image)
+{
+    std::string names;
+    std::vector<VtkArray> usable;
+    std::vector<VtkArray> likely;
+    for (const VtkArray& array : arrays) {
+        if (array.name == "vtkGhostType" || array.name == "vtkGhostLevels")
+            continue;
+        names += (names.empty() ? "'" : ", '") + array.name.substr(0, 60) + "'" +
+                 (array.on_cells ? " on cells" : " on points");
+        if (array.is_numeric && array.components == 1)
+            usable.push_back(array);
+        if (array.is_numeric && array.components == 1 && is_likely_name(array.name))
+            likely.push_back(array);
+    }
+    if (names.empty())
+        throw Error(CLEFT_ERROR_FORMAT, "it has no values on points or cells");
+    if (usable.empty())
+        throw Error(CLEFT_ERROR_FORMAT,
+                    "it has several numbers a voxel (colours or vectors: " + names + "); one is wanted");
+    if (arrays.size() == 1)
+        return usable.front();
+    if (usable.size() > 1 && likely.size() != 1)
+        throw Error(CLEFT_ERROR_FORMAT,
+                    "it has several arrays (" + names + "); keep one, or call one of them 'labels'");
+    const VtkArray& array = usable.size() == 1 ? usable.front() : likely.front();
+    if (names.find(',') != std::string::npos)
+        image.notes.push_back("it has several arrays (" + names + "), of which '" + array.name + "' is read");
+    return array;
+}
+
+void set_place(const Grid& grid, bool on_cells, Image& image)
+{
+    image.dims = on_cells ? cells_of(grid) : grid.points;
+    image.origin = grid.origin;
+    for (size_t axis = 0; axis < 3; ++axis) {
+        const double step = grid.spacing[axis];
+        if (on_cells && grid.points[axis] > 1)
+            image.origin[axis] += step / 2;
+        image.spacing[axis] = std::abs(step);
+        if (step < 0)
+            image.directions[axis] = times(-1, image.directions[axis]);
+    }
+}
+
+void read_bits(TextSource& source, Image& image)
+{
+    const auto count = static_cast<size_t>(image.field_size());
+    std::vector<unsigned char> packed((count + 7) / 8);
+    source.read(packed.data(), packed.size());
+    for (size_t i = 0; i < count; ++i)
+        image.voxels[i] = static_cast<std::byte>(packed[i / 8] >> (7 - i % 8) & 1);
+}
+
+// VTK writes a label map of bytes as colours.
+void store_colour(std::string_view word, Image& image, int64_t voxel)
+{
+    const double value = 255 * real_of("COLOR_SCALARS", word);
+    if (!(value > -0.01 && value < 255.01) || std::abs(value - std::round(value)) > 0.01)
+        refuse_field("COLOR_SCALARS", word, "a fraction of 255 is wanted");
+    image.voxels[static_cast<size_t>(voxel)] = static_cast<std::byte>(std::lround(value));
+}
+
+void read_values(const std::string& path, const Grid& grid, const VtkArray& array, Image& image)
+{
+    TextSource source(path);
+    source.skip(array.place - source.position());
+    allocate_voxels(image);
+    if (!grid.binary) {
+        const auto store = array.is_colour ? store_colour : store_text_voxel;
+        for (int64_t voxel = 0; voxel < image.field_size(); ++voxel)
+            store(source.word(), image, voxel);
+    } else if (array.is_bit) {
+        read_bits(source, image);
+    } else {
+        source.read(image.voxels.get(), image.bytes());
+        if (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__)
+            swap_bytes(image.voxels.get(), static_cast<size_t>(image.field_size()), size_of(image.component));
+    }
+}
+
+}  // namespace
+
+bool is_vtk_volume(const FileHead& head) { return !head.gzip && head.begins_with("# vtk DataFile"); }
+
+Image read_vtk_volume(const std::string& path, const FileHead&)
+{
+    TextSource source(path);
+    const Grid grid = read_grid(source);
+    const auto arrays = find_vtk_arrays(source, grid.binary, product_of(grid.points), product_of(cells_of(grid)));
+    Image image;
+    const VtkArray array = chosen(arrays, image);
+    image.component = array.component;
+    set_place(grid, array.on_cells, image);
+    read_values(path, grid, array, image);
+    return image;
+}
+
+}  // namespace cleft::io

@@ -1,0 +1,247 @@
+// Data behind a header or beside it. Sizes are checked before memory is taken.
+#include "io/voxel_data.hpp"
+
+#include "base/error.hpp"
+#include "io/text_scanner.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+
+namespace cleft::io
+{
+
+namespace
+{
+
+template <class T>
+bool store_number(std::string_view word, std::byte* to)
+{
+    T value{};
+    const char* begin = word.data() + (word.size() > 1 && word[0] == '+' ? 1 : 0);
+    const char* end = word.data() + word.size();
+    const auto result = std::from_chars(begin, end, value);
+    std::memcpy(to, &value, sizeof value);
+    return result.ec == std::errc() && result.ptr == end;
+}
+
+bool store_word(std::string_view word, Component component, std::byte* to)
+{
+    switch (component) {
+        case Component::uint8:
+            return store_number<uint8_t>(word, to);
+        case Component::int8:
+            return store_number<int8_t>(word, to);
+        case Component::uint16:
+            return store_number<uint16_t>(word, to);
+        case Component::int16:
+            return store_number<int16_t>(word, to);
+        case Component::uint32:
+            return store_number<uint32_t>(word, to);
+        case Component::int32:
+            return store_number<int32_t>(word, to);
+        case Component::uint64:
+            return store_number<uint64_t>(word, to);
+        case Component::int64:
+            return store_number<int64_t>(word, to);
+        case Component::float32:
+            return store_number<float>(word, to);
+        case Component::float64:
+            break;
+    }
+    return store_number<double>(word, to);
+}
+
+bool is_separator(char c) { return c == ' ' || c == ',' || (c >= '\t' && c <= '\r'); }
+
+// The bytes of all voxels as a file would have them. Throws where allocate_voxels() would for their number.
+uintmax_t bytes_wanted(const Image& image)
+{
+    constexpr auto most = static_cast<uintmax_t>(std::numeric_limits<int64_t>::max());
+    uintmax_t bytes = size_of(image.component);
+    for (const int64_t factor : {image.dims[0], image.dims[1], image.dims[2], image.fields}) {
+        if (factor < 1)
+            throw Error(CLEFT_ERROR_FORMAT, "there are no voxels");
+        if (static_cast<uintmax_t>(factor) > most / bytes)
+            throw Error(CLEFT_ERROR_TOO_LARGE, "there are too many voxels");
+        bytes *= static_cast<uintmax_t>(factor);
+    }
+    return bytes;
+}
+
+// The place behind so many lines.
+uintmax_t behind_lines(const std::string& path, uintmax_t offset, int64_t lines)
+{
+    ByteSource source(path, Coding::plain, offset);
+    std::vector<char> buffer(size_t{1} << 16);
+    for (size_t got = 1; lines > 0;) {
+        got = source.read_some(buffer.data(), buffer.size());
+        if (got == 0)
+            throw Error(CLEFT_ERROR_FORMAT, "it ends within the lines that are to be skipped");
+        for (size_t i = 0; i < got && lines > 0; ++i, ++offset)
+            lines -= buffer[i] == '\n';
+    }
+    return offset;
+}
+
+ByteSource open_data(const VoxelData& data, const std::string& path, uintmax_t bytes)
+{
+    if (data.offset == -1) {
+        const uintmax_t size = ByteSource(path, Coding::plain).left();
+        return ByteSource(path, Coding::plain, size < bytes ? 0 : size - bytes);
+    }
+    uintmax_t begin = static_cast<uintmax_t>(data.offset);
+    if (data.lines > 0)
+        begin = behind_lines(path, begin, data.lines);
+    if (data.encoding != VoxelData::Encoding::deflated)
+        return ByteSource(path, Coding::plain, begin);
+    return ByteSource(path, Coding::deflated, begin, data.length);
+}
+
+// A little more than the header tells of is passed over with a note; as much again means that the header is wrong.
+void check_end(ByteSource& source, size_t wanted, Image& image)
+{
+    std::vector<char> waste(size_t{1} << 16);
+    size_t surplus = 0;
+    for (size_t got = 1; got > 0 && surplus < wanted; surplus += got)
+        got = source.read_some(waste.data(), waste.size());
+    if (surplus >= wanted)
+        throw Error(CLEFT_ERROR_FORMAT, "its header tells of " + std::to_string(wanted) +
+                                            " bytes of voxels, but there are twice as many or more");
+    if (surplus > 0)
+        image.notes.push_back(std::to_string(surplus) + " bytes behind its voxels are not read: is its size right?");
+}
+
+// Takes memory when the first file has shown that it can hold its share.
+void allocate_once(Image& image)
+{
+    if (!image.voxels)
+        allocate_voxels(image);
+}
+
+void read_binary(ByteSource source, size_t begin, size_t bytes, Image& image)
+{
+    source.expect(bytes);
+    allocate_once(image);
+    source.read(image.voxels.get() + begin, bytes);
+    check_end(source, bytes, image);
+}
+
+int hex_digit(char c)
+{
+    if (c >= '0' && c <= '9')
+        return c - '0';
+    if (c >= 'a' && c <= 'f')
+        return c - 'a' + 10;
+    return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+}
+
+void read_hex(ByteSource source, size_t begin, size_t bytes, Image& image)
+{
+    source.expect(2 * bytes);
+    allocate_once(image);
+    const std::string text = source.read_rest();
+    size_t at = 0;
+    const auto next = [&] {
+        while (at < text.size() && is_separator(text[at]))
+            ++at;
+        if (at == text.size())
+            throw Error(CLEFT_ERROR_FORMAT, "its hexadecimal data end too early");
+        const int digit = hex_digit(text[at++]);
+        if (digit < 0)
+            throw Error(CLEFT_ERROR_FORMAT, std::string("'") + text[at - 1] + "' is no hexadecimal digit");
+        return digit;
+    };
+    for (size_t i = 0; i < bytes; ++i) {
+        const int high = next();
+        image.voxels[begin + i] = static_cast<std::byte>(16 * high + next());
+    }
+    if (std::any_of(text.begin() + static_cast<std::ptrdiff_t>(at), text.end(),
+                    [](char c) { return !is_separator(c); }))
+        throw Error(CLEFT_ERROR_FORMAT, "it has more hexadecimal digits than its header tells of");
+}
+
+void read_text(ByteSource source, int64_t first, int64_t count, Image& image)
+{
+    source.expect(2 * static_cast<uintmax_t>(count) - 1);  // a digit each, and blanks between them
+    allocate_once(image);
+    const std::string text = source.read_rest();
+    std::string_view rest = read_text_voxels(text, image, first, count);
+    if (std::any_of(rest.begin(), rest.end(), [](char c) { return !is_separator(c); }))
+        throw Error(CLEFT_ERROR_FORMAT, "it has more numbers than its header tells of");
+}
+
+bool is_swapped(bool big_endian) { return big_endian != (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__); }
+
+}  // namespace
+
+void swap_bytes(std::byte* values, size_t count, size_t size)
+{
+    if (size > 1)
+        for (std::byte* at = values; at < values + count * size; at += size)
+            std::reverse(at, at + size);
+}
+
+std::string beside(const std::string& header, const std::string& name)
+{
+    return (std::filesystem::path(header).parent_path() / name).string();
+}
+
+void store_text_voxel(std::string_view word, Image& image, int64_t voxel)
+{
+    if (!store_word(word, image.component, image.voxels.get() + static_cast<size_t>(voxel) * size_of(image.component)))
+        throw Error(CLEFT_ERROR_FORMAT, "'" + std::string(word.substr(0, 40)) +
+                                            "' among its voxels is no number of the type that is given");
+}
+
+std::string_view read_text_voxels(std::string_view text, Image& image, int64_t first, int64_t count)
+{
+    size_t at = 0;
+    for (int64_t voxel = first; voxel < first + count; ++voxel) {
+        while (at < text.size() && is_separator(text[at]))
+            ++at;
+        size_t end = at;
+        while (end < text.size() && !is_separator(text[end]))
+            ++end;
+        if (at == end)
+            throw Error(CLEFT_ERROR_FORMAT,
+                        "it ends too early: " + std::to_string(first + count - voxel) + " numbers are missing");
+        store_text_voxel(text.substr(at, end - at), image, voxel);
+        at = end;
+    }
+    return text.substr(at);
+}
+
+void read_voxels(const VoxelData& data, Image& image)
+{
+    const uintmax_t total = bytes_wanted(image);
+    const uintmax_t size = size_of(image.component);
+    const uintmax_t files = data.files.size();
+    if (files == 0 || total / size % files != 0)
+        throw Error(CLEFT_ERROR_FORMAT, "its voxels cannot be shared evenly among " + std::to_string(files) + " files");
+    const auto share = static_cast<size_t>(total / files);
+    for (size_t f = 0; f < files; ++f) {
+        const size_t begin = f * share;
+        const auto read = [&] {
+            ByteSource source = open_data(data, data.files[f], share);
+            source.skip(static_cast<uintmax_t>(data.skip));
+            if (data.encoding == VoxelData::Encoding::text)
+                read_text(std::move(source), static_cast<int64_t>(begin / size), static_cast<int64_t>(share / size),
+                          image);
+            else if (data.encoding == VoxelData::Encoding::hex)
+                read_hex(std::move(source), begin, share, image);
+            else
+                read_binary(std::move(source), begin, share, image);
+        };
+        if (data.attached)
+            read();
+        else
+            naming_file(data.files[f], read);
+    }
+    if (data.encoding != VoxelData::Encoding::text && is_swapped(data.big_endian))
+        swap_bytes(image.voxels.get(), static_cast<size_t>(total / size), static_cast<size_t>(size));
+}
+
+}  // namespace cleft::io

@@ -1,0 +1,39 @@
+// The arrays of a legacy VTK file behind its geometry, found without reading more than one of them.
+#pragma once
+
+#include "io/image.hpp"
+#include "io/text_source.hpp"
+
+#include <string>
+#include <vector>
+
+namespace cleft::io
+{
+
+struct VtkArray {
+    std::string name;
+    bool on_cells = false;
+    int64_t tuples = 0;
+    int64_t components = 1;
+    bool is_bit = false;
+    bool is_colour = false;  // bytes in binary files, fractions of 255 in text
+    bool is_numeric = true;
+    Component component = Component::uint8;
+    uintmax_t place = 0;  // of its values in the file
+};
+
+// The arrays of points and cells, of which there must be so many. `source` stands at POINT_DATA, CELL_DATA or FIELD.
+// Throws Errors that do not name the file.
+std::vector<VtkArray> find_vtk_arrays(TextSource& source, bool binary, int64_t points, int64_t cells);
+
+// Passes over the values of an array of this type; "vtkIdType" and so on are the names in the file.
+void skip_vtk_values(TextSource& source, bool binary, const std::string& type, int64_t count);
+// Passes over a block METADATA, up to the next blank line, if there is one.
+void skip_vtk_metadata(TextSource& source);
+// FIELD name n, of which the first word was taken: passes over arrays that belong to neither points nor cells.
+void skip_vtk_field(TextSource& source, bool binary);
+
+// A count that stands in the file. `what` is for Errors.
+int64_t vtk_count(TextSource& source, const char* what);
+
+}  // namespace cleft::io
