@@ -248,6 +248,30 @@ static void test_sizing_of_sheared_grids(void** state)
     cleft_volume_destroy(volume);
 }
 
+/* Legacy VTK has no directions: the grid is straight. */
+static void test_sizing_comes_back_from_vtk(void** state)
+{
+    fixture* f = *state;
+    const double affine[12] = {0.1, 0, 0, 10, 0, 1.5, 0, -20, 0, 0, 2, 30};
+    cleft_volume* volume = make_volume(f, affine);
+    cleft_sizing* sizing = make_sizing(f, volume);
+    cleft_sizing* read = NULL;
+    int64_t dims[3];
+    double read_affine[12];
+    double* values = NULL;
+    assert_int_equal(cleft_io_write_sizing(f->context, sizing, path_of(f, "a.vtk"), 0), CLEFT_OK);
+    assert_int_equal(cleft_io_read_field(f->context, f->path, NULL, dims, read_affine, &values), CLEFT_OK);
+    for (int a = 0; a < 12; ++a)
+        assert_true(read_affine[a] == affine[a]); /* the shortest decimals that give the same number back */
+    for (int v = 0; v < VOXELS; ++v)
+        assert_true(values[v] == (double)cleft_sizing_values(sizing)[v]);
+    cleft_io_free(values);
+    assert_int_equal(cleft_io_read_sizing(f->context, volume, f->path, NULL, 0, NULL, &read), CLEFT_OK);
+    cleft_sizing_destroy(read);
+    cleft_sizing_destroy(sizing);
+    cleft_volume_destroy(volume);
+}
+
 static void test_sizing_of_another_grid_is_refused(void** state)
 {
     fixture* f = *state;
@@ -355,6 +379,7 @@ int main(void)
         TEST(test_raw_refusals),
         TEST(test_sizing_comes_back),
         TEST(test_sizing_of_sheared_grids),
+        TEST(test_sizing_comes_back_from_vtk),
         TEST(test_sizing_of_another_grid_is_refused),
         TEST(test_scale_takes_origin_and_spacing),
         TEST(test_full_disk_keeps_the_old_field),
