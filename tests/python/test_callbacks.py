@@ -122,7 +122,8 @@ class Callbacks(unittest.TestCase):
             cleft.mesh(ball_volume(), mesher=inner, **QUICK)
 
         inner = cleft.Mesher(progress=progress)
-        with self.assertRaises(RuntimeError):
+        self.assertTrue(issubclass(cleft.Busy, RuntimeError))
+        with self.assertRaises(cleft.Busy):
             cleft.mesh(ball_volume(), mesher=inner, **QUICK)
         self.assertTrue(cleft.mesh(ball_volume(), mesher=mesher, **QUICK))
 

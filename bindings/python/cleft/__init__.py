@@ -10,7 +10,7 @@
 from __future__ import annotations
 
 from . import native as _native
-from .errors import (Cancelled, CleftError, CleftWarning, Closed, FileError, FormatError, InternalError,
+from .errors import (Busy, Cancelled, CleftError, CleftWarning, Closed, FileError, FormatError, InternalError,
                      InvalidArgument, InvalidMesh, LabelLost, NotFinite, OptionError, OutOfMemory, TooLarge, Unsupported)
 from .files import (Format, formats, guess, read_field, read_mesh, read_raw, read_sizing, read_volume, write_mesh,
                     write_sizing)
@@ -27,11 +27,10 @@ __version__: str = _native.cleft_version(None, None, None)
 has_tetgen: bool = bool(_native.cleft_has_tetgen())
 
 __all__ = [
-    "SIDES", "Cancelled", "CleftError", "CleftWarning", "Closed", "Contact", "FileError", "Format", "FormatError",
+    "SIDES", "Busy", "Cancelled", "CleftError", "CleftWarning", "Closed", "Contact", "FileError", "Format", "FormatError",
     "InternalError", "InvalidArgument", "InvalidMesh", "LabelLost", "LabelReport", "Mesh", "Mesher", "NotFinite",
     "OptionDescription", "OptionError", "OptionKeywords", "Options", "OutOfMemory", "Quality", "Report", "Sizing",
-    "Surface", "TooLarge",
-    "Unsupported", "Validation", "Volume", "cleave", "formats", "guess", "has_tetgen", "improve", "make_background",
-    "mesh", "option_table", "read_field", "read_mesh", "read_raw", "read_sizing", "read_volume", "strip_labels",
-    "write_mesh", "write_sizing",
+    "Surface", "TooLarge", "Unsupported", "Validation", "Volume", "cleave", "formats", "guess", "has_tetgen", "improve",
+    "make_background", "mesh", "option_table", "read_field", "read_mesh", "read_raw", "read_sizing", "read_volume",
+    "strip_labels", "write_mesh", "write_sizing",
 ]

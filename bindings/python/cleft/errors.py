@@ -122,9 +122,15 @@ class Closed(CleftError, ValueError):
     status = -15
 
 
+class Busy(CleftError, RuntimeError):
+    """The Mesher runs another call."""
+
+    status = -16
+
+
 _CLASSES = {kind.status: kind for kind in (
     InternalError, OutOfMemory, Cancelled, InvalidArgument, NotFinite, TooLarge, OptionError, Unsupported, InvalidMesh,
-    LabelLost, FileError, FormatError, Closed)}
+    LabelLost, FileError, FormatError, Closed, Busy)}
 _CLASSES[-4] = InvalidArgument  # a missing pointer
 _CLASSES[-8] = InvalidArgument  # a buffer that is too small
 

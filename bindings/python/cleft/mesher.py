@@ -8,7 +8,7 @@ from typing import Any, Callable, Iterator
 from . import native
 from ._arrays import whole_number
 from ._handle import Handle
-from .errors import Closed, CleftError, raise_for, warn
+from .errors import Busy, Closed, CleftError, raise_for, warn
 
 #: Called with the fraction done and the stage in words. An answer that is false stops the call (False, numpy.False_, 0);
 #: no answer (None) and true ones go on.
@@ -32,7 +32,7 @@ class Mesher:
     are called on the thread that made the call; an exception that they raise stops the call and comes out of it. Ctrl-C
     stops the call with KeyboardInterrupt. Without a `log`, warnings come as CleftWarning through Python's `warnings`.
 
-    One call runs on a Mesher at a time; another thread that tries gets a RuntimeError. cancel() is for other threads.
+    One call runs on a Mesher at a time; another thread that tries gets Busy, a RuntimeError. cancel() is for other threads.
     """
 
     def __init__(self, threads: int = 1, progress: Progress | None = None, log: Log | None = None) -> None:
@@ -107,7 +107,7 @@ class Mesher:
     @contextlib.contextmanager
     def _running(self) -> Iterator[None]:
         if not self._busy.acquire(blocking=False):
-            raise RuntimeError("this Mesher is running another call; use one Mesher a thread")
+            raise Busy("this Mesher is running another call; use one Mesher a thread")
         try:
             yield
         finally:
