@@ -20,8 +20,13 @@ foreach(library ${libraries})
     configure_file(${file} ${FOLDER}/runtimes/${RUNTIME}/native/${name} COPYONLY)
 endforeach()
 
-file(GLOB_RECURSE licence ${STAGE}/LICENSE)
-configure_file(${licence} ${FOLDER}/LICENSE.txt COPYONLY)
+# NuGet shows one file as the licence: what the package is made of, and the text of Cleft's own licence.
+file(GLOB_RECURSE licence_file ${STAGE}/LICENSE)
+file(GLOB_RECURSE notice_file ${STAGE}/NOTICE)
+file(READ ${licence_file} licence_text)
+file(READ ${notice_file} notice_text)
+string(REPLACE "the file LICENSE" "the second half of this file" notice_text "${notice_text}")
+file(WRITE ${FOLDER}/LICENSE.txt "${notice_text}\n\n${licence_text}")
 configure_file(${CMAKE_CURRENT_LIST_DIR}/Cleft.targets.in ${FOLDER}/build/netstandard2.0/Cleft.targets @ONLY)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/Cleft.nuspec.in ${FOLDER}/Cleft.nuspec @ONLY)
 file(WRITE "${FOLDER}/[Content_Types].xml" [[<?xml version="1.0" encoding="utf-8"?>

@@ -11,13 +11,13 @@ Name: cleft
 Version: {version}
 Summary: Conforming multi-material tetrahedral meshes from labelled volumes
 Author: The Cleft authors
-License: MIT
+License: {licence}
 License-File: LICENSE
+License-File: NOTICE
 Keywords: mesh generation,tetrahedra,segmentation,image-based meshing,finite elements
 Classifier: Development Status :: 4 - Beta
 Classifier: Intended Audience :: Science/Research
-Classifier: License :: OSI Approved :: MIT License
-Classifier: Operating System :: POSIX :: Linux
+{licences}Classifier: Operating System :: POSIX :: Linux
 Classifier: Programming Language :: C++
 Classifier: Programming Language :: Python :: 3 :: Only
 Classifier: Programming Language :: Python :: 3.11
@@ -34,15 +34,30 @@ Description-Content-Type: text/markdown
 
 {description}"""
 
+CLASSIFIERS = {
+    "MIT": "MIT License",
+    "AGPL-3.0-or-later": "GNU Affero General Public License v3 or later (AGPLv3+)",
+}
+
 
 def folder_name(version):
     return f"cleft-{version}.dist-info"
 
 
-def files(version):
+def add_licence_to(parser):
+    """The arguments that say what the build is made of."""
+    parser.add_argument("--licence", required=True, help="of the whole, as an SPDX expression")
+    parser.add_argument("--notice", required=True, type=pathlib.Path, help="the file that says what follows")
+
+
+def files(options):
     """The files of the folder, but for RECORD and what the way of installing adds: {name: contents}."""
+    licences = "".join(f"Classifier: License :: OSI Approved :: {name}\n" for word, name in CLASSIFIERS.items()
+                       if word in options.licence.split())
     description = (SOURCE / "docs/python.md").read_text(encoding="utf-8")
-    return {"METADATA": METADATA.format(version=version, description=description).encode(),
+    return {"METADATA": METADATA.format(version=options.version, licence=options.licence, licences=licences,
+                                        description=description).encode(),
+            "NOTICE": options.notice.read_bytes(),
             "LICENSE": (SOURCE / "LICENSE").read_bytes()}
 
 
@@ -59,9 +74,10 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--version", required=True)
     parser.add_argument("--packages", required=True, type=pathlib.Path, help="the folder that has the package cleft")
+    add_licence_to(parser)
     options = parser.parse_args()
 
-    own = {**files(options.version), "INSTALLER": b"cmake\n"}
+    own = {**files(options), "INSTALLER": b"cmake\n"}
     package = options.packages / "cleft"
     contents = {f"cleft/{path.name}": path.read_bytes() for path in sorted(package.iterdir()) if path.is_file()}
     contents.update({f"{folder_name(options.version)}/{name}": data for name, data in own.items()})

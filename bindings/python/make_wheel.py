@@ -28,13 +28,14 @@ def members(stage):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--version", required=True)
+    dist_info.add_licence_to(parser)
     parser.add_argument("--stage", required=True, type=pathlib.Path)
     parser.add_argument("--output", required=True, type=pathlib.Path)
     options = parser.parse_args()
 
     info = dist_info.folder_name(options.version)
     contents = {name: path.read_bytes() for name, path in members(options.stage)}
-    own = {**dist_info.files(options.version), "WHEEL": WHEEL.format(tag=tag()).encode()}
+    own = {**dist_info.files(options), "WHEEL": WHEEL.format(tag=tag()).encode()}
     contents.update({f"{info}/{name}": data for name, data in own.items()})
     contents[f"{info}/RECORD"] = dist_info.record(contents, options.version)
 

@@ -55,7 +55,7 @@ function(cleft_install_core)
     cleft_install_library(cleft_shared shared runtime development)
     cleft_install_library(cleft_static static development development)
     cleft_install_headers(development cleft.h cleft_status.h)
-    install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+    install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_BINARY_DIR}/install/NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development
         FILES_MATCHING PATTERN *.md PATTERN decisions EXCLUDE PATTERN images EXCLUDE)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development

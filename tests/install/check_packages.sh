@@ -1,10 +1,11 @@
 #!/bin/sh
-# Do the Debian packages install, work and go away again? check_packages.sh BUILD FOLDER PROGRAM.c: makes them, installs them
+# Do the Debian packages install, work and go away again? check_packages.sh BUILD FOLDER PROGRAM.c TETGEN (ON or OFF): makes them, installs them
 # into a root of their own, builds and runs PROGRAM with what is there, and removes them.
 set -eu
 build=$1
 folder=$2
 program=$3
+tetgen=$4
 root=$folder/root
 
 rm -rf "$folder"
@@ -32,6 +33,14 @@ expect "libcleft0 (= " "$(field libcleft-dev Depends)"
 expect "activate-noawait ldconfig" "$(dpkg-deb -I "$folder"/packages/libcleft0_*.deb triggers)"
 expect "libcleft 0 libcleft0 (>= " "$(dpkg-deb -I "$folder"/packages/libcleft0_*.deb shlibs)"
 for package in $packages; do
+    text=$(dpkg-deb --fsys-tarfile "$package" | tar xO "./usr/share/doc/$(dpkg-deb -f "$package" Package)/copyright")
+    expect "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/" "$text"
+    expect "License: Expat" "$text"
+    expect "libcleft: Eigen" "$text"
+    case $tetgen in
+        ON) expect "must offer them the source" "$text" ;;
+        *) refuse AGPL "$text" ;;
+    esac
     if [ -n "$(dpkg-deb -c "$package" | awk '$2 != "root/root"')" ]; then
         echo "$package has files that are not root's"
         exit 1
