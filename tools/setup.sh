@@ -13,8 +13,8 @@ binding_packages="
     mono-devel"
 
 test_packages="
-    clang-format libcmocka-dev python3 mypy
-    gmsh calculix-ccx openfoam
+    clang clang-format libcmocka-dev python3 mypy
+    gmsh calculix-ccx openfoam getdp python3-dolfinx-real python3-gmsh
     gfortran make abigail-tools freefem++ man-db lintian
     python3-numpy python3-meshio python3-vtk9 python3-nibabel"
 
