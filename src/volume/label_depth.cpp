@@ -42,7 +42,7 @@ template <class Label>
 void find_depths(LabelMap<Label>& map, const Run& run)
 {
     const Grid& grid = map.grid;
-    const auto [nx, ny, nz] = grid.dims;
+    const auto nx = grid.dims[0], ny = grid.dims[1], nz = grid.dims[2];  // lambdas of C++17 capture no bindings
     const auto size = static_cast<size_t>(grid.size()) + kLanes;
     map.weight.assign(size, kWeightOne);
     map.code.assign(size, 0);
