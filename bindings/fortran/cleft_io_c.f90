@@ -61,7 +61,7 @@ module cleft_io_c
     integer(c_int32_t) :: struct_size
     integer(c_int32_t) :: type
     integer(c_int32_t) :: big_endian
-    integer(c_int32_t) :: reserved
+    integer(c_int32_t) :: kind
     integer(c_int64_t) :: skip
     integer(c_int64_t) :: dims(3)
     real(c_double) :: spacing(3)

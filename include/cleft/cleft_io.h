@@ -84,13 +84,15 @@ enum {
     CLEFT_IO_WORLD_RAS = 1  /**< right, anterior, superior: NIfTI's; the first two coordinates change their sign */
 };
 
-/** What the voxels of a file mean. \since 0.1 */
+/** What the voxels of files mean. docs/formats.md tells how CLEFT_IO_KIND_AUTO decides, and what it refuses. \since 0.1
+ */
 typedef int32_t cleft_io_kind;
 enum {
-    /** One file of whole-number voxels, or of floating-point voxels that are all whole and none negative: labels.
-     *  Anything else: indicator functions. */
+    /** By the values. One file: whole numbers are labels, also where they are up to 1/50 off; fractions on both sides
+     * of 0 that change from voxel to voxel are a signed function. Several files or frames: 0 and one other whole number
+     * each are masks; fractions are indicator functions. Anything else is refused. */
     CLEFT_IO_KIND_AUTO = 0,
-    CLEFT_IO_KIND_LABELS = 1,    /**< labels; a voxel that is no whole number is an error */
+    CLEFT_IO_KIND_LABELS = 1,    /**< labels: fractions are rounded to the nearest; or several masks */
     CLEFT_IO_KIND_INDICATORS = 2 /**< indicator functions, of any type of voxels */
 };
 
@@ -110,18 +112,25 @@ typedef struct cleft_io_reading {
 /** Reads a volume. `options` (may be NULL) are those of cleft_volume_create_labels(); `reading` may be NULL for the
  *  defaults.
  *
- *  One path: a label map, a signed function (floating point, inside where > 0) or, if the file has four dimensions,
- *  indicator functions. Several paths: one indicator function each, in the order of their materials 0, 1, 2, ...; all
- *  must lie on the same grid. Which of these: see cleft_io_kind.
+ *  One path: a label map, or a signed function (inside where > 0). Several paths, or the frames of a file with four
+ *  dimensions: masks or indicator functions, in the order of their labels 0, 1, 2, ...; all must lie on the same grid.
+ * Of masks a label map is made: a voxel of several goes to the first, and voxels of none become a label of their own,
+ * the number of the masks. Which of these: see cleft_io_kind.
+ *
+ *  What was noticed about the files goes to the log callback as warnings, each a sentence: voxels that were rounded,
+ * that no mask or several claim, that are equal in all functions, an origin that does not follow a new spacing. Names
+ * that a file gives to its labels are set by cleft_volume_set_label_name().
  *
  *  A path may also be a folder with a DICOM series, or a series of slices with '*' and '?' (in the order of
- *  the numbers in their names) or one %d, %03d ... (counted from 0 or 1 up to the first that is missing).
+ *  the numbers in their names) or one %d, %03d ... (counted from 0 or 1; none may be missing). A folder with several
+ *  series is refused with the names of them all.
  *
  *  Spacing, origin and direction of the file are kept. Images of two dimensions become one voxel thick. TIFF, PNG,
  *  JPEG and BMP know nothing of the third dimension: their voxels are unit cubes unless `reading` tells the spacing.
- *  Refused with CLEFT_ERROR_FORMAT: more than one number a voxel (colours, vectors), labels outside int32_t, spacings
- *  that are zero or not finite, direction axes that lie in a plane. CLEFT_ERROR_FILE: files that are not there, cannot
- *  be read, or are in no known format. The caller owns *out. \since 0.1 */
+ *  Refused with CLEFT_ERROR_FORMAT: more than one number a voxel (colours, vectors), labels outside int32_t, values
+ * that may mean several things, spacings that are zero or not finite, direction axes that lie in a plane.
+ *  CLEFT_ERROR_NOT_FINITE: a voxel that is not finite, with its place. CLEFT_ERROR_FILE: files that are not there,
+ * cannot be read, or are in no known format. The caller owns *out. \since 0.1 */
 CLEFT_IO_API cleft_status cleft_io_read_volume(cleft_context* context, const cleft_options* options,
                                                const char* const* paths, int64_t count, const cleft_io_reading* reading,
                                                cleft_volume** out) CLEFT_NOEXCEPT;
@@ -131,14 +140,14 @@ typedef struct cleft_io_raw {
     uint32_t struct_size;
     cleft_type type;
     int32_t big_endian; /**< nonzero: most significant byte first */
-    int32_t reserved;
-    int64_t skip;      /**< bytes before the first voxel; what follows must be exactly the voxels */
-    int64_t dims[3];   /**< voxels along x, y, z */
-    double spacing[3]; /**< lengths of a voxel, all > 0; or all 0 for unit cubes */
+    cleft_io_kind kind; /**< what the voxels mean */
+    int64_t skip;       /**< bytes before the first voxel; what follows must be exactly the voxels */
+    int64_t dims[3];    /**< voxels along x, y, z */
+    double spacing[3];  /**< lengths of a voxel, all > 0; or all 0 for unit cubes */
 } cleft_io_raw;
 
-/** Reads a label map (one path, whole-number type), a signed function (one path, floating point) or indicator functions
- *  (several paths) from files without a header. The corner of the box is at the origin. The caller owns *out.
+/** Reads files without a header. What they mean, by raw->kind, and what is told and refused, is as in
+ *  cleft_io_read_volume(). The corner of the box is at the origin. The caller owns *out.
  *  \since 0.1 */
 CLEFT_IO_API cleft_status cleft_io_read_raw(cleft_context* context, const cleft_options* options,
                                             const char* const* paths, int64_t count, const cleft_io_raw* raw,

@@ -43,6 +43,7 @@ cleft_io_raw raw_layout(const VolumeArguments& arguments)
     raw.struct_size = sizeof raw;
     raw.type = voxel_types.at(arguments.type);
     raw.big_endian = arguments.big_endian ? 1 : 0;
+    raw.kind = arguments.kind_number();
     raw.skip = arguments.skip;
     std::copy(arguments.dims.begin(), arguments.dims.end(), raw.dims);
     std::copy(arguments.spacing.begin(), arguments.spacing.end(), raw.spacing);
@@ -55,8 +56,9 @@ void VolumeArguments::add_inputs_to(CLI::App& app)
 {
     app.add_option("INPUT", inputs,
                    "A label map (NRRD, NIfTI, MetaImage, TIFF stack, DICOM folder ...),\n"
-                   "or several files: one indicator function a material, the largest\n"
-                   "wins; materials are called 0, 1, 2, ... in the order of the files")
+                   "or several files: one mask or one indicator function a material, of\n"
+                   "which the largest wins; materials are called 0, 1, 2, ... in the order\n"
+                   "of the files")
         ->required()
         ->type_name("");
 }
@@ -71,8 +73,9 @@ void VolumeArguments::add_reading_to(CLI::App& app)
         ->type_name("lps|ras")
         ->group(group);
     app.add_option("--as", kind,
-                   "What the voxels mean; auto: whole numbers are labels, others\n"
-                   "indicator functions, inside where > 0 (default auto)")
+                   "What the voxels mean: labels (rounded), or indicator functions, inside\n"
+                   "where > 0. auto: what the values show; where they leave it open, the\n"
+                   "file is refused (default auto)")
         ->check(CLI::IsMember({"auto", "labels", "indicators"}).description(""))
         ->type_name("auto|labels|indicators")
         ->group(group);
@@ -107,14 +110,19 @@ void VolumeArguments::add_reading_to(CLI::App& app)
     app.add_flag("--big-endian", big_endian, "Raw voxels have their most significant byte first")->group(group);
 }
 
+cleft_io_kind VolumeArguments::kind_number() const
+{
+    return kind == "labels"       ? CLEFT_IO_KIND_LABELS
+           : kind == "indicators" ? CLEFT_IO_KIND_INDICATORS
+                                  : CLEFT_IO_KIND_AUTO;
+}
+
 cleft_io_reading VolumeArguments::reading() const
 {
     cleft_io_reading reading = {};
     reading.struct_size = sizeof reading;
     reading.world = world_number();
-    reading.kind = kind == "labels"       ? CLEFT_IO_KIND_LABELS
-                   : kind == "indicators" ? CLEFT_IO_KIND_INDICATORS
-                                          : CLEFT_IO_KIND_AUTO;
+    reading.kind = kind_number();
     std::copy(spacing.begin(), spacing.end(), reading.spacing);
     reading.scale = scale;
     return reading;

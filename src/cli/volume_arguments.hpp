@@ -27,6 +27,7 @@ struct VolumeArguments {
     void add_reading_to(CLI::App& app);
 
     cleft_io_reading reading() const;
+    cleft_io_kind kind_number() const;
     cleft_io_world world_number() const { return world == "ras" ? CLEFT_IO_WORLD_RAS : CLEFT_IO_WORLD_LPS; }
     Volume read(Session& session, const cleft_options* options) const;
 };

@@ -1,6 +1,7 @@
 #include "io/raw_image.hpp"
 
 #include "base/error.hpp"
+#include "io/meaning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +51,7 @@ cleft_io_raw checked_layout(const cleft_io_raw* raw)
     cleft_io_raw layout{};
     std::memcpy(&layout, raw, std::min<size_t>(raw->struct_size, sizeof layout));
     component_of(layout.type);
+    check_kind(layout.kind);
     if (layout.skip < 0)
         throw Error(CLEFT_ERROR_ARGUMENT, "the number of bytes to skip is negative");
     for (int axis = 0; axis < 3; ++axis)

@@ -1,9 +1,11 @@
 // Entries: volumes and fields in, sizing fields out.
 #include "base/error.hpp"
 #include "cleft/cleft_io.h"
+#include "io/create_volume.hpp"
 #include "io/entry.hpp"
 #include "io/image_series.hpp"
 #include "io/raw_image.hpp"
+#include "io/same_grid.hpp"
 #include "io/text_scanner.hpp"
 #include "io/voxels.hpp"
 
@@ -27,8 +29,7 @@ cleft_io_reading reading_or_defaults(const cleft_io_reading* given)
         std::memcpy(&reading, given, std::min<size_t>(given->struct_size, sizeof reading));
     if (reading.world != CLEFT_IO_WORLD_LPS && reading.world != CLEFT_IO_WORLD_RAS)
         throw Error(CLEFT_ERROR_ARGUMENT, "there is no world " + std::to_string(reading.world));
-    if (reading.kind < CLEFT_IO_KIND_AUTO || reading.kind > CLEFT_IO_KIND_INDICATORS)
-        throw Error(CLEFT_ERROR_ARGUMENT, "there is no kind " + std::to_string(reading.kind));
+    check_kind(reading.kind);
     if (!std::isfinite(reading.scale) || reading.scale < 0)
         throw Error(CLEFT_ERROR_ARGUMENT, "the scale of origin and spacing must be positive");
     if (reading.scale == 0)
@@ -36,133 +37,38 @@ cleft_io_reading reading_or_defaults(const cleft_io_reading* given)
     return reading;
 }
 
-void create_labels(cleft_context* context, const cleft_options* options, Image& image, const Affine& affine,
-                   cleft_volume** out)
-{
-    if (image.fields != 1)
-        throw Error(CLEFT_ERROR_FORMAT, "it has four dimensions, but a label map has three");
-    make_labels(image);
-    check(context, cleft_volume_create_labels(context, type_of(image.component), image.voxels.get(), image.dims.data(),
-                                              affine.data(), options, out));
-}
-
-// All fields of all images; they are of one type here.
-void create_indicators(cleft_context* context, const std::vector<Image>& images, const Affine& affine,
-                       const std::string& who, cleft_volume** out)
-{
-    std::vector<const void*> fields;
-    for (const Image& image : images)
-        for (int64_t f = 0; f < image.fields; ++f)
-            fields.push_back(image.voxels.get() +
-                             static_cast<size_t>(f * image.field_size()) * size_of(image.component));
-    check(context,
-          cleft_volume_create_indicators(context, type_of(images.front().component), fields.data(),
-                                         static_cast<int64_t>(fields.size()), images.front().dims.data(), affine.data(),
-                                         nullptr, out),
-          who);
-}
-
-// Tells what the reader noticed about a file.
-void log_notes(cleft_context* context, const std::string& path, const Image& image)
-{
-    for (const std::string& note : image.notes)
-        check(context, cleft_context_log(context, CLEFT_LOG_WARNING, ("'" + path + "': " + note).c_str()));
-}
-
-Image read_and_tell(cleft_context* context, const std::string& path)
+Image read_and_tell(cleft_context* context, const std::string& path, const cleft_io_reading& reading)
 {
     Image image = read_image_or_series(path);
-    log_notes(context, path, image);
+    for (const std::string& note : image.notes)
+        tell(context, "'" + path + "': " + note);
+    for (const std::string& note : notes_on_spacing(image, reading))
+        tell(context, "'" + path + "': " + note);
     return image;
-}
-
-// For messages about all of them.
-std::string file_list(const char* const* paths, int64_t count)
-{
-    return std::string("'") + paths[0] + (count > 1 ? "' and others: " : "': ");
-}
-
-// The greatest distance between the places that two maps give to a corner of the grid, in voxels.
-double greatest_shift(const Affine& a, const Affine& b, const std::array<int64_t, 3>& dims)
-{
-    double shift = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-        double squared = 0;
-        for (size_t row = 0; row < 3; ++row) {
-            double way = a[4 * row + 3] - b[4 * row + 3];
-            for (size_t axis = 0; axis < 3; ++axis)
-                if (corner >> axis & 1)
-                    way += (a[4 * row + axis] - b[4 * row + axis]) * static_cast<double>(dims[axis]);
-            squared += way * way;
-        }
-        shift = std::max(shift, std::sqrt(squared));
-    }
-    double voxel = std::numeric_limits<double>::max();
-    for (size_t axis = 0; axis < 3; ++axis)
-        voxel = std::min(voxel, std::hypot(a[axis], a[4 + axis], a[8 + axis]));
-    return shift / voxel;
-}
-
-void check_same_grid(const Affine& a, const std::array<int64_t, 3>& dims_a, const Affine& b,
-                     const std::array<int64_t, 3>& dims_b, const std::string& other)
-{
-    constexpr double tolerance = 0.01;
-    const auto text = [](const std::array<int64_t, 3>& dims) {
-        return std::to_string(dims[0]) + " x " + std::to_string(dims[1]) + " x " + std::to_string(dims[2]);
-    };
-    if (dims_a != dims_b)
-        throw Error(CLEFT_ERROR_ARGUMENT, "it has " + text(dims_b) + " voxels, but " + other + " has " + text(dims_a));
-    if (greatest_shift(a, b, dims_a) > tolerance)
-        throw Error(CLEFT_ERROR_ARGUMENT, "its voxels are not at the places of those of " + other);
-}
-
-// One type for all: float, or double if one is double.
-void unify(std::vector<Image>& images)
-{
-    bool wide = false;
-    for (Image& image : images) {
-        make_floating(image);
-        wide = wide || image.component == Component::float64;
-    }
-    if (wide)
-        for (Image& image : images)
-            widen(image);
-}
-
-void read_indicators(cleft_context* context, const char* const* paths, int64_t count, const cleft_io_reading& reading,
-                     Image first, cleft_volume** out)
-{
-    const Affine affine = naming_file(paths[0], [&] { return affine_of(first, reading); });
-    std::vector<Image> images;
-    images.push_back(std::move(first));
-    for (int64_t i = 1; i < count; ++i) {
-        const char* path = required(paths[i], "a path");
-        images.push_back(read_and_tell(context, path));
-        naming_file(path, [&] {
-            check_same_grid(affine, images[0].dims, affine_of(images.back(), reading), images.back().dims,
-                            std::string("'") + paths[0] + "'");
-        });
-    }
-    unify(images);
-    create_indicators(context, images, affine, file_list(paths, count), out);
 }
 
 void read_volume(cleft_context* context, const cleft_options* options, const char* const* paths, int64_t count,
                  const cleft_io_reading& reading, cleft_volume** out)
 {
-    if (reading.kind == CLEFT_IO_KIND_LABELS && count > 1)
-        throw Error(CLEFT_ERROR_ARGUMENT, "a label map is one file, but there are " + std::to_string(count));
-    Image first = read_and_tell(context, required(paths[0], "a path"));
-    const bool may_be_labels = reading.kind == CLEFT_IO_KIND_AUTO && count == 1 && first.fields == 1;
-    if (reading.kind == CLEFT_IO_KIND_LABELS || (may_be_labels && looks_like_labels(first)))
-        naming_file(paths[0], [&] { create_labels(context, options, first, affine_of(first, reading), out); });
-    else
-        read_indicators(context, paths, count, reading, std::move(first), out);
+    std::vector<Source> sources;
+    VoxelGrid first{};
+    for (int64_t i = 0; i < count; ++i) {
+        const std::string path = required(paths[i], "a path");
+        sources.push_back({path, read_and_tell(context, path, reading)});
+        naming_file(path, [&] {
+            const Image& image = sources.back().image;
+            const VoxelGrid grid{image.dims, affine_of(image, reading)};
+            if (i == 0)
+                first = grid;
+            check_same_grid(grid, first, "'" + sources.front().path + "'");
+        });
+    }
+    create_volume(context, options, sources, first.affine, reading.kind, out);
 }
 
 Image read_field_image(cleft_context* context, const char* path, const cleft_io_reading& reading, Affine& affine)
 {
-    Image image = read_and_tell(context, path);
+    Image image = read_and_tell(context, path, reading);
     naming_file(path, [&] {
         if (image.fields != 1)
             throw Error(CLEFT_ERROR_FORMAT, "it has four dimensions, but a field has three");
@@ -201,17 +107,13 @@ cleft_status cleft_io_read_raw(cleft_context* context, const cleft_options* opti
         if (count < 1)
             throw cleft::Error(CLEFT_ERROR_ARGUMENT, "there must be at least one path");
         const cleft_io_raw layout = checked_layout(required(raw, "raw"));
-        std::vector<Image> images;
-        for (int64_t i = 0; i < count; ++i)
-            images.push_back(read_raw_image(required(paths[i], "a path"), layout));
-        const Affine affine = affine_of(images.front(), reading_or_defaults(nullptr));
-        if (is_floating(images.front().component)) {
-            create_indicators(context, images, affine, file_list(paths, count), out);
-        } else if (count == 1) {
-            create_labels(context, options, images.front(), affine, out);
-        } else {
-            throw cleft::Error(CLEFT_ERROR_ARGUMENT, "indicator functions must be floating-point numbers");
+        std::vector<Source> sources;
+        for (int64_t i = 0; i < count; ++i) {
+            const std::string path = required(paths[i], "a path");
+            sources.push_back({path, read_raw_image(path, layout)});
         }
+        const Affine affine = affine_of(sources.front().image, reading_or_defaults(nullptr));
+        create_volume(context, options, sources, affine, layout.kind, out);
     });
 }
 
@@ -275,7 +177,7 @@ cleft_status cleft_io_read_sizing(cleft_context* context, const cleft_volume* vo
         Image image = read_field_image(context, required(path, "path"), how, map);
         scale_values(how.scale, image);
         naming_file(path, [&] {
-            check_same_grid(affine, dims, map, image.dims, "the volume");
+            check_same_grid({image.dims, map}, {dims, affine}, "the volume");
             check(context, cleft_sizing_create_values(context, volume, type_of(image.component), image.voxels.get(),
                                                       combine, options, out));
         });

@@ -1,9 +1,11 @@
 #include "io/voxels.hpp"
 
 #include "base/error.hpp"
+#include "io/voxel_access.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -13,62 +15,29 @@ namespace cleft::io
 namespace
 {
 
-template <class T>
-T load(const std::byte* voxels, int64_t index)
+template <class Number>
+std::string whole_text(Number value)
 {
-    T value;
-    std::memcpy(&value, voxels + static_cast<size_t>(index) * sizeof(T), sizeof(T));
-    return value;
+    const std::string text = std::to_string(value);
+    return text.substr(0, text.find('.'));
 }
 
-template <class T>
-void store(std::byte* voxels, int64_t index, T value)
-{
-    std::memcpy(voxels + static_cast<size_t>(index) * sizeof(T), &value, sizeof(T));
-}
-
-// Calls body(value of the component's type).
-template <class Body>
-auto with_type(Component component, const Body& body)
-{
-    switch (component) {
-        case Component::uint8:
-            return body(uint8_t{});
-        case Component::int8:
-            return body(int8_t{});
-        case Component::uint16:
-            return body(uint16_t{});
-        case Component::int16:
-            return body(int16_t{});
-        case Component::uint32:
-            return body(uint32_t{});
-        case Component::int32:
-            return body(int32_t{});
-        case Component::uint64:
-            return body(uint64_t{});
-        case Component::int64:
-            return body(int64_t{});
-        case Component::float32:
-            return body(float{});
-        case Component::float64:
-            break;
-    }
-    return body(double{});
-}
-
+// Floating-point voxels are rounded to the nearest: what they mean was judged before.
 template <class To, class From>
 To label_from(From value)
 {
+    bool fits = true;
     if constexpr (std::is_floating_point_v<From>) {
-        if (!(std::floor(value) == value))
-            throw Error(CLEFT_ERROR_FORMAT, "labels are whole numbers, but a voxel is " + std::to_string(value));
-        if (value < static_cast<From>(std::numeric_limits<int32_t>::min()) || value >= static_cast<From>(0x1p31))
-            throw Error(CLEFT_ERROR_FORMAT, "label " + std::to_string(value) + " does not fit into 32 bits");
-    } else if constexpr (sizeof(From) > sizeof(int32_t)) {
-        if (value > static_cast<From>(std::numeric_limits<int32_t>::max()) ||
-            (std::is_signed_v<From> && value < static_cast<From>(std::numeric_limits<int32_t>::min())))
-            throw Error(CLEFT_ERROR_FORMAT, "label " + std::to_string(value) + " does not fit into 32 bits");
+        value = std::round(value);
+        fits = value >= static_cast<From>(std::numeric_limits<int32_t>::min()) && value < static_cast<From>(0x1p31);
+    } else {
+        fits = value <= static_cast<From>(std::numeric_limits<int32_t>::max()) &&
+               (!std::is_signed_v<From> || value >= static_cast<From>(std::numeric_limits<int32_t>::min()));
     }
+    if (!fits)
+        throw Error(CLEFT_ERROR_FORMAT, "label " + whole_text(value) +
+                                            " does not fit into 32 bits: renumber the labels from 0, in Python by "
+                                            "numpy.unique(voxels, return_inverse=True)");
     return static_cast<To>(value);
 }
 
@@ -99,6 +68,13 @@ double spacing_along(size_t axis, const Image& image, const cleft_io_reading& re
         throw Error(CLEFT_ERROR_FORMAT, "its spacing along axis " + std::to_string(axis) + " is " +
                                             std::to_string(spacing) + ": give the spacing yourself");
     return spacing;
+}
+
+std::string text_of(double number)
+{
+    char text[40];
+    std::snprintf(text, sizeof text, "%.6g", number);
+    return text;
 }
 
 void check_directions(const Image& image)
@@ -138,6 +114,25 @@ std::array<double, 12> affine_of(const Image& image, const cleft_io_reading& rea
     return affine;
 }
 
+std::vector<std::string> notes_on_spacing(const Image& image, const cleft_io_reading& reading)
+{
+    constexpr double another_unit = 9;
+    double greatest = 1;  // factor between the spacing wanted and the file's, either way
+    for (size_t axis = 0; axis < 3; ++axis)
+        if (reading.spacing[axis] > 0 && image.spacing[axis] > 0) {
+            const double factor = reading.spacing[axis] / (reading.scale * image.spacing[axis]);
+            greatest = std::max({greatest, factor, 1 / factor});
+        }
+    if (reading.scale != 1 && greatest > another_unit)
+        return {"the spacing asked for is taken as it is, and not multiplied by the scale " + text_of(reading.scale) +
+                ": it differs from the file's by a factor of " + text_of(greatest)};
+    if (reading.scale != 1 || greatest < 1.001 || length(image.origin) == 0)
+        return {};
+    return {"the spacing asked for replaces the file's, but the origin (" + text_of(image.origin[0]) + ", " +
+            text_of(image.origin[1]) + ", " + text_of(image.origin[2]) +
+            ") stays in the file's unit: a scale (--scale) takes both"};
+}
+
 void set_geometry(std::array<double, 12> affine, cleft_io_world world, Image& image)
 {
     if (world == CLEFT_IO_WORLD_RAS)
@@ -148,22 +143,6 @@ void set_geometry(std::array<double, 12> affine, cleft_io_world world, Image& im
         image.directions[axis] = times(1 / length(step), step);
         image.origin[axis] = affine[4 * axis + 3];
     }
-}
-
-bool looks_like_labels(const Image& image)
-{
-    return with_type(image.component, [&](auto zero) {
-        using T = decltype(zero);
-        if constexpr (std::is_floating_point_v<T>) {
-            const int64_t count = image.field_size() * image.fields;
-            for (int64_t i = 0; i < count; ++i) {
-                const T value = load<T>(image.voxels.get(), i);
-                if (!(value >= 0 && value < static_cast<T>(0x1p31) && std::floor(value) == value))
-                    return false;
-            }
-        }
-        return true;
-    });
 }
 
 cleft_type type_of(Component component)
@@ -197,7 +176,8 @@ void make_labels(Image& image)
         using From = decltype(zero);
         if constexpr (std::is_same_v<From, int8_t>)
             convert_voxels<int16_t, From>(image, Component::int16, [](From v) { return int16_t{v}; });
-        else if constexpr (std::is_floating_point_v<From> || sizeof(From) > sizeof(int32_t))
+        else if constexpr (std::is_floating_point_v<From> || std::is_same_v<From, uint32_t> ||
+                           sizeof(From) > sizeof(int32_t))
             convert_voxels<int32_t, From>(image, Component::int32, label_from<int32_t, From>);
     });
 }

@@ -55,10 +55,10 @@ def test_nrrd_contents():
     voxels = random_labels((2, 4, 3, 5), '<f4', (0.0, 1.0))
     refused(FORMAT, 'numbers a voxel', write_nrrd('vectors.nrrd', voxels, 'kinds: vector domain domain domain\n'))
     voxels = random_labels((4, 3, 5), '<f4', (-1.0, 2.0))
-    check((voxels > 0).astype(int), np.eye(3, 4), write_nrrd('signed.nrrd', voxels))
-    refused(FORMAT, 'whole', write_nrrd('fraction.nrrd', voxels / 4), kind=LABELS)
+    check((voxels > 0).astype(int), np.eye(3, 4), write_nrrd('signed.nrrd', voxels), kind=INDICATORS)
+    check(np.round(voxels / 4 + 0.1).astype(int), np.eye(3, 4), write_nrrd('fraction.nrrd', voxels / 4), kind=LABELS)
     voxels[1, 2, 3] = np.nan
-    refused(NOT_FINITE, '', write_nrrd('nan.nrrd', voxels))
+    refused(NOT_FINITE, '(1, 2, 3)', write_nrrd('nan.nrrd', voxels))
     refused(FORMAT, '237 bytes are missing', write_nrrd('short.nrrd', voxels, data=b'123'))
     refused(FILE, 'no such file', path('missing.nrrd'))
     with open(path('text.nrrd'), 'w') as file:
@@ -77,7 +77,7 @@ def test_indicators():
     check(winners, np.eye(3, 4), *names)
     whole = (fields * 250).astype('<u1')
     names = [write_nrrd('w%d.nrrd' % i, np.asfortranarray(field)) for i, field in enumerate(whole)]
-    check(whole.argmax(axis=0), np.eye(3, 4), *names)
+    check(whole.argmax(axis=0), np.eye(3, 4), *names, kind=INDICATORS)
     refused(ARGUMENT, 'one file', *names, kind=LABELS, named=False)
     affine = np.diag([2.0, 2, 2, 1])
     nibabel.save(nibabel.Nifti1Image(np.moveaxis(fields, 0, 3), affine), path('four.nii.gz'))

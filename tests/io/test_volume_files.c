@@ -145,7 +145,7 @@ static void test_raw_refusals(void** state)
     write_file(path, "", 0, bytes, VOXELS - 1);
     assert_refused(f, cleft_io_read_raw(f->context, NULL, &path, 1, &raw, &volume), CLEFT_ERROR_FORMAT, "59 bytes");
     write_file(path, "", 0, bytes, VOXELS);
-    assert_refused(f, cleft_io_read_raw(f->context, NULL, two, 2, &raw, &volume), CLEFT_ERROR_ARGUMENT, "floating");
+    assert_refused(f, cleft_io_read_raw(f->context, NULL, two, 2, &raw, &volume), CLEFT_ERROR_FORMAT, "no mask");
     assert_refused(f, cleft_io_read_raw(f->context, NULL, &path, 0, &raw, &volume), CLEFT_ERROR_ARGUMENT, "one path");
     assert_refused(f, cleft_io_read_raw(f->context, NULL, &none, 1, &raw, &volume), CLEFT_ERROR_NULL, "path");
     assert_refused(f, cleft_io_read_raw(f->context, NULL, &path, 1, NULL, &volume), CLEFT_ERROR_NULL, "raw");

@@ -1,0 +1,118 @@
+// Converts voxels to what the core takes, by what they mean, and hands them over.
+#include "io/create_volume.hpp"
+
+#include "base/error.hpp"
+#include "io/entry.hpp"
+#include "io/masks.hpp"
+#include "io/text_scanner.hpp"
+#include "io/voxel_access.hpp"
+#include "io/voxels.hpp"
+
+#include <algorithm>
+
+namespace cleft::io
+{
+
+namespace
+{
+
+using Affine = std::array<double, 12>;
+
+// Names of labels that no voxel has are dropped.
+void name_labels(cleft_context* context, const Image& image, cleft_volume* volume)
+{
+    const int32_t* const labels = cleft_volume_labels(volume);
+    const int32_t* const end = labels + cleft_volume_label_count(volume);
+    for (const auto& [label, name] : image.names)
+        if (std::find(labels, end, label) != end &&
+            cleft_volume_set_label_name(volume, label, name.c_str()) != CLEFT_OK)
+            tell(context, "the name of label " + std::to_string(label) + " is not UTF-8, and is left out");
+}
+
+void create_labels(cleft_context* context, const cleft_options* options, Image& image, const Affine& affine,
+                   cleft_volume** out)
+{
+    make_labels(image);
+    check(context, cleft_volume_create_labels(context, type_of(image.component), image.voxels.get(), image.dims.data(),
+                                              affine.data(), options, out));
+    name_labels(context, image, *out);
+}
+
+// One type for all: float, or double if one is double.
+void unify(std::vector<Source>& sources)
+{
+    bool wide = false;
+    for (Source& source : sources) {
+        make_floating(source.image);
+        wide = wide || source.image.component == Component::float64;
+    }
+    if (wide)
+        for (Source& source : sources)
+            widen(source.image);
+}
+
+template <class T>
+int64_t count_ties(const std::vector<const void*>& fields, int64_t voxels)
+{
+    int64_t ties = 0;
+    for (int64_t v = 0; v < voxels; ++v) {
+        const T first = static_cast<const T*>(fields.front())[v];
+        ties += std::all_of(fields.begin(), fields.end(),
+                            [&](const void* field) { return static_cast<const T*>(field)[v] == first; })
+                    ? 1
+                    : 0;
+    }
+    return ties;
+}
+
+void create_functions(cleft_context* context, std::vector<Source>& sources, const Affine& affine, cleft_volume** out)
+{
+    unify(sources);
+    std::vector<const void*> fields;
+    for (const Source& source : sources)
+        for (int64_t f = 0; f < source.image.fields; ++f)
+            fields.push_back(source.image.voxels.get() +
+                             static_cast<size_t>(f * source.image.field_size()) * size_of(source.image.component));
+    const Image& first = sources.front().image;
+    const std::string who = "'" + sources.front().path + (sources.size() > 1 ? "' and others: " : "': ");
+    const int64_t ties = fields.size() == 1                      ? 0
+                         : first.component == Component::float64 ? count_ties<double>(fields, first.field_size())
+                                                                 : count_ties<float>(fields, first.field_size());
+    if (ties > 0)
+        tell(context, who + voxels_text(ties) + (ties == 1 ? " has" : " have") +
+                          " the same value in all functions, and the first takes them: give the background a function "
+                          "of its own");
+    check(context,
+          cleft_volume_create_indicators(context, type_of(first.component), fields.data(),
+                                         static_cast<int64_t>(fields.size()), first.dims.data(), affine.data(), nullptr,
+                                         out),
+          who);
+}
+
+}  // namespace
+
+void tell(cleft_context* context, const std::string& sentence)
+{
+    check(context, cleft_context_log(context, CLEFT_LOG_WARNING, sentence.c_str()));
+}
+
+void create_volume(cleft_context* context, const cleft_options* options, std::vector<Source>& sources,
+                   const Affine& affine, cleft_io_kind kind, cleft_volume** out)
+{
+    std::vector<std::string> notes;
+    const std::vector<Field> fields = fields_of(sources);
+    const Meaning meaning = meaning_of(fields, kind, notes);
+    Image masks;
+    if (meaning == Meaning::masks)
+        masks = label_map_of_masks(fields, notes);
+    for (const std::string& note : notes)
+        tell(context, note);
+    if (meaning == Meaning::functions)
+        create_functions(context, sources, affine, out);
+    else if (meaning == Meaning::masks)
+        create_labels(context, options, masks, affine, out);
+    else
+        naming_file(sources.front().path, [&] { create_labels(context, options, sources.front().image, affine, out); });
+}
+
+}  // namespace cleft::io

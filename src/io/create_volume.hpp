@@ -1,0 +1,17 @@
+// The volume of the core that files stand for.
+#pragma once
+
+#include "cleft/cleft_io.h"
+#include "io/meaning.hpp"
+
+namespace cleft::io
+{
+
+// Hands a sentence about an input to the log of the context, as a warning.
+void tell(cleft_context* context, const std::string& sentence);
+
+// `sources` lie on one grid, that of `affine`. Their voxels are changed. Notes on what they mean are told.
+void create_volume(cleft_context* context, const cleft_options* options, std::vector<Source>& sources,
+                   const std::array<double, 12>& affine, cleft_io_kind kind, cleft_volume** out);
+
+}  // namespace cleft::io

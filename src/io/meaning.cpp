@@ -1,0 +1,198 @@
+// Concludes from the values of the voxels, and from what the caller asks for, what files mean.
+#include "io/meaning.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace cleft::io
+{
+
+namespace
+{
+
+std::string text_of(double number)
+{
+    char text[40];
+    std::snprintf(text, sizeof text, "%.6g", number);
+    return text;
+}
+
+std::string different_text(const FieldValues& values)
+{
+    return values.different > FieldValues::many ? "more than " + std::to_string(FieldValues::many)
+                                                : std::to_string(values.different);
+}
+
+std::string range_text(const FieldValues& values) { return text_of(values.least) + " to " + text_of(values.greatest); }
+
+[[noreturn]] void refuse(const Field& field, const std::string& sentence)
+{
+    throw Error(CLEFT_ERROR_FORMAT, field.who + ": " + sentence);
+}
+
+const char* const ask = "ask for kind labels (--as labels: rounded) or indicators (--as indicators: inside above 0)";
+
+void note_rounding(const Field& field, std::vector<std::string>& notes)
+{
+    const FieldValues& values = field.values;
+    if (values.not_whole > 0)
+        notes.push_back(field.who + ": the labels of " + voxels_text(values.not_whole) +
+                        " are not whole numbers, but up to " + text_of(values.greatest_off) +
+                        " off: they are rounded to the nearest");
+}
+
+constexpr double busy = 0.4;  // the share of differing neighbours: a half in distances rounded to whole numbers
+constexpr int64_t fewest_distances = 5;  // a function that is rounded takes as many values, and an image more
+constexpr int64_t fewest_greys = 17;
+
+// Whole numbers are labels, unless they change from voxel to voxel as nothing does that was segmented.
+void check_label_map(const Field& field, std::vector<std::string>& notes)
+{
+    const FieldValues& values = field.values;
+    if (values.different < (values.is_signed() ? fewest_distances : fewest_greys))
+        return;
+    const double differing = differing_neighbours(*field.image, field.index, values);
+    if (differing < busy)
+        return;
+    const std::string what = different_text(values) + " different whole numbers from " + range_text(values) + ", and " +
+                             text_of(std::round(100 * differing)) + " % of its neighbouring voxels differ";
+    if (values.is_signed())
+        refuse(field, "it may be a label map, a grey image or a distance function, with " + what + ": " + ask);
+    notes.push_back(field.who + ": it looks like a grey image rather than a label map: it has " + what);
+}
+
+// Are most voxels whole numbers, three or more different ones? Then it is a label map that somebody interpolated, and
+// not a function that is cut off at a greatest and a least value.
+bool has_plateaus(const FieldValues& values)
+{
+    const int64_t least_share = values.voxels / 1000;
+    const auto& counts = values.snapped_counts;
+    const auto plateaus = std::count_if(counts.begin(), counts.end(), [&](const auto& row) {
+        return row.second > least_share && row.first == std::round(row.first);
+    });
+    return 2 * values.fractions < values.voxels && plateaus > 2;
+}
+
+// A signed function has values on both sides of 0 that change from voxel to voxel.
+void check_signed_function(const Field& field)
+{
+    constexpr int64_t many = 1000;
+    const FieldValues& values = field.values;
+    if (!values.is_signed())
+        refuse(field, "it holds fractions from " + range_text(values) +
+                          ", but neither whole labels nor a signed function (values below and above 0): " + ask);
+    const bool smooth =
+        values.different >= fewest_greys && differing_neighbours(*field.image, field.index, values) >= busy;
+    if (!smooth && (values.different <= many || has_plateaus(values)))
+        refuse(field, "it may be a label map or a function, with " + different_text(values) + " values from " +
+                          range_text(values) + " that are not all whole numbers: " + ask);
+}
+
+Meaning meaning_of_one(const Field& field, std::vector<std::string>& notes)
+{
+    if (!field.values.is_whole()) {
+        check_signed_function(field);
+        return Meaning::functions;
+    }
+    check_label_map(field, notes);
+    note_rounding(field, notes);
+    return Meaning::labels;
+}
+
+void note_one_side(const Field& field, std::vector<std::string>& notes)
+{
+    if (field.values.least > 0 || field.values.greatest <= 0)
+        notes.push_back(field.who + ": the function is " + (field.values.least > 0 ? "above" : "nowhere above") +
+                        " 0 everywhere: there is one label alone");
+}
+
+[[noreturn]] void refuse_label_maps(const std::vector<Field>& fields, const Field& field)
+{
+    const std::string holds = field.who + " holds the whole numbers from " + range_text(field.values);
+    const std::string functions =
+        "as functions, of which the largest wins, they are read by kind \"indicators\" "
+        "(--as indicators)";
+    if (fields.front().image == fields.back().image)
+        throw Error(CLEFT_ERROR_FORMAT,
+                    holds +
+                        ", which are labels, and a label map has three dimensions: write one frame to a file of its "
+                        "own (nibabel: image.slicer[..., 0]); " +
+                        functions);
+    throw Error(CLEFT_ERROR_FORMAT, holds +
+                                        ", as a label map does, but one of several files is a mask (0 and one other "
+                                        "number) or a function; " +
+                                        functions);
+}
+
+bool may_be_function(const FieldValues& values) { return !values.is_whole() || values.snapped_counts.size() == 1; }
+
+Meaning meaning_of_several(const std::vector<Field>& fields, cleft_io_kind kind, std::vector<std::string>& notes)
+{
+    const auto is_mask = [](const Field& field) { return field.values.is_mask(); };
+    if (std::all_of(fields.begin(), fields.end(), is_mask)) {
+        for (const Field& field : fields)
+            note_rounding(field, notes);
+        return Meaning::masks;
+    }
+    if (kind == CLEFT_IO_KIND_LABELS && fields.front().image != fields.back().image)
+        throw Error(CLEFT_ERROR_ARGUMENT,
+                    "a label map is one file (or masks: 0 and one other number), but there are "
+                    "several, and " +
+                        std::find_if_not(fields.begin(), fields.end(), is_mask)->who + " is no mask");
+    for (const Field& field : fields)
+        if (kind == CLEFT_IO_KIND_LABELS || (!is_mask(field) && !may_be_function(field.values)))
+            refuse_label_maps(fields, field);
+    return Meaning::functions;
+}
+
+}  // namespace
+
+std::string voxels_text(int64_t count)
+{
+    std::string text = std::to_string(count);
+    for (size_t at = text.size(); at > 3; at -= 3)
+        text.insert(at - 3, ",");
+    return text + (count == 1 ? " voxel" : " voxels");
+}
+
+void check_kind(cleft_io_kind kind)
+{
+    if (kind < CLEFT_IO_KIND_AUTO || kind > CLEFT_IO_KIND_INDICATORS)
+        throw Error(CLEFT_ERROR_ARGUMENT, "there is no kind " + std::to_string(kind));
+}
+
+std::vector<Field> fields_of(const std::vector<Source>& sources)
+{
+    std::vector<Field> fields;
+    for (const Source& source : sources)
+        for (int64_t f = 0; f < source.image.fields; ++f) {
+            const std::string file = "'" + source.path + "'";
+            const std::string who = source.image.fields > 1 ? "frame " + std::to_string(f) + " of " + file : file;
+            try {
+                fields.push_back({&source.image, f, who, values_of(source.image, f)});
+            } catch (const Error& error) {
+                throw Error(error.status(), file + ": " + error.what());
+            }
+        }
+    return fields;
+}
+
+Meaning meaning_of(const std::vector<Field>& fields, cleft_io_kind kind, std::vector<std::string>& notes)
+{
+    const bool one = fields.size() == 1;
+    if (kind == CLEFT_IO_KIND_INDICATORS) {
+        if (one)
+            note_one_side(fields.front(), notes);
+        return Meaning::functions;
+    }
+    if (!one)
+        return meaning_of_several(fields, kind, notes);
+    if (kind == CLEFT_IO_KIND_AUTO)
+        return meaning_of_one(fields.front(), notes);
+    note_rounding(fields.front(), notes);
+    return Meaning::labels;
+}
+
+}  // namespace cleft::io
