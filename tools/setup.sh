@@ -16,7 +16,7 @@ test_packages="
     clang clang-format libcmocka-dev python3 mypy
     gmsh calculix-ccx openfoam getdp python3-dolfinx-real python3-gmsh
     gfortran make abigail-tools freefem++ man-db lintian
-    python3-numpy python3-meshio python3-vtk9 python3-nibabel"
+    python3-numpy python3-meshio python3-vtk9 python3-nibabel python3-pydicom"
 
 say() { printf '\n== %s\n' "$*"; }
 fail() { printf '%s: %s\n' "$(basename "$0")" "$*" >&2; exit 1; }

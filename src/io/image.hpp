@@ -42,8 +42,6 @@ void allocate_voxels(Image& image);
 
 // One file, in whatever format its first bytes show. Errors do not name the file.
 Image read_image(const std::string& path);
-// The slices of a DICOM series, in the order of their places. Errors do not name the folder.
-std::vector<std::string> dicom_slices(const std::string& folder);
 // Writes a volume of float; throws if the format cannot hold the geometry.
 void write_image(const std::string& path, const Image& image);
 

@@ -1,6 +1,7 @@
 #include "io/image_series.hpp"
 
 #include "base/error.hpp"
+#include "io/dicom_image.hpp"
 #include "io/text_scanner.hpp"
 
 #include <fnmatch.h>
@@ -52,33 +53,117 @@ bool natural_less(const std::string& a, const std::string& b)
     return a.size() - i < b.size() - j;
 }
 
-std::vector<std::string> matching_files(const std::string& pattern)
+// The files of the pattern's folder whose names it fits, sorted.
+template <class Fits>
+std::vector<std::string> files_beside(const std::string& pattern, const Fits& fits)
 {
     const fs::path path(pattern);
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     std::vector<std::string> found;
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder, error))
-        if (fnmatch(path.filename().c_str(), entry.path().filename().c_str(), FNM_PERIOD) == 0)
-            found.push_back(entry.path().string());
+        if (fits(entry.path().filename().string()))
+            found.push_back((path.has_parent_path() ? entry.path() : entry.path().filename()).string());
     std::sort(found.begin(), found.end(), natural_less);
+    return found;
+}
+
+// A name with one number in it that differs from name to name: what is before it, its digits, what is behind.
+struct NumberedName {
+    std::string before, digits, behind;
+};
+
+// Splits at the run of digits that begins at `at` or, if a number is longer there, around it.
+NumberedName split_name(const std::string& path, size_t at)
+{
+    size_t start = std::min(at, path.size());
+    while (start > 0 && is_digit(path[start - 1]))
+        --start;
+    const size_t end = std::min(path.find_first_not_of("0123456789", start), path.size());
+    return {path.substr(0, start), path.substr(start, end - start), path.substr(end)};
+}
+
+// The numbers of files whose names differ in one number alone, in their order; none if the names are of another kind.
+std::vector<int64_t> numbers_of(const std::vector<std::string>& files)
+{
+    const std::string& first = files.front();
+    const std::string& last = files.back();
+    const auto at =
+        static_cast<size_t>(std::mismatch(first.begin(), first.end(), last.begin(), last.end()).first - first.begin());
+    const NumberedName pattern = split_name(first, at);
+    std::vector<int64_t> numbers;
+    for (const std::string& file : files) {
+        const NumberedName name = split_name(file, at);
+        if (name.before != pattern.before || name.behind != pattern.behind || name.digits.empty() ||
+            name.digits.size() > 9)
+            return {};
+        numbers.push_back(std::stoll(name.digits));
+    }
+    return numbers;
+}
+
+// Tells of gaps, and of a step other than 1.
+std::vector<std::string> notes_on_numbers(const std::vector<std::string>& files)
+{
+    const std::vector<int64_t> numbers = numbers_of(files);
+    if (numbers.size() < 2)
+        return {};
+    int64_t step = numbers[1] - numbers[0];
+    for (size_t i = 1; i < numbers.size(); ++i)
+        step = std::min(step, numbers[i] - numbers[i - 1]);
+    if (step == 0)
+        throw Error(CLEFT_ERROR_FILE, "two of its files have the same number");
+    const int64_t missing = (numbers.back() - numbers.front()) / step + 1 - static_cast<int64_t>(numbers.size());
+    for (size_t i = 1; i < numbers.size(); ++i)
+        if (numbers[i] != numbers[i - 1] + step)
+            return {"the numbers of its files have gaps: of " + std::to_string(missing) +
+                    " missing slices the first is "
+                    "number " +
+                    std::to_string(numbers[i - 1] + step) + ", and those that are there are put together"};
+    if (step > 1)
+        return {"the numbers of its files go up by " + std::to_string(step)};
+    return {};
+}
+
+std::vector<std::string> matching_files(const std::string& pattern)
+{
+    const std::string name = fs::path(pattern).filename().string();
+    const std::vector<std::string> found = files_beside(
+        pattern, [&](const std::string& file) { return fnmatch(name.c_str(), file.c_str(), FNM_PERIOD) == 0; });
+    if (found.empty())
+        throw Error(CLEFT_ERROR_FILE, "no file has such a name");
     return found;
 }
 
 std::vector<std::string> numbered_files(const std::string& path, const std::smatch& conversion)
 {
     const size_t width = conversion[1].length() ? std::stoul(conversion[1]) : 0;
-    const auto name = [&](int number) {
+    const auto name = [&](int64_t number) {
         std::string digits = std::to_string(number);
         if (digits.size() < width)
             digits.insert(0, width - digits.size(), '0');
         return conversion.prefix().str() + digits + conversion.suffix().str();
     };
+    const int64_t first = fs::exists(name(0)) ? 0 : 1;
+    int64_t number = first;
     std::vector<std::string> found;
-    for (int number = fs::exists(name(0)) ? 0 : 1; fs::exists(name(number)); ++number)
+    for (; fs::exists(name(number)); ++number)
         found.push_back(name(number));
     if (found.empty())
-        throw Error(CLEFT_ERROR_FILE, "there is neither '" + name(0) + "' nor '" + name(1) + "' (" + path + ")");
+        throw Error(CLEFT_ERROR_FILE, "there is neither '" + name(0) + "' nor '" + name(1) + "'");
+    // Is there a file beyond the first that is missing?
+    for (const std::string& file : files_beside(path, [](const std::string&) { return true; })) {
+        const size_t before = conversion.prefix().length();
+        const size_t behind = conversion.suffix().length();
+        if (file.size() <= before + behind)
+            continue;
+        const std::string digits = file.substr(before, file.size() - before - behind);
+        if (digits.size() > 9 || digits.find_first_not_of("0123456789") != std::string::npos)
+            continue;
+        const int64_t beyond = std::stoll(digits);
+        if (beyond > number && file == name(beyond))
+            throw Error(CLEFT_ERROR_FILE, "'" + name(number) + "' is missing, but there is '" + file + "'");
+    }
     return found;
 }
 
@@ -99,6 +184,19 @@ void set_third_axis(const std::vector<Vector3>& origins, Image& image)
     image.directions[2] = times(1 / length(step), step);
 }
 
+void check_alike(const Image& slice, const std::string& name, const Image& volume, const std::string& first)
+{
+    constexpr double tolerance = 1e-3;
+    if (slice.dims[0] != volume.dims[0] || slice.dims[1] != volume.dims[1] || slice.component != volume.component)
+        throw Error(CLEFT_ERROR_FORMAT, "'" + name + "' has another size or type of voxels than '" + first + "'");
+    for (size_t axis = 0; axis < 3; ++axis) {
+        const double spacing = volume.spacing[axis];
+        if (std::abs(slice.spacing[axis] - spacing) > tolerance * spacing ||
+            length(minus(slice.directions[axis], volume.directions[axis])) > tolerance)
+            throw Error(CLEFT_ERROR_FORMAT, "'" + name + "' has another spacing or other axes than '" + first + "'");
+    }
+}
+
 Image stack(const std::vector<std::string>& slices)
 {
     Image volume;
@@ -115,9 +213,7 @@ Image stack(const std::vector<std::string>& slices)
             volume.origin = slice.origin;
             allocate_voxels(volume);
         }
-        if (slice.dims[0] != volume.dims[0] || slice.dims[1] != volume.dims[1] || slice.component != volume.component)
-            throw Error(CLEFT_ERROR_FORMAT,
-                        "'" + slices[s] + "' has another size or type of voxels than '" + slices[0] + "'");
+        check_alike(slice, slices[s], volume, slices[0]);
         std::memcpy(volume.voxels.get() + s * slice.bytes(), slice.voxels.get(), slice.bytes());
         origins.push_back(slice.origin);
         for (const std::string& note : slice.notes)  // one slice speaks for all that say the same
@@ -134,7 +230,7 @@ Image read_image_or_series(const std::string& path)
 {
     return naming_file(path, [&] {
         if (fs::is_directory(path))
-            return stack(dicom_slices(path));
+            return read_dicom_folder(path);
         if (fs::exists(path))
             return read_image(path);
         std::smatch conversion;
@@ -143,9 +239,10 @@ Image read_image_or_series(const std::string& path)
         if (path.find_first_of("*?") == std::string::npos)
             return read_image(path);
         const std::vector<std::string> slices = matching_files(path);
-        if (slices.empty())
-            throw Error(CLEFT_ERROR_FILE, "no file has such a name");
-        return stack(slices);
+        std::vector<std::string> notes = notes_on_numbers(slices);
+        Image volume = stack(slices);
+        volume.notes.insert(volume.notes.begin(), notes.begin(), notes.end());
+        return volume;
     });
 }
 

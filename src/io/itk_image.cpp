@@ -1,13 +1,11 @@
-// The only file that knows ITK. Its readers are asked one by one, without its registry of factories, and read straight
-// into our memory.
+// ITK's readers, of which dicom_compressed.cpp uses one more. They are asked one by one, without its registry of
+// factories, and read straight into our memory.
 #include "base/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/file_name.hpp"
 #include "io/image_readers.hpp"
 
 #include <itkBMPImageIO.h>
-#include <itkGDCMImageIO.h>
-#include <itkGDCMSeriesFileNames.h>
 #include <itkGiplImageIO.h>
 #include <itkJPEGImageIO.h>
 #include <itkMRCImageIO.h>
@@ -65,13 +63,12 @@ auto with_itk(const Body& body)
     }
 }
 
-// GDCM comes last: it takes files of any name.
 std::vector<Reader> all_readers()
 {
     return {Reader(itk::NrrdImageIO::New()), Reader(itk::NiftiImageIO::New()), Reader(itk::MetaImageIO::New()),
             Reader(itk::TIFFImageIO::New()), Reader(itk::PNGImageIO::New()),   Reader(itk::JPEGImageIO::New()),
             Reader(itk::BMPImageIO::New()),  Reader(itk::VTKImageIO::New()),   Reader(itk::GiplImageIO::New()),
-            Reader(itk::MRCImageIO::New()),  Reader(itk::GDCMImageIO::New())};
+            Reader(itk::MRCImageIO::New())};
 }
 
 Reader reader_of(const std::string& path)
@@ -200,19 +197,6 @@ Image read_itk_image(const std::string& path, const FileHead&)
         set_region(*reader);
         reader->Read(image.voxels.get());
         return image;
-    });
-}
-
-std::vector<std::string> dicom_slices(const std::string& folder)
-{
-    return with_itk([&] {
-        const auto names = itk::GDCMSeriesFileNames::New();
-        names->SetDirectory(folder);
-        const std::vector<std::string>& series = names->GetSeriesUIDs();
-        if (series.size() != 1)
-            throw Error(CLEFT_ERROR_FILE,
-                        "the folder must hold one DICOM series, but holds " + std::to_string(series.size()));
-        return std::vector<std::string>(names->GetFileNames(series.front()));
     });
 }
 

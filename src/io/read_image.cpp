@@ -1,6 +1,7 @@
 // Which reader takes a file: the first in the table that knows its first bytes. The name of the file matters only where
 // a format has no mark of its own.
 #include "base/error.hpp"
+#include "io/dicom_image.hpp"
 #include "io/file_head.hpp"
 #include "io/image_readers.hpp"
 
@@ -19,6 +20,7 @@ struct Reader {
 };
 
 constexpr Reader readers[] = {
+    {"DICOM", is_dicom, read_dicom_image},
     {"NRRD", is_nrrd, read_nrrd},
     {"MetaImage", is_metaimage, read_metaimage},
     {"VTK legacy", is_vtk_volume, read_vtk_volume},

@@ -1,7 +1,7 @@
 /* dump_volume WORLD KIND SX SY SZ OUT PATH...: reads a volume (WORLD and KIND: numbers of cleft_io.h; S: spacing, 0 for
  * the file's) and writes to OUT: dims (3 int64), affine (12 double), number of labels (int64), labels (int32), and the
  * label that the volume has at the world place of each voxel centre (int32). Prints what the library tells ("warning:
- * ") and the failure, if any. */
+ * "), the names of labels ("name: ", label, name), and the failure, if any. */
 #include "cleft/cleft_io.h"
 
 #include <stdio.h>
@@ -61,6 +61,12 @@ int main(int argc, char** argv)
         fwrite(cleft_volume_labels(volume), sizeof(int32_t), (size_t)labels, file);
         write_centres(volume, dims, affine, file);
         fclose(file);
+        for (int64_t i = 0; i < labels; ++i) {
+            const int32_t label = cleft_volume_labels(volume)[i];
+            const char* name = cleft_volume_label_name(volume, label);
+            if (*name)
+                printf("name: %d %s\n", (int)label, name);
+        }
     }
     cleft_volume_destroy(volume);
     cleft_context_destroy(context);

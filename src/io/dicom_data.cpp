@@ -1,0 +1,328 @@
+// Takes DICOM files apart: explicit and implicit types, both byte orders, sequences, deflated and compressed files.
+#include "io/dicom_data.hpp"
+
+#include "io/text_scanner.hpp"
+
+#include <libdeflate.h>
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+
+namespace cleft::io
+{
+
+namespace
+{
+
+constexpr uint32_t undefined_length = 0xFFFFFFFFu;
+constexpr DicomTag item_tag = 0xFFFEE000u;
+constexpr DicomTag item_end_tag = 0xFFFEE00Du;
+constexpr DicomTag sequence_end_tag = 0xFFFEE0DDu;
+constexpr DicomTag pixels_tag = 0x7FE00010u;
+constexpr int deepest = 16;  // sequences in sequences
+
+[[noreturn]] void refuse_damaged(const std::string& what)
+{
+    throw Error(CLEFT_ERROR_FORMAT, "the DICOM file is damaged: " + what);
+}
+
+std::string name_of(DicomTag tag)
+{
+    char text[20];
+    std::snprintf(text, sizeof text, "(%04x,%04x)", tag >> 16, tag & 0xFFFFu);
+    return text;
+}
+
+struct ElementHead {
+    DicomTag tag = 0;
+    char type[3] = "";
+    uint32_t length = 0;
+};
+
+class ElementReader
+{
+public:
+    ElementReader(std::string_view bytes, DicomEncoding encoding) : bytes_(bytes), encoding_(encoding) {}
+
+    bool at_end() const { return at_ == bytes_.size(); }
+    size_t place() const { return at_; }
+
+    ElementHead head()
+    {
+        ElementHead head;
+        const uint32_t group = number(2);
+        head.tag = group << 16 | number(2);
+        if (encoding_.implicit || group == 0xFFFE) {
+            head.length = number(4);
+            return head;
+        }
+        std::memcpy(head.type, take(2, head.tag).data(), 2);
+        static const char* const long_types = "OB OD OF OL OV OW SQ SV UC UN UR UT UV";
+        if (!std::isupper(head.type[0]) || !std::isupper(head.type[1]))
+            refuse_damaged("the element " + name_of(head.tag) + " has no type");
+        const bool is_long = std::strstr(long_types, head.type) != nullptr;
+        if (is_long)
+            take(2, head.tag);
+        head.length = number(is_long ? 4 : 2);
+        return head;
+    }
+
+    DicomElement element(const ElementHead& head, int depth)
+    {
+        DicomElement element;
+        // What has an unknown type and no length is written without types inside.
+        const bool unknown = std::strcmp(head.type, "UN") == 0;
+        element.implicit = encoding_.implicit || unknown;
+        if (head.length != undefined_length) {
+            element.bytes = take(head.length, head.tag);
+        } else if (head.tag == pixels_tag) {
+            element.encapsulated = true;
+            element.fragments = fragments();
+        } else {
+            const size_t start = at_;
+            const bool implicit_before = encoding_.implicit;
+            encoding_.implicit = element.implicit;
+            const size_t end = skip_items(depth);
+            encoding_.implicit = implicit_before;
+            element.bytes = bytes_.substr(start, end - start);
+        }
+        return element;
+    }
+
+    std::string_view take(size_t count, DicomTag tag)
+    {
+        if (count > bytes_.size() - at_)
+            refuse_damaged("the element " + name_of(tag) + " goes beyond the end of the file");
+        const std::string_view taken = bytes_.substr(at_, count);
+        at_ += count;
+        return taken;
+    }
+
+    // The bytes of the item behind an item's head.
+    std::string_view item(uint32_t length, int depth)
+    {
+        if (length != undefined_length)
+            return take(length, item_tag);
+        const size_t start = at_;
+        for (;;) {
+            const size_t before = at_;
+            const ElementHead inner = head();
+            if (inner.tag == item_end_tag)
+                return bytes_.substr(start, before - start);
+            element(inner, depth);
+        }
+    }
+
+private:
+    uint32_t number(size_t size)
+    {
+        const std::string_view taken = take(size, 0);
+        uint32_t value = 0;
+        for (size_t b = 0; b < size; ++b) {
+            const size_t place = encoding_.big_endian ? size - 1 - b : b;
+            value |= static_cast<uint32_t>(static_cast<unsigned char>(taken[b])) << (8 * place);
+        }
+        return value;
+    }
+
+    // Goes behind the end mark of a sequence of undefined length; answers where the mark begins.
+    size_t skip_items(int depth)
+    {
+        if (depth > deepest)
+            refuse_damaged("its sequences are nested too deep");
+        for (;;) {
+            const size_t before = at_;
+            const ElementHead item_head = head();
+            if (item_head.tag == sequence_end_tag)
+                return before;
+            if (item_head.tag != item_tag)
+                refuse_damaged("a sequence has no end");
+            item(item_head.length, depth + 1);
+        }
+    }
+
+    std::vector<std::string_view> fragments()
+    {
+        std::vector<std::string_view> all;
+        for (;;) {
+            const ElementHead fragment = head();
+            if (fragment.tag == sequence_end_tag)
+                return all;
+            if (fragment.tag != item_tag)
+                refuse_damaged("its compressed pixels have no end");
+            all.push_back(take(fragment.length, pixels_tag));
+        }
+    }
+
+    std::string_view bytes_;
+    DicomEncoding encoding_;
+    size_t at_ = 0;
+};
+
+std::string trimmed(std::string_view bytes)
+{
+    const size_t end = bytes.find_last_not_of(std::string_view(" \0", 2));
+    const size_t start = bytes.find_first_not_of(' ');
+    return end == std::string_view::npos ? std::string() : std::string(bytes.substr(start, end + 1 - start));
+}
+
+bool begins_with_type(std::string_view bytes)
+{
+    return bytes.size() > 5 && std::isupper(static_cast<unsigned char>(bytes[4])) &&
+           std::isupper(static_cast<unsigned char>(bytes[5]));
+}
+
+// The data of a deflated file: nothing tells how long they are.
+std::string inflated(std::string_view packed)
+{
+    const std::unique_ptr<libdeflate_decompressor, void (*)(libdeflate_decompressor*)> decompressor(
+        libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
+    if (!decompressor)
+        throw std::bad_alloc();
+    constexpr size_t greatest_ratio = 1100;  // of deflate
+    for (size_t room = 8 * packed.size() + 1000;; room *= 4) {
+        std::string data(room, '\0');
+        size_t size = 0;
+        const libdeflate_result result =
+            libdeflate_deflate_decompress(decompressor.get(), packed.data(), packed.size(), data.data(), room, &size);
+        if (result == LIBDEFLATE_SUCCESS) {
+            data.resize(size);
+            return data;
+        }
+        if (result != LIBDEFLATE_INSUFFICIENT_SPACE || room > greatest_ratio * packed.size() + 1000)
+            refuse_damaged("its deflated data cannot be unpacked");
+    }
+}
+
+// The elements of group 2 in front of the data, which always tell their types. Answers how many bytes they have.
+size_t read_meta(std::string_view bytes, std::string& transfer_syntax)
+{
+    size_t size = 0;
+    while (size + 4 <= bytes.size() && bytes[size] == 2 && bytes[size + 1] == 0) {
+        ElementReader reader(bytes.substr(size), DicomEncoding{});
+        const ElementHead head = reader.head();
+        const DicomElement element = reader.element(head, 0);
+        if (head.tag == 0x00020010u)
+            transfer_syntax = trimmed(element.bytes);
+        size += reader.place();
+    }
+    return size;
+}
+
+}  // namespace
+
+DicomData::DicomData(std::string_view bytes, DicomEncoding encoding) : encoding_(encoding)
+{
+    ElementReader reader(bytes, encoding);
+    while (!reader.at_end()) {
+        const ElementHead head = reader.head();
+        if (head.tag >> 16 == 0xFFFEu)
+            refuse_damaged("an item stands outside of a sequence");
+        elements_[head.tag] = reader.element(head, 0);
+    }
+}
+
+const DicomElement* DicomData::find(DicomTag tag) const
+{
+    const auto found = elements_.find(tag);
+    return found == elements_.end() ? nullptr : &found->second;
+}
+
+std::string DicomData::text(DicomTag tag) const
+{
+    const DicomElement* element = find(tag);
+    return element ? trimmed(element->bytes) : std::string();
+}
+
+std::vector<double> DicomData::numbers(DicomTag tag) const
+{
+    std::vector<double> all;
+    const std::string list = text(tag);
+    for (size_t start = 0; !list.empty() && start <= list.size();) {
+        const size_t end = std::min(list.find('\\', start), list.size());
+        const std::string word = trimmed(list.substr(start, end - start));
+        const char* from = word.c_str() + (word.substr(0, 1) == "+" ? 1 : 0);
+        const char* const to = word.c_str() + word.size();
+        double value = 0;
+        const auto [stop, fault] = std::from_chars(from, to, value);
+        all.push_back(value);
+        if (fault != std::errc() || stop != to || !std::isfinite(value))
+            refuse_damaged("the element " + name_of(tag) + " holds '" + printable(word) + "', not a number");
+        start = end + 1;
+    }
+    return all;
+}
+
+int64_t DicomData::short_number(DicomTag tag, int64_t otherwise) const
+{
+    const DicomElement* element = find(tag);
+    if (!element || element->bytes.size() < 2)
+        return otherwise;
+    const int64_t first = static_cast<unsigned char>(element->bytes[0]);
+    const int64_t second = static_cast<unsigned char>(element->bytes[1]);
+    return encoding_.big_endian ? first << 8 | second : second << 8 | first;
+}
+
+std::vector<DicomData> DicomData::items(DicomTag tag) const
+{
+    std::vector<DicomData> all;
+    const DicomElement* element = find(tag);
+    if (!element)
+        return all;
+    const DicomEncoding inside{element->implicit, encoding_.big_endian};
+    ElementReader reader(element->bytes, inside);
+    while (!reader.at_end()) {
+        const ElementHead head = reader.head();
+        if (head.tag != item_tag)
+            refuse_damaged("the sequence " + name_of(tag) + " holds what is no item");
+        all.emplace_back(reader.item(head.length, 0), inside);
+    }
+    return all;
+}
+
+std::string printable(std::string text)
+{
+    for (char& c : text)
+        if (c < ' ' || c > '~')
+            c = '?';
+    return text;
+}
+
+bool is_dicom_head(std::string_view head)
+{
+    if (head.size() >= 132 && head.substr(128, 4) == "DICM")
+        return true;
+    // Files without a preamble begin with a short element of group 2 or 8; element 0, the length of the group, has four
+    // bytes. Other formats may begin with such a number of voxels.
+    if (head.size() <= 8 || (head[0] != 2 && head[0] != 8) || head[1] != 0 || head[3] != 0)
+        return false;
+    return begins_with_type(head) || (head[6] == 0 && head[7] == 0 && (head[2] != 0 || (head[4] == 4 && head[5] == 0)));
+}
+
+DicomFile read_dicom_file(const std::string& path)
+{
+    DicomFile file;
+    file.path = path;
+    auto bytes = std::make_shared<std::string>(read_whole_file(path));
+    const bool marked = bytes->size() >= 132 && bytes->compare(128, 4, "DICM") == 0;
+    std::string_view rest = std::string_view(*bytes).substr(marked ? 132 : 0);
+    rest.remove_prefix(read_meta(rest, file.transfer_syntax));
+    if (file.transfer_syntax == "1.2.840.10008.1.2.1.99") {
+        bytes = std::make_shared<std::string>(inflated(rest));
+        rest = *bytes;
+        file.transfer_syntax = "1.2.840.10008.1.2.1";
+    }
+    DicomEncoding encoding;
+    encoding.big_endian = file.transfer_syntax == "1.2.840.10008.1.2.2";
+    encoding.implicit =
+        file.transfer_syntax.empty() ? !begins_with_type(rest) : file.transfer_syntax == "1.2.840.10008.1.2";
+    if (rest.empty())
+        refuse_damaged("it ends behind its first bytes");
+    file.bytes = bytes;
+    file.data = DicomData(rest, encoding);
+    return file;
+}
+
+}  // namespace cleft::io

@@ -1,0 +1,109 @@
+// Single DICOM files: a slice, a volume of frames, a segmentation; and by name what is none of these.
+#include "io/dicom_image.hpp"
+
+#include "base/error.hpp"
+#include "io/dicom_pixels.hpp"
+#include "io/dicom_planes.hpp"
+#include "io/dicom_segmentation.hpp"
+#include "io/dicom_series.hpp"
+
+#include <cstring>
+
+namespace cleft::io
+{
+
+namespace
+{
+
+// Where its frames lie, if the file tells; in the order of the frames.
+void sort_frames(const std::vector<DicomPlane>& planes, Image& image)
+{
+    std::vector<std::string> who;
+    for (size_t f = 0; f < planes.size(); ++f) {
+        who.push_back("frame " + std::to_string(f));
+        if (!planes[f].placed)
+            throw Error(CLEFT_ERROR_FORMAT, "it has " + std::to_string(planes.size()) +
+                                                " frames and does not tell where they lie: a series over time, or "
+                                                "views, is no volume");
+    }
+    const DicomStack stack = stack_of(planes, who);
+    Image sorted;
+    sorted.dims = image.dims;
+    sorted.component = image.component;
+    allocate_voxels(sorted);
+    const size_t slice = image.bytes() / planes.size();
+    for (size_t f = 0; f < planes.size(); ++f)
+        std::memcpy(sorted.voxels.get() + static_cast<size_t>(stack.slots[f]) * slice, image.voxels.get() + f * slice,
+                    slice);
+    image.voxels = std::move(sorted.voxels);
+    image.directions = stack.geometry.directions;
+    image.spacing = stack.geometry.spacing;
+    image.origin = stack.geometry.origin;
+}
+
+}  // namespace
+
+void check_dicom_is_image(const DicomFile& file)
+{
+    struct Row {
+        const char* storage;
+        const char* what;
+    };
+    static constexpr Row others[] = {
+        {"1.2.840.10008.5.1.4.1.1.481.3",
+         "an RT structure set: contours, not voxels; make a label map of it, for "
+         "instance in 3D Slicer"},
+        {"1.2.840.10008.5.1.4.1.1.481.2", "an RT dose"},
+        {"1.2.840.10008.5.1.4.1.1.481.5", "an RT plan"},
+        {"1.2.840.10008.5.1.4.1.1.66.5", "a surface segmentation: triangles, not voxels"},
+        {"1.2.840.10008.5.1.4.1.1.104.1", "a document"},
+    };
+    const std::string storage = file.data.text(0x00080016u);
+    if (file.data.has(0x00041220u))
+        throw Error(CLEFT_ERROR_UNSUPPORTED, "it is a DICOMDIR, a list of other files: give the folder of a series");
+    for (const Row& row : others)
+        if (storage == row.storage)
+            throw Error(CLEFT_ERROR_UNSUPPORTED, std::string("it is ") + row.what);
+    if (!file.data.has(0x7FE00010u) && !file.data.has(0x7FE00008u) && !file.data.has(0x7FE00009u))
+        throw Error(CLEFT_ERROR_FORMAT,
+                    "the DICOM file holds no image" +
+                        (storage.empty() ? std::string() : " (its class is " + printable(storage) + ")"));
+}
+
+Image read_dicom_frames(const DicomFile& file, std::vector<DicomPlane>& planes)
+{
+    check_dicom_is_image(file);
+    const DicomPixelFormat format = pixel_format_of(file);
+    planes = planes_of(file, format.frames);
+    bool rescaled = false;
+    Image image = pixels_of(file, format, rescaled);
+    if (image.dims != std::array<int64_t, 3>{format.columns, format.rows, format.frames})
+        throw Error(CLEFT_ERROR_FORMAT, "the DICOM file is damaged: its compressed pixels have another size");
+    for (DicomPlane& plane : planes)
+        if (rescaled) {
+            plane.slope = 1;
+            plane.intercept = 0;
+        }
+    if (!planes.front().sized)
+        image.notes.push_back("it does not tell the size of a pixel: 1 x 1 is taken");
+    return image;
+}
+
+bool is_dicom(const FileHead& head) { return is_dicom_head(head.text()); }
+
+Image read_dicom_image(const std::string& path, const FileHead&)
+{
+    const DicomFile file = read_dicom_file(path);
+    if (is_dicom_segmentation(file))
+        return read_dicom_segmentation(file);
+    std::vector<DicomPlane> planes;
+    Image image = read_dicom_frames(file, planes);
+    rescale(planes, image);
+    if (planes.size() > 1)
+        sort_frames(planes, image);
+    else
+        set_plane(planes.front(), image);
+    return image;
+}
+
+}  // namespace cleft::io

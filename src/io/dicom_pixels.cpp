@@ -1,0 +1,173 @@
+// Unpacks the pixels of DICOM files: plain ones of 1 to 32 bits, floating-point ones, and those packed by run lengths.
+#include "io/dicom_pixels.hpp"
+
+#include "base/error.hpp"
+#include "io/voxel_access.hpp"
+
+#include <algorithm>
+
+namespace cleft::io
+{
+
+namespace
+{
+
+constexpr DicomTag pixels_tag = 0x7FE00010u;
+constexpr DicomTag float_pixels_tag = 0x7FE00008u;
+constexpr DicomTag double_pixels_tag = 0x7FE00009u;
+
+[[noreturn]] void refuse(const std::string& sentence) { throw Error(CLEFT_ERROR_FORMAT, sentence); }
+
+Component component_of(const DicomFile& file, const DicomPixelFormat& format)
+{
+    if (file.data.has(float_pixels_tag))
+        return Component::float32;
+    if (file.data.has(double_pixels_tag))
+        return Component::float64;
+    switch (format.bits_allocated) {
+        case 1:
+        case 8:
+            return format.is_signed ? Component::int8 : Component::uint8;
+        case 16:
+            return format.is_signed ? Component::int16 : Component::uint16;
+        case 32:
+            return format.is_signed ? Component::int32 : Component::uint32;
+        default:
+            refuse("its pixels have " + std::to_string(format.bits_allocated) + " bits, which cannot be read");
+    }
+}
+
+// Bits follow each other without gaps, also from one frame to the next, the first pixel in the lowest bit.
+void unpack_bits(std::string_view bytes, Image& image)
+{
+    for (int64_t v = 0; v < image.field_size(); ++v) {
+        const auto byte = static_cast<unsigned char>(bytes[static_cast<size_t>(v / 8)]);
+        image.voxels[static_cast<size_t>(v)] = static_cast<std::byte>(byte >> (v % 8) & 1);
+    }
+}
+
+void copy_plain(std::string_view bytes, bool big_endian, Image& image)
+{
+    std::memcpy(image.voxels.get(), bytes.data(), image.bytes());
+    const size_t size = size_of(image.component);
+    if (big_endian && size > 1)
+        for (std::byte* at = image.voxels.get(); at < image.voxels.get() + image.bytes(); at += size)
+            std::reverse(at, at + size);
+}
+
+// One plane of bytes packed by run lengths, each byte `step` behind the last.
+void unpack_runs(std::string_view packed, std::byte* to, size_t step, int64_t count)
+{
+    size_t at = 0;
+    while (count > 0) {
+        if (at >= packed.size())
+            refuse("the DICOM file is damaged: its packed pixels end too early");
+        const auto code = static_cast<signed char>(packed[at++]);
+        if (code == -128)
+            continue;
+        const int64_t length = std::min<int64_t>(code >= 0 ? code + 1 : 1 - code, count);
+        const size_t wanted = code >= 0 ? static_cast<size_t>(length) : 1;
+        if (packed.size() - at < wanted)
+            refuse("the DICOM file is damaged: its packed pixels end too early");
+        for (int64_t i = 0; i < length; ++i, to += step)
+            *to = static_cast<std::byte>(packed[at + (code >= 0 ? static_cast<size_t>(i) : 0)]);
+        at += code >= 0 ? static_cast<size_t>(code) + 1 : 1;
+        count -= length;
+    }
+}
+
+// One fragment a frame: a head of 16 numbers (how many planes, where each begins), then the planes, high bytes first.
+void unpack_frames(const std::vector<std::string_view>& fragments, const DicomPixelFormat& format, Image& image)
+{
+    const size_t planes = size_of(image.component);
+    if (static_cast<int64_t>(fragments.size()) != format.frames + 1 || format.bits_allocated % 8 != 0)
+        refuse("its packed pixels are not one piece a frame, which cannot be read");
+    for (size_t f = 0; f + 1 < fragments.size(); ++f) {
+        const std::string_view fragment = fragments[f + 1];
+        std::array<uint32_t, 16> head{};
+        if (fragment.size() < sizeof head)
+            refuse("the DICOM file is damaged: its packed pixels have no head");
+        std::memcpy(head.data(), fragment.data(), sizeof head);
+        if (head[0] != planes)
+            refuse("the DICOM file is damaged: its packed pixels have " + std::to_string(head[0]) + " planes of bytes");
+        std::byte* const frame = image.voxels.get() + f * static_cast<size_t>(format.frame_size()) * planes;
+        for (size_t plane = 0; plane < planes; ++plane) {
+            if (head[plane + 1] > fragment.size())
+                refuse("the DICOM file is damaged: a plane of its packed pixels lies beyond them");
+            unpack_runs(fragment.substr(head[plane + 1]), frame + (planes - 1 - plane), planes, format.frame_size());
+        }
+    }
+}
+
+// Bits above those that are stored may hold anything.
+void clear_unused_bits(const DicomPixelFormat& format, Image& image)
+{
+    const int64_t unused = format.bits_allocated - format.bits_stored;
+    if (unused <= 0 || is_floating(image.component))
+        return;
+    with_type(image.component, [&](auto zero) {
+        using T = decltype(zero);
+        if constexpr (std::is_integral_v<T> && sizeof(T) <= sizeof(int32_t)) {
+            using Bits = std::make_unsigned_t<T>;
+            for (int64_t v = 0; v < image.field_size(); ++v) {
+                const auto bits = static_cast<Bits>(static_cast<uint32_t>(load<Bits>(image.voxels.get(), v)) << unused);
+                store<T>(image.voxels.get(), v, static_cast<T>(static_cast<T>(bits) >> unused));
+            }
+        }
+    });
+}
+
+}  // namespace
+
+DicomPixelFormat pixel_format_of(const DicomFile& file)
+{
+    const DicomData& data = file.data;
+    DicomPixelFormat format;
+    format.rows = data.short_number(0x00280010u, 0);
+    format.columns = data.short_number(0x00280011u, 0);
+    format.bits_allocated = data.short_number(0x00280100u, 0);
+    format.bits_stored = data.short_number(0x00280101u, format.bits_allocated);
+    format.is_signed = data.short_number(0x00280103u, 0) == 1;
+    const std::vector<double> frames = data.numbers(0x00280008u);
+    if (!frames.empty())
+        format.frames = static_cast<int64_t>(std::clamp(frames.front(), 0.0, 1e6));
+    const int64_t samples = data.short_number(0x00280002u, 1);
+    if (samples != 1)
+        refuse("it has " + std::to_string(samples) + " numbers a voxel (colours or vectors); one is wanted");
+    if (format.rows < 1 || format.columns < 1 || format.frames < 1)
+        refuse("the DICOM file does not tell how many rows, columns and frames its image has");
+    return format;
+}
+
+Image pixels_of(const DicomFile& file, const DicomPixelFormat& format, bool& rescaled)
+{
+    const DicomTag tag = file.data.has(float_pixels_tag)    ? float_pixels_tag
+                         : file.data.has(double_pixels_tag) ? double_pixels_tag
+                                                            : pixels_tag;
+    const DicomElement& element = *file.data.find(tag);
+    const bool packed = file.transfer_syntax == "1.2.840.10008.1.2.5";
+    rescaled = element.encapsulated && !packed;
+    if (rescaled)
+        return compressed_pixels(file.path);
+    Image image;
+    image.component = component_of(file, format);
+    image.dims = {format.columns, format.rows, format.frames};
+    const int64_t bits = format.bits_allocated == 1 ? 1 : 8 * static_cast<int64_t>(size_of(image.component));
+    const int64_t wanted = (format.frame_size() * format.frames * bits + 7) / 8;
+    const auto there = static_cast<int64_t>(element.bytes.size());
+    if (!element.encapsulated && there < wanted)
+        refuse("the DICOM file is damaged: its pixels have " + std::to_string(there) + " bytes, and not " +
+               std::to_string(wanted));
+    allocate_voxels(image);
+    if (element.encapsulated)
+        unpack_frames(element.fragments, format, image);
+    else if (format.bits_allocated == 1)
+        unpack_bits(element.bytes, image);
+    else
+        copy_plain(element.bytes, file.data.is_big_endian(), image);
+    if (format.bits_allocated > 1)
+        clear_unused_bits(format, image);
+    return image;
+}
+
+}  // namespace cleft::io

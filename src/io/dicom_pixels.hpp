@@ -1,0 +1,32 @@
+// The pixels of a DICOM file as they are stored.
+#pragma once
+
+#include "io/dicom_data.hpp"
+#include "io/image.hpp"
+
+namespace cleft::io
+{
+
+struct DicomPixelFormat {
+    int64_t columns = 0;
+    int64_t rows = 0;
+    int64_t frames = 1;
+    int64_t bits_allocated = 0;
+    int64_t bits_stored = 0;
+    bool is_signed = false;
+
+    int64_t frame_size() const { return columns * rows; }
+};
+
+// Throws for what is no image, and for colours.
+DicomPixelFormat pixel_format_of(const DicomFile& file);
+
+// All frames, one behind the other along z; numbers of one bit become bytes. The file's geometry is not in it.
+// `rescaled`: were the slope and the intercept of the file applied already? Throws if the pixels are damaged.
+Image pixels_of(const DicomFile& file, const DicomPixelFormat& format, bool& rescaled);
+
+// Pixels that are compressed by JPEG and its kin, by ITK. In a process of its own: the library for it ends the process
+// that uses it when a file is damaged.
+Image compressed_pixels(const std::string& path);
+
+}  // namespace cleft::io

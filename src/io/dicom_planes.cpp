@@ -1,0 +1,237 @@
+// Reads places, spacings and the rescaling of values, and sorts planes into even slots along their normal.
+#include "io/dicom_planes.hpp"
+
+#include "base/error.hpp"
+#include "io/voxel_access.hpp"
+
+#include <algorithm>
+
+namespace cleft::io
+{
+
+namespace
+{
+
+constexpr DicomTag shared_groups = 0x52009229u;
+constexpr DicomTag frame_groups = 0x52009230u;
+constexpr DicomTag position_group = 0x00209113u;
+constexpr DicomTag orientation_group = 0x00209116u;
+constexpr DicomTag measures_group = 0x00289110u;
+constexpr DicomTag values_group = 0x00289145u;
+
+[[noreturn]] void refuse(const std::string& sentence) { throw Error(CLEFT_ERROR_FORMAT, sentence); }
+
+// The numbers of an element in a group of the frame, else of all frames, else outside of groups.
+class FrameGroups
+{
+public:
+    FrameGroups(const DicomData& all, const DicomData* shared, const DicomData* frame)
+        : sources_{frame, shared}, all_(all)
+    {
+    }
+
+    std::vector<double> numbers(DicomTag group, DicomTag tag) const
+    {
+        for (const DicomData* source : sources_)
+            if (source)
+                for (const DicomData& item : source->items(group))
+                    if (item.has(tag))
+                        return item.numbers(tag);
+        return all_.numbers(tag);
+    }
+
+private:
+    std::array<const DicomData*, 2> sources_;
+    const DicomData& all_;
+};
+
+DicomPlane plane_of(const FrameGroups& groups)
+{
+    DicomPlane plane;
+    const std::vector<double> position = groups.numbers(position_group, 0x00200032u);
+    const std::vector<double> axes = groups.numbers(orientation_group, 0x00200037u);
+    if (position.size() == 3 && axes.size() == 6) {
+        plane.placed = true;
+        plane.position = {position[0], position[1], position[2]};
+        const Vector3 row{axes[0], axes[1], axes[2]};
+        const Vector3 column{axes[3], axes[4], axes[5]};
+        if (length(row) == 0 || length(column) == 0 || length(cross(row, column)) < 0.5 * length(row) * length(column))
+            refuse("the directions of its rows and columns lie on a line");
+        plane.along_row = times(1 / length(row), row);
+        plane.along_column = times(1 / length(column), column);
+    }
+    std::vector<double> pixel = groups.numbers(measures_group, 0x00280030u);
+    if (pixel.empty())
+        pixel = groups.numbers(measures_group, 0x00181164u);  // at the detector
+    if (pixel.size() == 2) {
+        plane.sized = true;
+        plane.row_spacing = pixel[0];
+        plane.column_spacing = pixel[1];
+    }
+    for (const DicomTag tag : {0x00180088u, 0x00180050u}) {
+        const std::vector<double> told = groups.numbers(measures_group, tag);
+        if (plane.slice_spacing == 0 && !told.empty())
+            plane.slice_spacing = std::abs(told.front());
+    }
+    const std::vector<double> slope = groups.numbers(values_group, 0x00281053u);
+    const std::vector<double> intercept = groups.numbers(values_group, 0x00281052u);
+    plane.slope = slope.empty() || slope.front() == 0 ? 1 : slope.front();
+    plane.intercept = intercept.empty() ? 0 : intercept.front();
+    return plane;
+}
+
+Vector3 normal_of(const DicomPlane& plane)
+{
+    const Vector3 normal = cross(plane.along_row, plane.along_column);
+    return times(1 / length(normal), normal);
+}
+
+void check_alike(const DicomPlane& plane, const DicomPlane& first, const std::string& who, const std::string& other)
+{
+    constexpr double turned = 1e-3;
+    constexpr double resized = 1e-3;
+    if (!plane.placed)
+        refuse(who + " does not tell where it lies");
+    if (length(minus(plane.along_row, first.along_row)) > turned ||
+        length(minus(plane.along_column, first.along_column)) > turned)
+        refuse(who + " is turned against " + other);
+    if (std::abs(plane.row_spacing - first.row_spacing) > resized * first.row_spacing ||
+        std::abs(plane.column_spacing - first.column_spacing) > resized * first.column_spacing)
+        refuse(who + " has another size of pixels than " + other);
+}
+
+struct Place {
+    double height;  // along the normal
+    size_t plane;
+};
+
+std::vector<Place> places_of(const std::vector<DicomPlane>& planes, const std::vector<std::string>& who)
+{
+    const Vector3 normal = normal_of(planes.front());
+    std::vector<Place> places;
+    for (size_t i = 0; i < planes.size(); ++i) {
+        check_alike(planes[i], planes.front(), who[i], who.front());
+        places.push_back({dot(planes[i].position, normal), i});
+    }
+    std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.height < b.height; });
+    return places;
+}
+
+// `count` slots from the lowest to the highest place.
+DicomStack slots_of(const std::vector<DicomPlane>& planes, const std::vector<std::string>& who,
+                    const std::vector<Place>& places, int64_t count)
+{
+    constexpr double uneven = 0.05;
+    const DicomPlane& lowest = planes[places.front().plane];
+    DicomStack stack;
+    stack.geometry.dims[2] = count;
+    set_plane(lowest, stack.geometry);
+    stack.slots.assign(planes.size(), 0);
+    if (count == 1)
+        return stack;
+    const Vector3 way = minus(planes[places.back().plane].position, lowest.position);
+    const Vector3 step = times(1 / static_cast<double>(count - 1), way);
+    stack.geometry.spacing[2] = length(step);
+    stack.geometry.directions[2] = times(1 / length(step), step);
+    const double height = (places.back().height - places.front().height) / static_cast<double>(count - 1);
+    for (const Place& place : places) {
+        const double slot = std::round((place.height - places.front().height) / height);
+        const Vector3 expected = times(slot, step);
+        const Vector3 there = minus(planes[place.plane].position, lowest.position);
+        if (length(minus(there, expected)) > uneven * length(step))
+            refuse("its slices are not evenly spaced: is one missing? (" + who[place.plane] + ")");
+        stack.slots[place.plane] = static_cast<int64_t>(slot);
+    }
+    return stack;
+}
+
+double same_place(const std::vector<DicomPlane>& planes)
+{
+    return 1e-3 * std::min(planes.front().row_spacing, planes.front().column_spacing);
+}
+
+}  // namespace
+
+std::vector<DicomPlane> planes_of(const DicomFile& file, int64_t frames)
+{
+    const std::vector<DicomData> shared = file.data.items(shared_groups);
+    const std::vector<DicomData> own = file.data.items(frame_groups);
+    if (!own.empty() && static_cast<int64_t>(own.size()) != frames)
+        refuse("the DICOM file is damaged: it has " + std::to_string(frames) + " frames, but tells of " +
+               std::to_string(own.size()));
+    std::vector<DicomPlane> planes;
+    for (int64_t f = 0; f < frames; ++f)
+        planes.push_back(plane_of(FrameGroups(file.data, shared.empty() ? nullptr : &shared.front(),
+                                              own.empty() ? nullptr : &own[static_cast<size_t>(f)])));
+    return planes;
+}
+
+DicomStack stack_of(const std::vector<DicomPlane>& planes, const std::vector<std::string>& who)
+{
+    const std::vector<Place> places = places_of(planes, who);
+    for (size_t i = 1; i < places.size(); ++i)
+        if (places[i].height - places[i - 1].height < same_place(planes))
+            refuse(who[places[i - 1].plane] + " and " + who[places[i].plane] +
+                   " lie at the same place: a series over time, or of several contrasts, is no volume");
+    return slots_of(planes, who, places, static_cast<int64_t>(places.size()));
+}
+
+DicomStack loose_stack_of(const std::vector<DicomPlane>& planes, const std::vector<std::string>& who)
+{
+    constexpr double most_slices = 65536;
+    const std::vector<Place> places = places_of(planes, who);
+    const double height = places.back().height - places.front().height;
+    double step = planes.front().slice_spacing;
+    double least_gap = height;
+    for (size_t i = 1; i < places.size(); ++i) {
+        const double gap = places[i].height - places[i - 1].height;
+        if (gap > same_place(planes))
+            least_gap = std::min(least_gap, gap);
+    }
+    if (height <= same_place(planes))
+        return slots_of(planes, who, places, 1);
+    if (step == 0 || step > 1.05 * least_gap)
+        step = least_gap;
+    const double steps = std::round(height / step);
+    if (steps + 1 > most_slices)
+        refuse("its slices are not evenly spaced");
+    return slots_of(planes, who, places, static_cast<int64_t>(std::max(1.0, steps)) + 1);
+}
+
+void set_plane(const DicomPlane& plane, Image& image)
+{
+    image.directions = {plane.along_row, plane.along_column, normal_of(plane)};
+    image.spacing = {plane.column_spacing, plane.row_spacing,
+                     plane.slice_spacing > 0 ? plane.slice_spacing : plane.column_spacing};
+    image.origin = plane.position;
+}
+
+void rescale(const std::vector<DicomPlane>& planes, Image& image)
+{
+    constexpr double greatest_factor = 1000;
+    const auto changes = [](const DicomPlane& plane) { return plane.slope != 1 || plane.intercept != 0; };
+    const auto whole = [](double value) { return value == std::round(value); };
+    if (std::none_of(planes.begin(), planes.end(), changes))
+        return;
+    bool integer = size_of(image.component) <= 2;
+    for (const DicomPlane& plane : planes)
+        integer = integer && whole(plane.slope) && whole(plane.intercept) && std::abs(plane.slope) < greatest_factor &&
+                  std::abs(plane.intercept) < 1e6;
+    Image scaled;
+    scaled.dims = image.dims;
+    scaled.component = integer ? Component::int32 : Component::float64;
+    allocate_voxels(scaled);
+    const int64_t slice = image.dims[0] * image.dims[1];
+    for_each_value(image, 0, [&](int64_t voxel, double stored) {
+        const DicomPlane& plane = planes[static_cast<size_t>(voxel / slice)];
+        const double value = plane.slope * stored + plane.intercept;
+        if (integer)
+            store<int32_t>(scaled.voxels.get(), voxel, static_cast<int32_t>(value));
+        else
+            store<double>(scaled.voxels.get(), voxel, value);
+    });
+    image.component = scaled.component;
+    image.voxels = std::move(scaled.voxels);
+}
+
+}  // namespace cleft::io

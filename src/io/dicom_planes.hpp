@@ -1,0 +1,45 @@
+// Where the slices and frames of DICOM files lie.
+#pragma once
+
+#include "io/dicom_data.hpp"
+#include "io/image.hpp"
+
+namespace cleft::io
+{
+
+struct DicomPlane {
+    bool placed = false;  // are position and orientation known?
+    Vector3 position{0, 0, 0};
+    Vector3 along_row{1, 0, 0};
+    Vector3 along_column{0, 1, 0};
+    bool sized = false;         // is the size of a pixel known?
+    double column_spacing = 1;  // along a row
+    double row_spacing = 1;     // along a column
+    double slice_spacing = 0;   // as told, between slices or else their thickness; 0: not told
+    double slope = 1;           // of the values
+    double intercept = 0;
+};
+
+// One for each frame, of what the file says for all frames and for each.
+std::vector<DicomPlane> planes_of(const DicomFile& file, int64_t frames);
+
+// Even slots along the third axis, and which of them each plane takes.
+struct DicomStack {
+    Image geometry;  // dims, directions, spacing and origin; no voxels
+    std::vector<int64_t> slots;
+};
+
+// Planes that all lie at places of their own, without a gap. Throws if they do not, or differ in orientation or
+// spacing; `who` names plane number i.
+DicomStack stack_of(const std::vector<DicomPlane>& planes, const std::vector<std::string>& who);
+// Planes of which several may lie at one place, and places may be empty.
+DicomStack loose_stack_of(const std::vector<DicomPlane>& planes, const std::vector<std::string>& who);
+
+// Sets directions and spacing, and the place of the first voxel.
+void set_plane(const DicomPlane& plane, Image& image);
+
+// Applies slope and intercept of each plane to its slice of the image, slice i being plane i. Nothing happens if all
+// are 1 and 0.
+void rescale(const std::vector<DicomPlane>& planes, Image& image);
+
+}  // namespace cleft::io

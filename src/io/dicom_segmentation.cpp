@@ -1,0 +1,183 @@
+// Puts the frames of a segmentation object to their places, as labels.
+#include "io/dicom_segmentation.hpp"
+
+#include "base/error.hpp"
+#include "io/dicom_pixels.hpp"
+#include "io/dicom_planes.hpp"
+#include "io/meaning.hpp"
+#include "io/voxel_access.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace cleft::io
+{
+
+namespace
+{
+
+constexpr DicomTag class_tag = 0x00080016u;
+constexpr DicomTag segments_tag = 0x00620002u;
+constexpr DicomTag shared_groups = 0x52009229u;
+constexpr DicomTag frame_groups = 0x52009230u;
+constexpr DicomTag identification_group = 0x0062000Au;
+
+[[noreturn]] void refuse(const std::string& sentence) { throw Error(CLEFT_ERROR_FORMAT, sentence); }
+
+std::string utf8_of(const std::string& text, const std::string& characters)
+{
+    if (characters != "ISO_IR 100")
+        return text;
+    std::string out;
+    for (const char c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        if (code < 128) {
+            out += c;
+        } else {
+            out += static_cast<char>(0xC0 | code >> 6);
+            out += static_cast<char>(0x80 | (code & 0x3F));
+        }
+    }
+    return out;
+}
+
+std::map<int32_t, std::string> segments_of(const DicomFile& file)
+{
+    std::map<int32_t, std::string> segments;
+    for (const DicomData& segment : file.data.items(segments_tag)) {
+        const auto number = static_cast<int32_t>(segment.short_number(0x00620004u, -1));
+        segments[number] = utf8_of(segment.text(0x00620005u), file.data.text(0x00080005u));
+    }
+    return segments;
+}
+
+int32_t segment_in(const std::vector<DicomData>& groups, int32_t otherwise)
+{
+    for (const DicomData& group : groups)
+        for (const DicomData& item : group.items(identification_group))
+            return static_cast<int32_t>(item.short_number(0x0062000Bu, otherwise));
+    return otherwise;
+}
+
+// The segment of each frame. What all frames share may tell it, too.
+std::vector<int32_t> segments_of_frames(const DicomFile& file, int64_t frames,
+                                        const std::map<int32_t, std::string>& segments)
+{
+    const int32_t shared = segment_in(file.data.items(shared_groups), 0);
+    std::vector<int32_t> all;
+    for (const DicomData& frame : file.data.items(frame_groups))
+        all.push_back(segment_in({frame}, shared));
+    if (static_cast<int64_t>(all.size()) != frames)
+        refuse("the segmentation has " + std::to_string(frames) + " frames, but tells of " +
+               std::to_string(all.size()));
+    for (const int32_t number : all)
+        if (segments.count(number) == 0)
+            refuse("the segmentation has a frame of a segment " + std::to_string(number) +
+                   ", which is not in its list");
+    return all;
+}
+
+struct Overlaps {
+    std::map<std::pair<int32_t, int32_t>, int64_t> voxels;  // of two segments; the second takes them
+};
+
+void note_overlaps(const Overlaps& overlaps, Image& image)
+{
+    for (const auto& [pair, voxels] : overlaps.voxels)
+        image.notes.push_back(voxels_text(voxels) + (voxels == 1 ? " is" : " are") + " in segment " +
+                              std::to_string(pair.first) + " and in segment " + std::to_string(pair.second) +
+                              ": the later one takes " + (voxels == 1 ? "it" : "them"));
+}
+
+// Segments in the order of their numbers, so that the order of the frames does not matter.
+Overlaps place_frames(const Image& frames, const std::vector<int32_t>& segment_of, const DicomStack& stack,
+                      double threshold, Image& labels)
+{
+    const int64_t slice = labels.dims[0] * labels.dims[1];
+    std::vector<size_t> order(segment_of.size());
+    for (size_t f = 0; f < order.size(); ++f)
+        order[f] = f;
+    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return segment_of[a] < segment_of[b]; });
+    Overlaps overlaps;
+    for (const size_t f : order)
+        for (int64_t p = 0; p < slice; ++p) {
+            const auto stored =
+                static_cast<double>(load<uint8_t>(frames.voxels.get(), static_cast<int64_t>(f) * slice + p));
+            if (stored < threshold)
+                continue;
+            const int64_t voxel = stack.slots[f] * slice + p;
+            const auto before = static_cast<int32_t>(load<uint16_t>(labels.voxels.get(), voxel));
+            if (before != 0 && before != segment_of[f])
+                ++overlaps.voxels[{before, segment_of[f]}];
+            store<uint16_t>(labels.voxels.get(), voxel, static_cast<uint16_t>(segment_of[f]));
+        }
+    return overlaps;
+}
+
+std::vector<std::string> frame_names(int64_t frames)
+{
+    std::vector<std::string> names;
+    for (int64_t f = 0; f < frames; ++f)
+        names.push_back("frame " + std::to_string(f));
+    return names;
+}
+
+void name_segments(const std::map<int32_t, std::string>& segments, Image& image)
+{
+    for (const auto& [number, name] : segments)
+        if (!name.empty())
+            image.names.emplace_back(number, name);
+}
+
+}  // namespace
+
+bool is_dicom_segmentation(const DicomFile& file)
+{
+    const std::string storage = file.data.text(class_tag);
+    return storage == "1.2.840.10008.5.1.4.1.1.66.4" || storage == "1.2.840.10008.5.1.4.1.1.66.7";
+}
+
+Image read_dicom_segmentation(const DicomFile& file)
+{
+    const std::string type = file.data.text(0x00620001u);
+    const bool fractional = type == "FRACTIONAL";
+    if (type != "BINARY" && !fractional && type != "LABELMAP")
+        refuse("it is a DICOM segmentation of the type '" + printable(type) + "', which cannot be read");
+    const DicomPixelFormat format = pixel_format_of(file);
+    bool rescaled = false;
+    Image frames = pixels_of(file, format, rescaled);
+    const std::vector<DicomPlane> planes = planes_of(file, format.frames);
+    const DicomStack stack = loose_stack_of(planes, frame_names(format.frames));
+    const std::map<int32_t, std::string> segments = segments_of(file);
+
+    Image labels;
+    labels.dims = {format.columns, format.rows, stack.geometry.dims[2]};
+    labels.directions = stack.geometry.directions;
+    labels.spacing = stack.geometry.spacing;
+    labels.origin = stack.geometry.origin;
+    name_segments(segments, labels);
+    if (type == "LABELMAP") {
+        labels.component = frames.component;
+        allocate_voxels(labels);
+        std::fill_n(labels.voxels.get(), labels.bytes(), std::byte{0});
+        const size_t slice = static_cast<size_t>(format.frame_size()) * size_of(frames.component);
+        for (size_t f = 0; f < stack.slots.size(); ++f)
+            std::memcpy(labels.voxels.get() + static_cast<size_t>(stack.slots[f]) * slice,
+                        frames.voxels.get() + f * slice, slice);
+        return labels;
+    }
+    if (frames.component != Component::uint8)
+        refuse("its segmentation has pixels of " + std::to_string(format.bits_allocated) +
+               " bits, which cannot be read");
+    labels.component = Component::uint16;
+    allocate_voxels(labels);
+    std::fill_n(labels.voxels.get(), labels.bytes(), std::byte{0});
+    const double greatest = static_cast<double>(file.data.short_number(0x0062000Eu, 255));
+    const std::vector<int32_t> segment_of = segments_of_frames(file, format.frames, segments);
+    note_overlaps(place_frames(frames, segment_of, stack, fractional ? greatest / 2 : 1, labels), labels);
+    if (fractional)
+        labels.notes.push_back("its segments are fractions: a voxel belongs to a segment from a half on");
+    return labels;
+}
+
+}  // namespace cleft::io

@@ -1,0 +1,196 @@
+// The files of a folder sorted into series, and the slices of a series put on each other.
+#include "io/dicom_series.hpp"
+
+#include "base/error.hpp"
+#include "io/dicom_image.hpp"
+#include "io/text_scanner.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+namespace cleft::io
+{
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+[[noreturn]] void refuse(const std::string& sentence) { throw Error(CLEFT_ERROR_FORMAT, sentence); }
+
+struct SliceFile {
+    std::string path;
+    double number = 0;  // in the series
+};
+
+struct Series {
+    std::string description;
+    std::string uid;
+    std::string size;  // of its slices
+    std::vector<SliceFile> files;
+};
+
+std::string first_bytes(const std::string& path)
+{
+    std::string bytes(132, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<size_t>(file.gcount()));
+    return bytes;
+}
+
+// Files that are no DICOM at all are passed over, and DICOM without voxels, too; damaged DICOM is an error.
+bool read_header(const std::string& path, DicomFile& file)
+{
+    const std::string head = first_bytes(path);
+    if (!is_dicom_head(head))
+        return false;
+    const bool marked = head.size() >= 132 && head.compare(128, 4, "DICM") == 0;
+    try {
+        file = read_dicom_file(path);
+    } catch (const Error& error) {
+        if (marked)
+            throw Error(error.status(), "'" + path + "': " + error.what());
+        return false;
+    }
+    return file.data.has(0x7FE00010u) || file.data.has(0x7FE00008u) || file.data.has(0x7FE00009u);
+}
+
+// By the UID of the series, then by the size of the slices and their direction: a series may begin with slices of
+// another kind, to show where the others lie.
+std::vector<Series> series_in(const std::string& folder)
+{
+    std::vector<std::string> paths;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error))
+        if (entry.is_regular_file(error))
+            paths.push_back(entry.path().string());
+    std::sort(paths.begin(), paths.end());
+    std::map<std::vector<std::string>, Series> all;
+    for (const std::string& path : paths) {
+        DicomFile file;
+        if (!read_header(path, file))
+            continue;
+        const DicomData& data = file.data;
+        const std::string size = std::to_string(data.short_number(0x00280011u, 0)) + " x " +
+                                 std::to_string(data.short_number(0x00280010u, 0));
+        Series& series = all[{data.text(0x0020000Eu), size, data.text(0x00200037u)}];
+        series.description = data.text(0x0008103Eu);
+        series.uid = data.text(0x0020000Eu);
+        series.size = size;
+        const std::vector<double> number = data.numbers(0x00200013u);
+        series.files.push_back({path, number.empty() ? 0 : number.front()});
+    }
+    std::vector<Series> list;
+    for (auto& row : all)
+        list.push_back(std::move(row.second));
+    return list;
+}
+
+std::string names_of(const std::vector<Series>& list)
+{
+    constexpr size_t told = 8;
+    std::string text;
+    for (size_t s = 0; s < std::min(told, list.size()); ++s) {
+        const Series& series = list[s];
+        text += std::string(s > 0 ? "; " : "") + "'" + printable(series.description) + "' (" +
+                std::to_string(series.files.size()) + (series.files.size() == 1 ? " file" : " files") + " of " +
+                series.size + ", UID " + printable(series.uid) + ", " +
+                fs::path(series.files.front().path).filename().string() + " ...)";
+    }
+    return text + (list.size() > told ? "; and " + std::to_string(list.size() - told) + " more" : "");
+}
+
+// In the order of their numbers, where no slice tells its place.
+DicomStack stack_by_number(const Series& series, std::vector<DicomPlane> planes, Image& volume)
+{
+    std::vector<size_t> order(planes.size());
+    for (size_t i = 0; i < order.size(); ++i)
+        order[i] = i;
+    std::stable_sort(order.begin(), order.end(),
+                     [&](size_t a, size_t b) { return series.files[a].number < series.files[b].number; });
+    DicomStack stack;
+    stack.slots.resize(planes.size());
+    for (size_t slot = 0; slot < order.size(); ++slot)
+        stack.slots[order[slot]] = static_cast<int64_t>(slot);
+    set_plane(planes.front(), stack.geometry);
+    volume.notes.push_back("its slices do not tell where they lie: they are taken in the order of their numbers, " +
+                           std::string(planes.front().slice_spacing > 0 ? "their thickness" : "a pixel") + " apart");
+    return stack;
+}
+
+void add_slice(const Image& slice, size_t number, const std::string& path, const std::string& first, Image& volume)
+{
+    if (slice.dims[2] != 1)
+        refuse("'" + path + "' holds " + std::to_string(slice.dims[2]) +
+               " frames, but a series in a folder is of single slices: read that file alone");
+    if (number == 0) {
+        volume.dims[0] = slice.dims[0];
+        volume.dims[1] = slice.dims[1];
+        volume.component = slice.component;
+        volume.notes = slice.notes;
+        allocate_voxels(volume);
+    }
+    if (slice.component != volume.component)
+        refuse("'" + path + "' has another type of voxels than '" + first + "'");
+    std::memcpy(volume.voxels.get() + number * slice.bytes(), slice.voxels.get(), slice.bytes());
+}
+
+void sort_slices(const DicomStack& stack, Image& volume)
+{
+    Image sorted;
+    sorted.dims = volume.dims;
+    sorted.component = volume.component;
+    allocate_voxels(sorted);
+    const size_t bytes = volume.bytes() / stack.slots.size();
+    for (size_t i = 0; i < stack.slots.size(); ++i)
+        std::memcpy(sorted.voxels.get() + static_cast<size_t>(stack.slots[i]) * bytes, volume.voxels.get() + i * bytes,
+                    bytes);
+    volume.voxels = std::move(sorted.voxels);
+    volume.directions = stack.geometry.directions;
+    volume.spacing = stack.geometry.spacing;
+    volume.origin = stack.geometry.origin;
+}
+
+Image read_series(const Series& series)
+{
+    Image volume;
+    volume.dims[2] = static_cast<int64_t>(series.files.size());
+    std::vector<DicomPlane> planes;
+    std::vector<std::string> who;
+    for (size_t i = 0; i < series.files.size(); ++i) {
+        const std::string& path = series.files[i].path;
+        naming_file(path, [&] {
+            std::vector<DicomPlane> own;
+            const Image slice = read_dicom_frames(read_dicom_file(path), own);
+            add_slice(slice, i, path, series.files.front().path, volume);
+            planes.push_back(own.front());
+        });
+        who.push_back("'" + path + "'");
+    }
+    rescale(planes, volume);
+    const bool placed = std::any_of(planes.begin(), planes.end(), [](const DicomPlane& p) { return p.placed; });
+    sort_slices(placed ? stack_of(planes, who) : stack_by_number(series, planes, volume), volume);
+    return volume;
+}
+
+}  // namespace
+
+Image read_dicom_folder(const std::string& folder)
+{
+    const std::vector<Series> list = series_in(folder);
+    if (list.empty())
+        throw Error(CLEFT_ERROR_FILE, "the folder holds no DICOM series");
+    if (list.size() > 1)
+        throw Error(CLEFT_ERROR_FILE, "the folder must hold one DICOM series, but holds " +
+                                          std::to_string(list.size()) + ": " + names_of(list) +
+                                          "; move one of them into a folder of its own");
+    if (list.front().files.size() == 1)
+        return read_dicom_image(list.front().files.front().path, FileHead{});
+    return read_series(list.front());
+}
+
+}  // namespace cleft::io
