@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr std::string_view blanks = " \t\r\n\v\f";
-constexpr int64_t most_files = 1000000;
+constexpr int64_t most_files = 100000;
 
 // What is shown of a value.
 std::string shown(std::string_view value)

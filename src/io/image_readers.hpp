@@ -14,6 +14,10 @@ bool is_metaimage(const FileHead& head);
 Image read_metaimage(const std::string& path, const FileHead& head);
 bool is_vtk_volume(const FileHead& head);
 Image read_vtk_volume(const std::string& path, const FileHead& head);
+bool is_gipl(const FileHead& head);
+Image read_gipl(const std::string& path, const FileHead& head);
+bool is_mrc(const FileHead& head);
+Image read_mrc(const std::string& path, const FileHead& head);
 // Formats that are known by name, and which programs turn into others. Always throws.
 bool is_foreign_format(const FileHead& head);
 Image refuse_foreign_format(const std::string& path, const FileHead& head);

@@ -24,6 +24,8 @@ constexpr Reader readers[] = {
     {"NRRD", is_nrrd, read_nrrd},
     {"MetaImage", is_metaimage, read_metaimage},
     {"VTK legacy", is_vtk_volume, read_vtk_volume},
+    {"GIPL", is_gipl, read_gipl},
+    {"MRC", is_mrc, read_mrc},
     {"known, but not read", is_foreign_format, refuse_foreign_format},
     {"by ITK", is_itk_format, read_itk_image},
 };

@@ -1,0 +1,119 @@
+// MRC, of electron microscopy: 1024 bytes of header in either order of bytes, an extension, then the voxels.
+#include "io/binary_header.hpp"
+#include "io/header_values.hpp"
+#include "io/image_readers.hpp"
+#include "io/voxel_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cleft::io
+{
+
+namespace
+{
+
+constexpr size_t header_bytes = 1024;
+constexpr size_t mark_place = 208;
+constexpr int32_t imod_stamp = 1146047817;
+
+// Bytes are signed since 2014; before, and in files of IMOD that do not say so, they are not.
+bool has_signed_bytes(const BinaryHeader& header)
+{
+    if (header.at<int32_t>(152) == imod_stamp)
+        return header.at<int32_t>(156) & 1;
+    const auto version = header.at<int32_t>(108);
+    return version >= 20140 && version < 20200;
+}
+
+Component component_of(const BinaryHeader& header)
+{
+    const auto mode = header.at<int32_t>(12);
+    switch (mode) {
+        case 0:
+            return has_signed_bytes(header) ? Component::int8 : Component::uint8;
+        case 1:
+            return Component::int16;
+        case 2:
+            return Component::float32;
+        case 6:
+            return Component::uint16;
+        default:
+            refuse_field("MODE", std::to_string(mode), "such voxels cannot be read");
+    }
+}
+
+void check_axes(const BinaryHeader& header)
+{
+    for (size_t axis = 0; axis < 3; ++axis) {
+        const auto which = header.at<int32_t>(64 + 4 * axis);
+        if (which != 0 && which != static_cast<int32_t>(axis) + 1)
+            refuse_field("MAPC, MAPR, MAPS", std::to_string(which), "only axes in the order x, y, z can be read");
+        const auto angle = header.at<float>(52 + 4 * axis);
+        if (angle != 0 && !(std::abs(angle - 90) < 1e-3F))
+            refuse_field("CELLB", std::to_string(angle), "only right angles can be read");
+    }
+    const auto group = header.at<int32_t>(88);
+    if (group > 400)
+        refuse_field("ISPG", std::to_string(group), "a stack of volumes cannot be read");
+}
+
+void set_place(const BinaryHeader& header, Image& image)
+{
+    for (size_t axis = 0; axis < 3; ++axis) {
+        const auto steps = header.at<int32_t>(28 + 4 * axis);
+        const auto extent = static_cast<double>(header.at<float>(40 + 4 * axis));
+        image.spacing[axis] = steps > 0 && extent != 0 ? extent / steps : 1;
+        if (steps <= 0 || extent == 0)
+            image.notes.push_back("it gives no size of voxels along axis " + std::to_string(axis) +
+                                  ", which is taken for 1");
+        if (image.spacing[axis] < 0)
+            refuse_field("CELLA", std::to_string(extent), "it must be positive");
+        image.origin[axis] = static_cast<double>(header.at<float>(196 + 4 * axis));
+        if (header.at<int32_t>(16 + 4 * axis) != 0 && image.origin[axis] == 0)
+            image.notes.push_back("its first voxel has the number " +
+                                  std::to_string(header.at<int32_t>(16 + 4 * axis)) + " along axis " +
+                                  std::to_string(axis) + ", which is not used");
+    }
+}
+
+}  // namespace
+
+bool is_mrc(const FileHead& head)
+{
+    return !head.gzip && head.content.size() >= header_bytes && head.text().substr(mark_place, 3) == "MAP";
+}
+
+Image read_mrc(const std::string& path, const FileHead& head)
+{
+    const unsigned char stamp = head.content[mark_place + 4];
+    if (stamp != 0x44 && stamp != 0x11 && stamp != 0)
+        refuse_field("MACHST", std::to_string(stamp), "the order of bytes is not known");
+    const BinaryHeader header(head.content, stamp == 0x11);
+    Image image;
+    for (size_t axis = 0; axis < 3; ++axis) {
+        image.dims[axis] = header.at<int32_t>(4 * axis);
+        if (image.dims[axis] < 1)
+            refuse_field("NX, NY, NZ", std::to_string(image.dims[axis]), "an axis must have a voxel");
+    }
+    image.component = component_of(header);
+    check_axes(header);
+    set_place(header, image);
+    const auto extension = header.at<int32_t>(92);
+    if (extension < 0)
+        refuse_field("NSYMBT", std::to_string(extension), "it must not be negative");
+    VoxelData data;
+    data.big_endian = stamp == 0x11;
+    data.attached = true;
+    data.files = {path};
+    data.skip = static_cast<int64_t>(header_bytes) + extension;
+    read_voxels(data, image);
+    const auto is_high = [](std::byte byte) { return byte >= std::byte{128}; };
+    if (size_of(image.component) == 1 && std::any_of(image.voxels.get(), image.voxels.get() + image.bytes(), is_high))
+        image.notes.push_back(image.component == Component::int8
+                                  ? "its bytes above 127 are taken for negative numbers, as MRC of 2014 has it"
+                                  : "its bytes above 127 are taken for positive numbers, as MRC before 2014 has it");
+    return image;
+}
+
+}  // namespace cleft::io
