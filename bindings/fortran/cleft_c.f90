@@ -30,7 +30,8 @@ module cleft_c
     CLEFT_ERROR_LABEL_LOST = -12, &
     CLEFT_ERROR_FILE = -13, &
     CLEFT_ERROR_FORMAT = -14, &
-    CLEFT_ERROR_HANDLE = -15
+    CLEFT_ERROR_HANDLE = -15, &
+    CLEFT_ERROR_BUSY = -16
 
   integer(c_int32_t), parameter :: &
     CLEFT_LOG_WARNING = 1, &
@@ -146,6 +147,8 @@ module cleft_c
     real(c_double) :: box_volume
     real(c_double) :: hull_area
     real(c_double) :: box_area
+    integer(c_int64_t) :: interface_triangles
+    integer(c_int64_t) :: hull_triangles
   end type
 
   type, bind(C) :: cleft_label_report
@@ -265,6 +268,19 @@ module cleft_c
       character(kind=c_char), intent(in) :: sentence(*)
       integer(c_int32_t) :: answer
     end function
+
+    function cleft_context_begin(context, handles, count) bind(C) result(answer)
+      import
+      type(c_ptr), value :: context
+      type(c_ptr), intent(in) :: handles(*)
+      integer(c_int64_t), value :: count
+      integer(c_int32_t) :: answer
+    end function
+
+    subroutine cleft_context_end(context) bind(C)
+      import
+      type(c_ptr), value :: context
+    end subroutine
 
     function cleft_context_cancel(context) bind(C) result(answer)
       import

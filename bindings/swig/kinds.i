@@ -96,4 +96,6 @@ CLEFT_HANDLE(cleft_report)
 
 // Sentences for the context come from components written in C.
 %ignore cleft_context_set_error;
+%ignore cleft_context_begin;
+%ignore cleft_context_end;
 %ignore cleft_context_log;

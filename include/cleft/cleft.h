@@ -9,13 +9,20 @@
  *
  * Conventions
  *  - Every fallible function returns a cleft_status: CLEFT_OK (0) or a fixed negative number. What went wrong, in one
- *    sentence that names the value, is in cleft_context_last_error(). Outputs come last and are set to NULL (or left
- *    untouched, for numbers and buffers) on failure: there is never half a result.
+ *    sentence that names the value, is in cleft_context_last_error(). Functions that take no context leave no sentence
+ *    (those of options leave it in cleft_options_last_error()): cleft_status_string() has the words for their status.
+ *    Outputs come last and are set to NULL (or left untouched, for numbers and buffers) on failure: there is never half
+ *    a result.
  *  - Handles are opaque. `_create` gives a handle that the caller owns and gives back to `_destroy`; `_destroy` takes
  *    NULL. Handles other than contexts and options are immutable once made and may be read from many threads at once,
- *    also after the context that made them is gone. (Names of labels are the one exception: set them before.) A context
- * serves one thread at a time, except cleft_context_cancel(). The library has no global or thread-local state and
- * prints nothing.
+ *    also after the context that made them is gone. (Names of labels are the one exception: set them before.)
+ *  - A context has one call at a time. While one runs, others on the same context, from other threads or from its
+ *    callbacks, get CLEFT_ERROR_BUSY, which leaves no sentence. A callback may use cleft_context_cancel(), _threads(),
+ *    _last_error() and the metrics of its context. What a callback destroys lives until the call that uses it ends.
+ *    Otherwise a handle must not be used once it is destroyed: that is not found out.
+ *  - Structs begin with struct_size, which the caller sets to sizeof. 0, or less than the struct had in the release
+ *    that brought it, is CLEFT_ERROR_ARGUMENT.
+ *  - The library has no global or thread-local state and prints nothing.
  *  - Arrays that come in are copied. Arrays that go out are either borrowed (`const` pointers, valid until the handle
  *    is destroyed; NULL if there are no elements) or copied into the caller's buffer (`_copy_`).
  *  - Counts are int64_t. Point numbers are int32_t, from 0 unless a function takes an index base. Coordinates are
@@ -41,6 +48,15 @@
 #define CLEFT_API __attribute__((visibility("default")))
 #else
 #define CLEFT_API
+#endif
+
+/* The status is to be looked at: compilers warn where it is not. */
+#if (defined(__cplusplus) && __cplusplus >= 201703L) || (defined(__STDC_VERSION__) && __STDC_VERSION__ > 201710L)
+#define CLEFT_NODISCARD [[nodiscard]]
+#elif defined(__GNUC__)
+#define CLEFT_NODISCARD __attribute__((warn_unused_result))
+#else
+#define CLEFT_NODISCARD
 #endif
 
 #ifdef __cplusplus
@@ -81,19 +97,21 @@ typedef struct cleft_report cleft_report;   /**< what became of each label */
 
 /** Makes a context with one thread, no callbacks. The caller owns *out. Fails only for want of memory or a NULL `out`.
  *  \since 0.1 */
-CLEFT_API cleft_status cleft_context_create(cleft_context** out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_context_create(cleft_context** out) CLEFT_NOEXCEPT;
 /** Destroys a context; NULL is allowed. Handles made with it live on. \since 0.1 */
 CLEFT_API void cleft_context_destroy(cleft_context* context) CLEFT_NOEXCEPT;
 
 /** The sentence of the last failure on this context, "" if there was none; borrowed until the next call on the
  *  context. \since 0.1 */
 CLEFT_API const char* cleft_context_last_error(const cleft_context* context) CLEFT_NOEXCEPT;
-/** Puts a sentence on the context and returns `status`: for components that build on this library. \since 0.1 */
+/** Puts a sentence on the context and returns `status` (or CLEFT_ERROR_BUSY): for components that build on this
+ * library. \since 0.1 */
 CLEFT_API cleft_status cleft_context_set_error(cleft_context* context, cleft_status status,
                                                const char* sentence) CLEFT_NOEXCEPT;
 
 /** Threads to use, 1 .. 1024; 0 means as many as the machine has. The result does not depend on it. \since 0.1 */
-CLEFT_API cleft_status cleft_context_set_threads(cleft_context* context, int32_t threads) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_context_set_threads(cleft_context* context,
+                                                                 int32_t threads) CLEFT_NOEXCEPT;
 /** The number of threads in use; 0 for NULL. \since 0.1 */
 CLEFT_API int32_t cleft_context_threads(const cleft_context* context) CLEFT_NOEXCEPT;
 
@@ -102,19 +120,30 @@ CLEFT_API int32_t cleft_context_threads(const cleft_context* context) CLEFT_NOEX
  *  again; TetGen's part, seconds for millions of tetrahedra, cannot be interrupted. \since 0.1 */
 typedef int (*cleft_progress_callback)(double fraction, const char* stage, void* user);
 /** Sets or (NULL) removes the progress callback. `user` is passed through. \since 0.1 */
-CLEFT_API cleft_status cleft_context_set_progress(cleft_context* context, cleft_progress_callback callback,
-                                                  void* user) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_context_set_progress(cleft_context* context,
+                                                                  cleft_progress_callback callback,
+                                                                  void* user) CLEFT_NOEXCEPT;
 
 enum { CLEFT_LOG_WARNING = 1, CLEFT_LOG_INFO = 2, CLEFT_LOG_DEBUG = 3 };
 /** `sentence` is borrowed for the call. Called on the thread that called the library. \since 0.1 */
 typedef void (*cleft_log_callback)(int32_t level, const char* sentence, void* user);
 /** Sets or (NULL) removes the log callback. \since 0.1 */
-CLEFT_API cleft_status cleft_context_set_log(cleft_context* context, cleft_log_callback callback,
-                                             void* user) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_context_set_log(cleft_context* context, cleft_log_callback callback,
+                                                             void* user) CLEFT_NOEXCEPT;
 
 /** Hands a sentence to the log callback, if there is one: for components that build on this library. `level` is one of
  *  CLEFT_LOG_WARNING ... CLEFT_LOG_DEBUG, else CLEFT_ERROR_ARGUMENT. \since 0.1 */
-CLEFT_API cleft_status cleft_context_log(cleft_context* context, int32_t level, const char* sentence) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_context_log(cleft_context* context, int32_t level,
+                                                         const char* sentence) CLEFT_NOEXCEPT;
+
+/** For components that build on this library: what they do until cleft_context_end() is one call of the context. Other
+ *  threads and callbacks get CLEFT_ERROR_BUSY meanwhile, and the context and the `count` handles (or NULL) of any kind
+ *  live on if a callback destroys them. Begins like any call: the last sentence and requests to cancel are forgotten.
+ *  May be nested. \since 0.1 */
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_context_begin(cleft_context* context, const void* const* handles,
+                                                           int64_t count) CLEFT_NOEXCEPT;
+/** Ends what cleft_context_begin() began, on the same thread. \since 0.1 */
+CLEFT_API void cleft_context_end(cleft_context* context) CLEFT_NOEXCEPT;
 
 /** Asks the call that runs on this context to stop soon with CLEFT_ERROR_CANCELLED; from any thread. A request made
  *  while nothing runs is forgotten when the next call begins. \since 0.1 */
@@ -124,10 +153,10 @@ CLEFT_API cleft_status cleft_context_cancel(cleft_context* context) CLEFT_NOEXCE
  *  they were first noted. A later call overwrites figures of the same name. \since 0.1 */
 CLEFT_API int64_t cleft_context_metric_count(const cleft_context* context) CLEFT_NOEXCEPT;
 /** Figure number `index`; `name` is borrowed until the next call on the context. \since 0.1 */
-CLEFT_API cleft_status cleft_context_metric(const cleft_context* context, int64_t index, const char** name,
-                                            double* value) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_context_metric(const cleft_context* context, int64_t index,
+                                                            const char** name, double* value) CLEFT_NOEXCEPT;
 /** Forgets all figures. \since 0.1 */
-CLEFT_API cleft_status cleft_context_clear_metrics(cleft_context* context) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_context_clear_metrics(cleft_context* context) CLEFT_NOEXCEPT;
 
 /* ------------------------------------------------------------------------------------------------- options -- */
 
@@ -182,11 +211,11 @@ typedef struct cleft_option_description {
 /** Number of rows of the table. \since 0.1 */
 CLEFT_API int32_t cleft_option_count(void) CLEFT_NOEXCEPT;
 /** Row `index` (0 ..) of the table. \since 0.1 */
-CLEFT_API cleft_status cleft_option_info(int32_t index, cleft_option_description* out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_option_info(int32_t index, cleft_option_description* out) CLEFT_NOEXCEPT;
 
 /** Options with their defaults. The caller owns *out. A cleft_options may be changed at any time by one thread; calls
  *  read it only while they run. \since 0.1 */
-CLEFT_API cleft_status cleft_options_create(cleft_options** out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_options_create(cleft_options** out) CLEFT_NOEXCEPT;
 /** Destroys options; NULL is allowed. \since 0.1 */
 CLEFT_API void cleft_options_destroy(cleft_options* options) CLEFT_NOEXCEPT;
 /** The sentence of the last value that these options refused, "" if none was; borrowed until the next call on them.
@@ -195,30 +224,32 @@ CLEFT_API const char* cleft_options_last_error(const cleft_options* options) CLE
 
 /** Sets an integer, choice or flag. CLEFT_ERROR_OPTION for an unknown key, a real option, or a value out of range.
  *  \since 0.1 */
-CLEFT_API cleft_status cleft_options_set_integer(cleft_options* options, cleft_option key,
-                                                 int64_t value) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_options_set_integer(cleft_options* options, cleft_option key,
+                                                                 int64_t value) CLEFT_NOEXCEPT;
 /** Sets a real option; CLEFT_ERROR_NOT_FINITE for NaN and infinity. \since 0.1 */
-CLEFT_API cleft_status cleft_options_set_real(cleft_options* options, cleft_option key, double value) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_options_set_real(cleft_options* options, cleft_option key,
+                                                              double value) CLEFT_NOEXCEPT;
 /** Sets any option from text: by its name in the table ('-' and '_' are the same), numbers in C notation, choices by
  *  name, flags as "true", "false", "1", "0". \since 0.1 */
-CLEFT_API cleft_status cleft_options_set_text(cleft_options* options, const char* name,
-                                              const char* value) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_options_set_text(cleft_options* options, const char* name,
+                                                              const char* value) CLEFT_NOEXCEPT;
 /** The value of an integer, choice or flag. \since 0.1 */
-CLEFT_API cleft_status cleft_options_get_integer(const cleft_options* options, cleft_option key,
-                                                 int64_t* value) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_options_get_integer(const cleft_options* options, cleft_option key,
+                                                                 int64_t* value) CLEFT_NOEXCEPT;
 /** The value of a real option. \since 0.1 */
-CLEFT_API cleft_status cleft_options_get_real(const cleft_options* options, cleft_option key,
-                                              double* value) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_options_get_real(const cleft_options* options, cleft_option key,
+                                                              double* value) CLEFT_NOEXCEPT;
 
 /** The greatest edge length inside one label (> 0), in world units; 0 takes the wish back. \since 0.1 */
-CLEFT_API cleft_status cleft_options_set_label_size(cleft_options* options, int32_t label, double size) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_options_set_label_size(cleft_options* options, int32_t label,
+                                                                    double size) CLEFT_NOEXCEPT;
 /** Labels whose tetrahedra are left out of the finished mesh; replaces the former list. No label is special: without
  *  this, the background label is meshed like the others. \since 0.1 */
-CLEFT_API cleft_status cleft_options_set_strip(cleft_options* options, const int32_t* labels,
-                                               int64_t count) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_options_set_strip(cleft_options* options, const int32_t* labels,
+                                                               int64_t count) CLEFT_NOEXCEPT;
 /** Labels whose tetrahedra alone are kept (count 0: all); replaces the former list. \since 0.1 */
-CLEFT_API cleft_status cleft_options_set_only(cleft_options* options, const int32_t* labels,
-                                              int64_t count) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_options_set_only(cleft_options* options, const int32_t* labels,
+                                                              int64_t count) CLEFT_NOEXCEPT;
 
 /* -------------------------------------------------------------------------------------------------- volume -- */
 
@@ -242,23 +273,26 @@ enum {
  * are measured in the frame of the voxel axes, which differs from the world's only if the affine shears. `options` may
  * be NULL; CLEFT_OPTION_SMOOTH is read. The voxels are copied (one or two bytes a voxel, and two for the weights). The
  * caller owns *out. \since 0.1 */
-CLEFT_API cleft_status cleft_volume_create_labels(cleft_context* context, cleft_type type, const void* voxels,
-                                                  const int64_t dims[3], const double affine[12],
-                                                  const cleft_options* options, cleft_volume** out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_create_labels(cleft_context* context, cleft_type type,
+                                                                  const void* voxels, const int64_t dims[3],
+                                                                  const double affine[12], const cleft_options* options,
+                                                                  cleft_volume** out) CLEFT_NOEXCEPT;
 /** `count` indicator functions (FLOAT32 or FLOAT64), one for each material; the largest wins at a point. count = 1: a
  *  signed function, inside (second label) where it is > 0. `labels`: what the materials are called, `count` values (two
  *  for count = 1, outside first), or NULL for 0, 1, 2, ... Values must be finite. Copied as float. \since 0.1 */
-CLEFT_API cleft_status cleft_volume_create_indicators(cleft_context* context, cleft_type type,
-                                                      const void* const* fields, int64_t count, const int64_t dims[3],
-                                                      const double affine[12], const int32_t* labels,
-                                                      cleft_volume** out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_create_indicators(cleft_context* context, cleft_type type,
+                                                                      const void* const* fields, int64_t count,
+                                                                      const int64_t dims[3], const double affine[12],
+                                                                      const int32_t* labels,
+                                                                      cleft_volume** out) CLEFT_NOEXCEPT;
 /** Destroys a volume, and the arrays borrowed from it; NULL is allowed. \since 0.1 */
 CLEFT_API void cleft_volume_destroy(cleft_volume* volume) CLEFT_NOEXCEPT;
 
 /** Copies the number of voxels along each axis. \since 0.1 */
-CLEFT_API cleft_status cleft_volume_dims(const cleft_volume* volume, int64_t dims[3]) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_dims(const cleft_volume* volume, int64_t dims[3]) CLEFT_NOEXCEPT;
 /** Copies the map from voxel indices to the world, 3 rows of 4. \since 0.1 */
-CLEFT_API cleft_status cleft_volume_affine(const cleft_volume* volume, double affine[12]) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_affine(const cleft_volume* volume,
+                                                           double affine[12]) CLEFT_NOEXCEPT;
 /** Number of materials; 0 for NULL. \since 0.1 */
 CLEFT_API int64_t cleft_volume_label_count(const cleft_volume* volume) CLEFT_NOEXCEPT;
 /** The label of each material, ascending for a label map; borrowed. \since 0.1 */
@@ -266,45 +300,49 @@ CLEFT_API const int32_t* cleft_volume_labels(const cleft_volume* volume) CLEFT_N
 /** Names a label, in one line of UTF-8, which is copied; NULL or "" takes the name away. Meshes of the volume have its
  *  names. Set them before others read the volume. CLEFT_ERROR_ARGUMENT if the volume has no such label, or if the name
  *  is not UTF-8 or has a control character in it. \since 0.1 */
-CLEFT_API cleft_status cleft_volume_set_label_name(cleft_volume* volume, int32_t label,
-                                                   const char* name) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_set_label_name(cleft_volume* volume, int32_t label,
+                                                                   const char* name) CLEFT_NOEXCEPT;
 /** The name of a label, UTF-8, "" if it has none; borrowed until it is set again or the volume is destroyed.
  *  \since 0.1 */
 CLEFT_API const char* cleft_volume_label_name(const cleft_volume* volume, int32_t label) CLEFT_NOEXCEPT;
 /** Voxels of each material, `capacity` >= label count. \since 0.1 */
-CLEFT_API cleft_status cleft_volume_copy_voxel_counts(const cleft_volume* volume, int64_t* counts,
-                                                      int64_t capacity) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_copy_voxel_counts(const cleft_volume* volume, int64_t* counts,
+                                                                      int64_t capacity) CLEFT_NOEXCEPT;
 /** The labels at `count` world points (3 * count coordinates), as the mesh sees them: the smoothed label map's winner.
  *  \since 0.1 */
-CLEFT_API cleft_status cleft_volume_sample(const cleft_volume* volume, const double* points, int64_t count,
-                                           int32_t* labels) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_sample(const cleft_volume* volume, const double* points,
+                                                           int64_t count, int32_t* labels) CLEFT_NOEXCEPT;
 
 /* -------------------------------------------------------------------------------------------------- sizing -- */
 
 /** The sizing field of a volume from its features: three distance transforms (see docs/method.md), limited by the
  *  options SIZE, SIZE_MIN, SIZE_MAX, FEATURE_SCALE, GRADATION, INTERFACE_SIZE, KEEP_THIN and the label sizes. With
  * TETS, scaled to the number of tetrahedra expected. `options` may be NULL. The caller owns *out. \since 0.1 */
-CLEFT_API cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* volume,
-                                           const cleft_options* options, cleft_sizing** out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* volume,
+                                                           const cleft_options* options,
+                                                           cleft_sizing** out) CLEFT_NOEXCEPT;
 /** One size everywhere. The caller owns *out. \since 0.1 */
-CLEFT_API cleft_status cleft_sizing_create_constant(cleft_context* context, const cleft_volume* volume, double size,
-                                                    cleft_sizing** out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_create_constant(cleft_context* context, const cleft_volume* volume,
+                                                                    double size, cleft_sizing** out) CLEFT_NOEXCEPT;
 /** The user's own field: one positive finite value a voxel of the volume, x fastest, FLOAT32 or FLOAT64; taken as it
  *  is, and combined by minimum with the computed one if `combine` is nonzero (options as in cleft_sizing_create()).
  *  The caller owns *out. \since 0.1 */
-CLEFT_API cleft_status cleft_sizing_create_values(cleft_context* context, const cleft_volume* volume, cleft_type type,
-                                                  const void* values, int32_t combine, const cleft_options* options,
-                                                  cleft_sizing** out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_create_values(cleft_context* context, const cleft_volume* volume,
+                                                                  cleft_type type, const void* values, int32_t combine,
+                                                                  const cleft_options* options,
+                                                                  cleft_sizing** out) CLEFT_NOEXCEPT;
 /** Destroys a sizing field, and the array borrowed from it; NULL is allowed. \since 0.1 */
 CLEFT_API void cleft_sizing_destroy(cleft_sizing* sizing) CLEFT_NOEXCEPT;
 /** Copies the number of values along each axis. \since 0.1 */
-CLEFT_API cleft_status cleft_sizing_dims(const cleft_sizing* sizing, int64_t dims[3]) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_dims(const cleft_sizing* sizing, int64_t dims[3]) CLEFT_NOEXCEPT;
 /** Copies the map from the indices of values to the world, 3 rows of 4. \since 0.1 */
-CLEFT_API cleft_status cleft_sizing_affine(const cleft_sizing* sizing, double affine[12]) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_affine(const cleft_sizing* sizing,
+                                                           double affine[12]) CLEFT_NOEXCEPT;
 /** One value a voxel, x fastest; borrowed. \since 0.1 */
 CLEFT_API const float* cleft_sizing_values(const cleft_sizing* sizing) CLEFT_NOEXCEPT;
 /** The field at a world point. \since 0.1 */
-CLEFT_API cleft_status cleft_sizing_at(const cleft_sizing* sizing, const double point[3], double* size) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_at(const cleft_sizing* sizing, const double point[3],
+                                                       double* size) CLEFT_NOEXCEPT;
 /** Tetrahedra that a background of this field will have, within some 10 %; 0 for NULL. \since 0.1 */
 CLEFT_API double cleft_sizing_expected_tets(const cleft_sizing* sizing) CLEFT_NOEXCEPT;
 
@@ -312,8 +350,9 @@ CLEFT_API double cleft_sizing_expected_tets(const cleft_sizing* sizing) CLEFT_NO
 
 /** The background mesh of a sizing field, of the kind of the option BACKGROUND (STEPS, SEED and REPAIR are read). It
  *  fills the box and knows nothing of materials: its only label is 0. The caller owns *out. \since 0.1 */
-CLEFT_API cleft_status cleft_background_create(cleft_context* context, const cleft_sizing* sizing,
-                                               const cleft_options* options, cleft_mesh** out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_background_create(cleft_context* context, const cleft_sizing* sizing,
+                                                               const cleft_options* options,
+                                                               cleft_mesh** out) CLEFT_NOEXCEPT;
 
 /* -------------------------------------------------------------------------------------------------- meshes -- */
 
@@ -321,34 +360,36 @@ CLEFT_API cleft_status cleft_background_create(cleft_context* context, const cle
  *  doubles in world coordinates; `tets`: 4 * tet_count point numbers counted from `index_base` (0 or 1); `labels`:
  *  tet_count labels, or NULL for 0. Numbers out of range, NaN and infinity are refused; anything else is taken, and
  *  cleft_mesh_validate() tells whether it is sound. The caller owns *out. \since 0.1 */
-CLEFT_API cleft_status cleft_mesh_create(cleft_context* context, int64_t point_count, const double* points,
-                                         int64_t tet_count, const int32_t* tets, const int32_t* labels,
-                                         int32_t index_base, cleft_mesh** out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_create(cleft_context* context, int64_t point_count,
+                                                         const double* points, int64_t tet_count, const int32_t* tets,
+                                                         const int32_t* labels, int32_t index_base,
+                                                         cleft_mesh** out) CLEFT_NOEXCEPT;
 /** Destroys a mesh, and the arrays borrowed from it; NULL is allowed. \since 0.1 */
 CLEFT_API void cleft_mesh_destroy(cleft_mesh* mesh) CLEFT_NOEXCEPT;
 
 /** Cleaves a background along the interfaces of a volume (option SNAP; with REPAIR above 0, poor tetrahedra of the
  *  background are repaired first). The background must be positively oriented and conforming; it need not fill the box.
  *  `options` may be NULL. The caller owns *out. \since 0.1 */
-CLEFT_API cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volume,
-                                         const cleft_mesh* background, const cleft_options* options,
-                                         cleft_mesh** out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volume,
+                                                         const cleft_mesh* background, const cleft_options* options,
+                                                         cleft_mesh** out) CLEFT_NOEXCEPT;
 /** Raises the worst dihedral angles of a cleaved mesh of this volume (option IMPROVE). The caller owns *out.
  *  \since 0.1 */
-CLEFT_API cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volume, const cleft_mesh* mesh,
-                                          const cleft_options* options, cleft_mesh** out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volume,
+                                                          const cleft_mesh* mesh, const cleft_options* options,
+                                                          cleft_mesh** out) CLEFT_NOEXCEPT;
 /** The mesh without the labels that the strip and only lists of the options leave out. The caller owns *out.
  *  \since 0.1 */
-CLEFT_API cleft_status cleft_mesh_strip(cleft_context* context, const cleft_mesh* mesh, const cleft_options* options,
-                                        cleft_mesh** out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_strip(cleft_context* context, const cleft_mesh* mesh,
+                                                        const cleft_options* options, cleft_mesh** out) CLEFT_NOEXCEPT;
 /** All of it: sizing (unless given), background (unless given), cleaving, improving, spatial ordering, stripping.
  *  `sizing`, `background` and `options` may be NULL. With TETS, the size is corrected until the number of tetrahedra is
  *  within 10 % (at most eight rounds). With STRICT, CLEFT_ERROR_LABEL_LOST if a label of the volume, or a piece of
  *  more than 30 voxels of one, is not in the mesh or broke.
  *  The caller owns *out. \since 0.1 */
-CLEFT_API cleft_status cleft_mesh_volume(cleft_context* context, const cleft_volume* volume, const cleft_sizing* sizing,
-                                         const cleft_mesh* background, const cleft_options* options,
-                                         cleft_mesh** out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_volume(cleft_context* context, const cleft_volume* volume,
+                                                         const cleft_sizing* sizing, const cleft_mesh* background,
+                                                         const cleft_options* options, cleft_mesh** out) CLEFT_NOEXCEPT;
 
 /** Number of points; 0 for NULL. \since 0.1 */
 CLEFT_API int64_t cleft_mesh_point_count(const cleft_mesh* mesh) CLEFT_NOEXCEPT;
@@ -367,26 +408,29 @@ CLEFT_API const int32_t* cleft_mesh_labels(const cleft_mesh* mesh) CLEFT_NOEXCEP
 
 /** Names a label of the mesh: see cleft_volume_set_label_name(). Meshes made of a volume have its names, of the labels
  *  that they have; cleft_mesh_improve() and cleft_mesh_strip() keep a mesh's. \since 0.1 */
-CLEFT_API cleft_status cleft_mesh_set_label_name(cleft_mesh* mesh, int32_t label, const char* name) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_set_label_name(cleft_mesh* mesh, int32_t label,
+                                                                 const char* name) CLEFT_NOEXCEPT;
 /** The name of a label, UTF-8, "" if it has none; borrowed until it is set again or the mesh is destroyed. \since 0.1
  */
 CLEFT_API const char* cleft_mesh_label_name(const cleft_mesh* mesh, int32_t label) CLEFT_NOEXCEPT;
 
 /** Copies the points; `capacity` is in doubles and must be at least 3 * point count. \since 0.1 */
-CLEFT_API cleft_status cleft_mesh_copy_points(const cleft_mesh* mesh, double* points, int64_t capacity) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_copy_points(const cleft_mesh* mesh, double* points,
+                                                              int64_t capacity) CLEFT_NOEXCEPT;
 /** Copies the corners, counted from index_base (0 or 1); `capacity` in int32_t, at least 4 * tetrahedron count.
  *  \since 0.1 */
-CLEFT_API cleft_status cleft_mesh_copy_tets(const cleft_mesh* mesh, int32_t index_base, int32_t* tets,
-                                            int64_t capacity) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_copy_tets(const cleft_mesh* mesh, int32_t index_base, int32_t* tets,
+                                                            int64_t capacity) CLEFT_NOEXCEPT;
 /** Copies the label of each tetrahedron; `capacity` at least the tetrahedron count. \since 0.1 */
-CLEFT_API cleft_status cleft_mesh_copy_tet_labels(const cleft_mesh* mesh, int32_t* labels,
-                                                  int64_t capacity) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_copy_tet_labels(const cleft_mesh* mesh, int32_t* labels,
+                                                                  int64_t capacity) CLEFT_NOEXCEPT;
 /** Ten-node tetrahedra: adds a point at the middle of each edge. Corners of element t are tets[10 t .. 10 t + 3]; then
  *  the middles of edges 01, 12, 02, 03, 13, 23 (the order of VTK, Abaqus C3D10). Call with NULL buffers and zero
  *  capacities to get the counts. The first points are those of the mesh. \since 0.1 */
-CLEFT_API cleft_status cleft_mesh_copy_quadratic(const cleft_mesh* mesh, int32_t index_base, double* points,
-                                                 int64_t point_capacity, int32_t* tets, int64_t tet_capacity,
-                                                 int64_t* point_count) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_copy_quadratic(const cleft_mesh* mesh, int32_t index_base,
+                                                                 double* points, int64_t point_capacity, int32_t* tets,
+                                                                 int64_t tet_capacity,
+                                                                 int64_t* point_count) CLEFT_NOEXCEPT;
 
 /** The shape of a mesh in figures. The caller sets struct_size to sizeof(cleft_quality). \since 0.1 */
 typedef struct cleft_quality {
@@ -413,10 +457,10 @@ typedef struct cleft_quality {
 } cleft_quality;
 
 /** Measures a mesh. \since 0.1 */
-CLEFT_API cleft_status cleft_mesh_quality(cleft_context* context, const cleft_mesh* mesh,
-                                          cleft_quality* out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_quality(cleft_context* context, const cleft_mesh* mesh,
+                                                          cleft_quality* out) CLEFT_NOEXCEPT;
 
-/** What is wrong with a mesh; all counts are 0 for a sound one. The caller sets struct_size. \since 0.1 */
+/** What is wrong with a mesh; all counts of faults are 0 for a sound one. The caller sets struct_size. \since 0.1 */
 typedef struct cleft_validation {
     uint32_t struct_size;
     int32_t valid;                /**< 1 if nothing is wrong */
@@ -433,12 +477,16 @@ typedef struct cleft_validation {
     double box_volume;
     double hull_area;
     double box_area;
+    /** faces between tetrahedra of different labels, counted face by face: cleft_surface_create() finds as many, by
+     *  another way */
+    int64_t interface_triangles;
+    int64_t hull_triangles; /**< faces of one tetrahedron, counted so, too */
 } cleft_validation;
 
 /** Looks for faults. `fills_box` nonzero: the mesh is also asked to fill its bounding box. A fault is no failure of the
  *  call; the first one and its place are then in cleft_context_last_error(). \since 0.1 */
-CLEFT_API cleft_status cleft_mesh_validate(cleft_context* context, const cleft_mesh* mesh, int32_t fills_box,
-                                           cleft_validation* out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_validate(cleft_context* context, const cleft_mesh* mesh,
+                                                           int32_t fills_box, cleft_validation* out) CLEFT_NOEXCEPT;
 
 /* ------------------------------------------------------------------------------------------------ surfaces -- */
 
@@ -455,8 +503,8 @@ enum {
 
 /** The interfaces between labels and the hull of a mesh, as triangles that number the mesh's points. The caller owns
  *  *out, which does not need the mesh afterwards. \since 0.1 */
-CLEFT_API cleft_status cleft_surface_create(cleft_context* context, const cleft_mesh* mesh,
-                                            cleft_surface** out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_surface_create(cleft_context* context, const cleft_mesh* mesh,
+                                                            cleft_surface** out) CLEFT_NOEXCEPT;
 /** Destroys a surface, and the arrays borrowed from it; NULL is allowed. \since 0.1 */
 CLEFT_API void cleft_surface_destroy(cleft_surface* surface) CLEFT_NOEXCEPT;
 /** Number of triangles between different labels; 0 for NULL. \since 0.1 */
@@ -497,8 +545,8 @@ typedef struct cleft_label_report {
 } cleft_label_report;
 
 /** Compares a finished (not stripped) mesh with its volume, label by label. The caller owns *out. \since 0.1 */
-CLEFT_API cleft_status cleft_report_create(cleft_context* context, const cleft_volume* volume, const cleft_mesh* mesh,
-                                           cleft_report** out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_report_create(cleft_context* context, const cleft_volume* volume,
+                                                           const cleft_mesh* mesh, cleft_report** out) CLEFT_NOEXCEPT;
 /** Destroys a report; NULL is allowed. \since 0.1 */
 CLEFT_API void cleft_report_destroy(cleft_report* report) CLEFT_NOEXCEPT;
 /** Number of labels of the volume; 0 for NULL. \since 0.1 */
@@ -508,8 +556,8 @@ CLEFT_API int64_t cleft_report_count(const cleft_report* report) CLEFT_NOEXCEPT;
  *  tells apart. 0 for NULL, and where there is no such row. \since 0.1 */
 CLEFT_API int64_t cleft_report_joined(const cleft_report* report, int64_t index) CLEFT_NOEXCEPT;
 /** Row `index`, in the order of cleft_volume_labels(). \since 0.1 */
-CLEFT_API cleft_status cleft_report_label(const cleft_report* report, int64_t index,
-                                          cleft_label_report* out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_report_label(const cleft_report* report, int64_t index,
+                                                          cleft_label_report* out) CLEFT_NOEXCEPT;
 
 #ifdef __cplusplus
 }

@@ -67,7 +67,8 @@ typedef struct cleft_io_format_description {
 /** Number of rows of the table. \since 0.1 */
 CLEFT_IO_API int32_t cleft_io_format_count(void) CLEFT_NOEXCEPT;
 /** Row `index` (0 ..) of the table. CLEFT_ERROR_ARGUMENT if there is no such row. \since 0.1 */
-CLEFT_IO_API cleft_status cleft_io_format_info(int32_t index, cleft_io_format_description* out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_format_info(int32_t index,
+                                                               cleft_io_format_description* out) CLEFT_NOEXCEPT;
 
 /** What a file most likely holds, by its name (and, where the name leaves it open, its first bytes). \since 0.1 */
 enum { CLEFT_IO_UNKNOWN = 0, CLEFT_IO_VOLUME = 1, CLEFT_IO_MESH = 2 };
@@ -131,9 +132,10 @@ typedef struct cleft_io_reading {
  * that may mean several things, spacings that are zero or not finite, direction axes that lie in a plane.
  *  CLEFT_ERROR_NOT_FINITE: a voxel that is not finite, with its place. CLEFT_ERROR_FILE: files that are not there,
  * cannot be read, or are in no known format. The caller owns *out. \since 0.1 */
-CLEFT_IO_API cleft_status cleft_io_read_volume(cleft_context* context, const cleft_options* options,
-                                               const char* const* paths, int64_t count, const cleft_io_reading* reading,
-                                               cleft_volume** out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_read_volume(cleft_context* context, const cleft_options* options,
+                                                               const char* const* paths, int64_t count,
+                                                               const cleft_io_reading* reading,
+                                                               cleft_volume** out) CLEFT_NOEXCEPT;
 
 /** How raw voxels lie in a file, x fastest. The caller sets struct_size to sizeof(cleft_io_raw). \since 0.1 */
 typedef struct cleft_io_raw {
@@ -149,23 +151,24 @@ typedef struct cleft_io_raw {
 /** Reads files without a header. What they mean, by raw->kind, and what is told and refused, is as in
  *  cleft_io_read_volume(). The corner of the box is at the origin. The caller owns *out.
  *  \since 0.1 */
-CLEFT_IO_API cleft_status cleft_io_read_raw(cleft_context* context, const cleft_options* options,
-                                            const char* const* paths, int64_t count, const cleft_io_raw* raw,
-                                            cleft_volume** out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_read_raw(cleft_context* context, const cleft_options* options,
+                                                            const char* const* paths, int64_t count,
+                                                            const cleft_io_raw* raw, cleft_volume** out) CLEFT_NOEXCEPT;
 
 /* -------------------------------------------------------------------------------------------- sizing fields -- */
 
 /** Writes a sizing field as a volume of float, so that one can look at it: .nrrd, .nii, .nii.gz, .mha or .vtk, by the
  *  extension. `world` is the one in which the field's volume was read. NIfTI, MetaImage and VTK cannot hold a grid that
  *  is sheared (nor VTK one that is turned): CLEFT_ERROR_UNSUPPORTED. \since 0.1 */
-CLEFT_IO_API cleft_status cleft_io_write_sizing(cleft_context* context, const cleft_sizing* sizing, const char* path,
-                                                cleft_io_world world) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_write_sizing(cleft_context* context, const cleft_sizing* sizing,
+                                                                const char* path, cleft_io_world world) CLEFT_NOEXCEPT;
 
 /** Reads a field of one number a voxel, of any type, from whatever cleft_io_read_volume() reads. `dims` and `affine`
  *  (index to world, as in cleft_volume_create_labels()) may be NULL. *values is x fastest, as in the file: a scale does
  *  not multiply the numbers. The caller gives it back to cleft_io_free(). \since 0.1 */
-CLEFT_IO_API cleft_status cleft_io_read_field(cleft_context* context, const char* path, const cleft_io_reading* reading,
-                                              int64_t dims[3], double affine[12], double** values) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_read_field(cleft_context* context, const char* path,
+                                                              const cleft_io_reading* reading, int64_t dims[3],
+                                                              double affine[12], double** values) CLEFT_NOEXCEPT;
 /** Frees an array of cleft_io_read_field(); NULL is allowed. \since 0.1 */
 CLEFT_IO_API void cleft_io_free(void* array) CLEFT_NOEXCEPT;
 
@@ -173,9 +176,10 @@ CLEFT_IO_API void cleft_io_free(void* array) CLEFT_NOEXCEPT;
  *  file must have as many voxels along each axis as the volume, at the same places within a hundredth of a voxel:
  *  CLEFT_ERROR_ARGUMENT if not. `reading` (may be NULL) must name the world in which the volume was read; its scale
  *  multiplies the edge lengths in the file, too. The caller owns *out. \since 0.1 */
-CLEFT_IO_API cleft_status cleft_io_read_sizing(cleft_context* context, const cleft_volume* volume, const char* path,
-                                               const cleft_io_reading* reading, int32_t combine,
-                                               const cleft_options* options, cleft_sizing** out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_read_sizing(cleft_context* context, const cleft_volume* volume,
+                                                               const char* path, const cleft_io_reading* reading,
+                                                               int32_t combine, const cleft_options* options,
+                                                               cleft_sizing** out) CLEFT_NOEXCEPT;
 
 /* -------------------------------------------------------------------------------------------------- meshes -- */
 
@@ -185,15 +189,16 @@ CLEFT_IO_API cleft_status cleft_io_read_sizing(cleft_context* context, const cle
  *  that does not fill its box, those of the hull inside the box.
  *  CLEFT_ERROR_FILE if the file cannot be written (the message names why: no such folder, no permission, disk full),
  *  CLEFT_ERROR_ARGUMENT if the format is not known. \since 0.1 */
-CLEFT_IO_API cleft_status cleft_io_write_mesh(cleft_context* context, const cleft_mesh* mesh, const char* path,
-                                              cleft_io_format format) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_write_mesh(cleft_context* context, const cleft_mesh* mesh,
+                                                              const char* path, cleft_io_format format) CLEFT_NOEXCEPT;
 
 /** Reads a mesh of tetrahedra by the extension of its path: .vtu, .vtk (text), .mesh (text), .msh (2.2 and 4.1, text
  *  and binary), .node/.ele. The labels are the cell array "material" (else the first array of whole numbers), the
  *  reference, the physical group (else the entity) or the first attribute; 0 if there are none. Elements of lower
  *  dimension are passed over; other elements of three dimensions are CLEFT_ERROR_UNSUPPORTED. Malformed files are
  *  CLEFT_ERROR_FORMAT, with the line in the message where the file is text. The caller owns *out. \since 0.1 */
-CLEFT_IO_API cleft_status cleft_io_read_mesh(cleft_context* context, const char* path, cleft_mesh** out) CLEFT_NOEXCEPT;
+CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_read_mesh(cleft_context* context, const char* path,
+                                                             cleft_mesh** out) CLEFT_NOEXCEPT;
 
 #ifdef __cplusplus
 }

@@ -21,7 +21,8 @@
     X(ERROR_LABEL_LOST, -12, "a label of the volume is not in the mesh")         \
     X(ERROR_FILE, -13, "a file cannot be read or written")                       \
     X(ERROR_FORMAT, -14, "the contents of a file break the rules of its format") \
-    X(ERROR_HANDLE, -15, "a handle is not what it should be, or was destroyed")
+    X(ERROR_HANDLE, -15, "a handle is of another kind")                          \
+    X(ERROR_BUSY, -16, "the context is busy with another call")
 
 enum {
 #define CLEFT_STATUS_ENUM(name, number, text) CLEFT_##name = (number),

@@ -61,24 +61,28 @@ void cleft_context_destroy(cleft_context* context) noexcept { destroy(context); 
 
 const char* cleft_context_last_error(const cleft_context* context) noexcept
 {
-    return is_sound(context) ? context->message.data() : "";
+    return is_sound(context) && !context->occupancy.is_others() ? context->message.data() : "";
 }
 
 cleft_status cleft_context_set_error(cleft_context* context, cleft_status status, const char* sentence) noexcept
 {
-    set_message(message_of(context), sentence);
+    if (!is_sound(context))
+        return status;
+    const Entered entered(*context);
+    if (!entered)
+        return CLEFT_ERROR_BUSY;
+    set_message(&context->message, sentence);
     return status;
 }
 
 cleft_status cleft_context_set_threads(cleft_context* context, int32_t threads) noexcept
 {
-    return guarded(message_of(context), [&] {
-        checked(context, "context");
+    return guarded_call(context, [&](cleft_context& sound) {
         if (threads < 0 || threads > 1024)
             throw cleft::Error(CLEFT_ERROR_ARGUMENT,
                                "threads is " + std::to_string(threads) + "; it must be 0 .. 1024");
         const auto machine = static_cast<int32_t>(std::thread::hardware_concurrency());
-        context->threads = threads > 0 ? threads : std::max<int32_t>(1, machine);
+        sound.threads = threads > 0 ? threads : std::max<int32_t>(1, machine);
     });
 }
 
@@ -89,29 +93,27 @@ int32_t cleft_context_threads(const cleft_context* context) noexcept
 
 cleft_status cleft_context_set_progress(cleft_context* context, cleft_progress_callback callback, void* user) noexcept
 {
-    return guarded(nullptr, [&] {
-        checked(context, "context").progress = callback;
-        context->progress_user = user;
+    return guarded_call(context, [&](cleft_context& sound) {
+        sound.progress = callback;
+        sound.progress_user = user;
     });
 }
 
 cleft_status cleft_context_set_log(cleft_context* context, cleft_log_callback callback, void* user) noexcept
 {
-    return guarded(nullptr, [&] {
-        checked(context, "context").log = callback;
-        context->log_user = user;
+    return guarded_call(context, [&](cleft_context& sound) {
+        sound.log = callback;
+        sound.log_user = user;
     });
 }
 
 cleft_status cleft_context_log(cleft_context* context, int32_t level, const char* sentence) noexcept
 {
-    return guarded(message_of(context), [&] {
-        const cleft_context& sound = checked(context, "context");
+    return guarded_call(context, [&](cleft_context& sound) {
         required(sentence, "sentence");
         if (level < CLEFT_LOG_WARNING || level > CLEFT_LOG_DEBUG)
             throw cleft::Error(CLEFT_ERROR_ARGUMENT, "there is no level " + std::to_string(level) + " of the log");
-        if (sound.log)
-            sound.log(level, sentence, sound.log_user);
+        say(sound, level, sentence);
     });
 }
 
@@ -122,14 +124,17 @@ cleft_status cleft_context_cancel(cleft_context* context) noexcept
 
 int64_t cleft_context_metric_count(const cleft_context* context) noexcept
 {
-    return is_sound(context) ? static_cast<int64_t>(context->metrics.items.size()) : 0;
+    const bool readable = is_sound(context) && !context->occupancy.is_others();
+    return readable ? static_cast<int64_t>(context->metrics.items.size()) : 0;
 }
 
 cleft_status cleft_context_metric(const cleft_context* context, int64_t index, const char** name,
                                   double* value) noexcept
 {
     return guarded(nullptr, [&] {
-        const auto& items = checked(context, "context").metrics.items;
+        if (checked(context, "context").occupancy.is_others())
+            throw cleft::Error(CLEFT_ERROR_BUSY, "another thread has the context");
+        const auto& items = context->metrics.items;
         if (index < 0 || index >= static_cast<int64_t>(items.size()))
             throw cleft::Error(CLEFT_ERROR_ARGUMENT, "there is no such metric");
         *required(name, "name") = items[static_cast<size_t>(index)].first.c_str();
@@ -139,5 +144,5 @@ cleft_status cleft_context_metric(const cleft_context* context, int64_t index, c
 
 cleft_status cleft_context_clear_metrics(cleft_context* context) noexcept
 {
-    return guarded(nullptr, [&] { checked(context, "context").metrics.items.clear(); });
+    return guarded_call(context, [](cleft_context& sound) { sound.metrics.items.clear(); });
 }

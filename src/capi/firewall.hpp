@@ -8,63 +8,22 @@
 
 #include <algorithm>
 #include <new>
+#include <optional>
 #include <string>
 
 namespace cleft::capi
 {
 
 template <class Handle>
-constexpr Mark mark_of();
-template <>
-constexpr Mark mark_of<cleft_context>()
-{
-    return Mark::context;
-}
-template <>
-constexpr Mark mark_of<cleft_options>()
-{
-    return Mark::options;
-}
-template <>
-constexpr Mark mark_of<cleft_volume>()
-{
-    return Mark::volume;
-}
-template <>
-constexpr Mark mark_of<cleft_sizing>()
-{
-    return Mark::sizing;
-}
-template <>
-constexpr Mark mark_of<cleft_mesh>()
-{
-    return Mark::mesh;
-}
-template <>
-constexpr Mark mark_of<cleft_surface>()
-{
-    return Mark::surface;
-}
-template <>
-constexpr Mark mark_of<cleft_report>()
-{
-    return Mark::report;
-}
-
-template <class Handle>
 bool is_sound(const Handle* handle) noexcept
 {
-    return handle && handle->mark == mark_of<Handle>();
+    return handle && handle->mark == Handle::kMark;
 }
 
 // Puts a sentence where its owner reads it (or nowhere, if null), cut to what fits.
 void set_message(Message* message, const char* sentence) noexcept;
 
-template <class Handle>
-Message* message_of(Handle* handle) noexcept
-{
-    return is_sound(handle) ? &handle->message : nullptr;
-}
+inline Message* message_of(cleft_options* options) noexcept { return is_sound(options) ? &options->message : nullptr; }
 
 // The handle, or an Error that names the argument.
 template <class Handle>
@@ -72,8 +31,8 @@ Handle& checked(Handle* handle, const char* argument)
 {
     if (!handle)
         throw Error(CLEFT_ERROR_NULL, std::string(argument) + " is NULL");
-    if (handle->mark != mark_of<std::remove_const_t<Handle>>())
-        throw Error(CLEFT_ERROR_HANDLE, std::string(argument) + " is a handle of another kind, or was destroyed");
+    if (handle->mark != std::remove_const_t<Handle>::kMark)
+        throw Error(CLEFT_ERROR_HANDLE, std::string(argument) + " is a handle of another kind");
     return *handle;
 }
 
@@ -85,13 +44,50 @@ T* required(T* pointer, const char* argument)
     return pointer;
 }
 
+// Ends one ownership of a handle; the last one ends the handle.
+template <class Handle>
+void release(const Handle& handle) noexcept
+{
+    if (--handle.owners.count > 0)
+        return;
+    const_cast<Handle&>(handle).mark = Mark::dead;
+    delete &handle;
+}
+
 template <class Handle>
 void destroy(Handle* handle) noexcept
 {
-    if (!is_sound(handle))
-        return;
-    handle->mark = Mark::dead;
-    delete handle;
+    if (is_sound(handle))
+        release(*handle);
+}
+
+// Owns a handle while a call works with it: a callback may destroy it.
+template <class Handle>
+class Held
+{
+public:
+    explicit Held(Handle& handle) noexcept : handle_(handle) { ++handle_.owners.count; }
+    Held(const Held& other) noexcept : Held(other.handle_) {}
+    Held& operator=(const Held&) = delete;
+    ~Held() { release(handle_); }
+    Handle& operator*() const noexcept { return handle_; }
+    Handle* operator->() const noexcept { return &handle_; }
+
+private:
+    Handle& handle_;
+};
+
+template <class Handle>
+Held<const Handle> held(const Handle* handle, const char* argument)
+{
+    return Held<const Handle>(checked(handle, argument));
+}
+
+// The same for an argument that may be NULL.
+template <class Handle>
+std::optional<Held<const Handle>> held_if_any(const Handle* handle, const char* argument)
+{
+    return handle ? std::optional<Held<const Handle>>(held(handle, argument)) : std::nullopt;
 }
 
 // Runs `body` and turns what it throws into a status and a sentence.
@@ -119,30 +115,70 @@ cleft_status guarded(Message* message, const Body& body) noexcept
     }
 }
 
-// An entry that may run long: clears the last message and cancel request, and gives the body a Run.
+// Takes a context for a call, and gives it free again.
+class Entered
+{
+public:
+    explicit Entered(cleft_context& context) noexcept : context_(context), entered_(context.occupancy.enter()) {}
+    Entered(const Entered&) = delete;
+    Entered& operator=(const Entered&) = delete;
+    ~Entered()
+    {
+        if (entered_)
+            context_->occupancy.leave();
+    }
+    explicit operator bool() const noexcept { return entered_; }
+
+private:
+    Held<cleft_context> context_;
+    bool entered_;
+};
+
+// An entry that needs the context to itself. CLEFT_ERROR_BUSY leaves no sentence: the context is another call's.
 template <class Body>
-cleft_status guarded_run(cleft_context* context, const Body& body) noexcept
+cleft_status guarded_call(cleft_context* context, const Body& body) noexcept
 {
     if (!context)
         return CLEFT_ERROR_NULL;
     if (!is_sound(context))
         return CLEFT_ERROR_HANDLE;
-    context->message[0] = '\0';
-    context->cancel = false;
-    Reporter reporter(*context);
-    return guarded(&context->message, [&] {
+    const Entered entered(*context);
+    return entered ? guarded(&context->message, [&] { body(*context); }) : CLEFT_ERROR_BUSY;
+}
+
+// Forgets what the call before left: its sentence, and requests to cancel it.
+inline void begin(cleft_context& context) noexcept
+{
+    context.message[0] = '\0';
+    if (context.occupancy.is_outermost())
+        context.cancel = false;
+}
+
+// Hands a sentence to the caller's log, if there is one.
+inline void say(cleft_context& context, int32_t level, const char* sentence)
+{
+    const Occupancy::Callback callback(context.occupancy);
+    if (context.log)
+        context.log(level, sentence, context.log_user);
+}
+
+// An entry that may run long: clears the last message and cancel request, and gives the body a Run.
+template <class Body>
+cleft_status guarded_run(cleft_context* context, const Body& body) noexcept
+{
+    return guarded_call(context, [&](cleft_context& sound) {
+        begin(sound);
+        Reporter reporter(sound);
         Run run;
-        run.threads = context->threads;
-        run.cancel = &context->cancel;
-        run.metrics = &context->metrics;
-        if (context->progress) {
+        run.threads = sound.threads;
+        run.cancel = &sound.cancel;
+        run.metrics = &sound.metrics;
+        if (sound.progress) {
             run.progress = [&](double fraction, const char* stage) { return reporter.report(fraction, stage); };
             run.repeat_progress = [&] { return reporter.repeat(); };
         }
-        if (context->log)
-            run.log = [context](int level, const std::string& sentence) {
-                context->log(level, sentence.c_str(), context->log_user);
-            };
+        if (sound.log)
+            run.log = [&sound](int level, const std::string& sentence) { say(sound, level, sentence.c_str()); };
         body(run);
     });
 }

@@ -1,9 +1,11 @@
 // What the opaque handles of the C interface hold. Each begins with a mark of its kind, so that a handle of another
-// kind, or one already destroyed, is met with a status rather than with a crash.
+// kind is met with a status rather than with a crash, and with the number of its owners: the user, and the calls that
+// work with it. A handle that a callback destroys so lives until the call that uses it ends.
 #pragma once
 
 #include "base/metrics.hpp"
 #include "capi/label_names.hpp"
+#include "capi/occupancy.hpp"
 #include "capi/option_table.hpp"
 #include "mesh/interfaces.hpp"
 #include "mesh/tet_mesh.hpp"
@@ -32,25 +34,40 @@ enum class Mark : uint32_t {
     report = 0xC1EF0007
 };
 
+// How many own a handle. A copy of a handle has an owner of its own.
+struct Owners {
+    std::atomic<int32_t> count{1};
+    Owners() = default;
+    Owners(const Owners&) noexcept {}
+    Owners& operator=(const Owners&) noexcept { return *this; }
+};
+
+template <Mark kind>
+struct Handle {
+    static constexpr Mark kMark = kind;
+    Mark mark = kind;
+    mutable Owners owners;
+};
+
 // One sentence. Not a std::string: telling of want of memory must not need memory.
 using Message = std::array<char, 1024>;
 
 }  // namespace cleft::capi
 
-struct cleft_context {
-    cleft::capi::Mark mark = cleft::capi::Mark::context;
+struct cleft_context : cleft::capi::Handle<cleft::capi::Mark::context> {
     int32_t threads = 1;
     cleft_progress_callback progress = nullptr;
     void* progress_user = nullptr;
     cleft_log_callback log = nullptr;
     void* log_user = nullptr;
     std::atomic<bool> cancel{false};
+    cleft::capi::Occupancy occupancy;
+    std::vector<std::vector<const void*>> kept;  // handles that components keep alive, a list for each call of theirs
     cleft::Metrics metrics;
     cleft::capi::Message message{};
 };
 
-struct cleft_options {
-    cleft::capi::Mark mark = cleft::capi::Mark::options;
+struct cleft_options : cleft::capi::Handle<cleft::capi::Mark::options> {
     std::array<double, cleft::capi::kOptionCount> values{};
     std::vector<std::pair<int32_t, double>> label_sizes;
     std::vector<int32_t> strip;
@@ -58,33 +75,28 @@ struct cleft_options {
     cleft::capi::Message message{};
 };
 
-struct cleft_volume {
-    cleft::capi::Mark mark = cleft::capi::Mark::volume;
+struct cleft_volume : cleft::capi::Handle<cleft::capi::Mark::volume> {
     cleft::Frame frame;
     cleft::Volume volume;
     cleft::capi::LabelNames names;
 };
 
-struct cleft_sizing {
-    cleft::capi::Mark mark = cleft::capi::Mark::sizing;
+struct cleft_sizing : cleft::capi::Handle<cleft::capi::Mark::sizing> {
     cleft::Frame frame;
     cleft::SizingField field;
 };
 
-struct cleft_mesh {
-    cleft::capi::Mark mark = cleft::capi::Mark::mesh;
+struct cleft_mesh : cleft::capi::Handle<cleft::capi::Mark::mesh> {
     std::optional<cleft::Frame> frame;  // of the volume or sizing field that it came from
     cleft::LabelledMesh mesh;           // world coordinates; `material` holds the user's labels
     std::vector<int32_t> labels;        // the different ones, ascending
     cleft::capi::LabelNames names;
 };
 
-struct cleft_surface {
-    cleft::capi::Mark mark = cleft::capi::Mark::surface;
+struct cleft_surface : cleft::capi::Handle<cleft::capi::Mark::surface> {
     cleft::Interfaces interfaces;  // `Material` holds the user's labels
 };
 
-struct cleft_report {
-    cleft::capi::Mark mark = cleft::capi::Mark::report;
+struct cleft_report : cleft::capi::Handle<cleft::capi::Mark::report> {
     std::vector<cleft::LabelRow> rows;
 };

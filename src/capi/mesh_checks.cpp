@@ -1,4 +1,5 @@
 // Quality, validation, surfaces and the per-label report of a mesh.
+#include "base/struct_size.hpp"
 #include "capi/firewall.hpp"
 #include "capi/mesh_frame.hpp"
 #include "mesh/quality.hpp"
@@ -12,15 +13,12 @@ using cleft::Error;
 using cleft::LabelledMesh;
 using cleft::Run;
 
+// interface_triangles and hull_triangles came later.
+template <>
+inline constexpr size_t cleft::kFirstSize<cleft_validation> = offsetof(cleft_validation, interface_triangles);
+
 namespace
 {
-
-template <class Struct>
-void check_size(const Struct* out)
-{
-    if (required(out, "out")->struct_size < sizeof(Struct))
-        throw Error(CLEFT_ERROR_ARGUMENT, "struct_size is not that of the struct");
-}
 
 // The mesh in the frame in which the sides of its box lie across the axes.
 LabelledMesh upright(const cleft_mesh& mesh)
@@ -47,27 +45,30 @@ void bounding_box(const LabelledMesh& mesh, cleft::Vec3& lo, cleft::Vec3& hi)
 cleft_status cleft_mesh_quality(cleft_context* context, const cleft_mesh* mesh, cleft_quality* out) noexcept
 {
     return guarded_run(context, [&](const Run& run) {
-        const LabelledMesh& m = checked(mesh, "mesh").mesh;
-        check_size(out);
+        const auto from = held(mesh, "mesh");
+        const LabelledMesh& m = from->mesh;
+        cleft::check_struct_size(*required(out, "out"), "cleft_quality");
         const cleft::Quality q = cleft::measure_quality(m.points, m.tets, run);
-        out->tet_count = q.tets;
-        out->min_dihedral = q.min_dihedral;
-        out->max_dihedral = q.max_dihedral;
-        out->tets_below_5 = q.below_5;
-        out->tets_below_10 = q.below_10;
-        out->tets_below_15 = q.below_15;
-        out->tets_below_20 = q.below_20;
-        out->tets_above_165 = q.above_165;
-        out->radius_ratio_median = q.radius_ratio_median;
-        out->radius_ratio_95 = q.radius_ratio_95;
-        out->radius_ratio_max = q.radius_ratio_max;
-        out->edge_ratio_max = q.edge_ratio_max;
-        out->min_edge = q.min_edge;
-        out->mean_edge = q.mean_edge;
-        out->max_edge = q.max_edge;
-        out->min_volume = q.min_volume;
-        out->total_volume = q.total_volume;
-        std::copy(q.dihedral_histogram.begin(), q.dihedral_histogram.end(), out->dihedral_histogram);
+        cleft_quality row{};
+        row.tet_count = q.tets;
+        row.min_dihedral = q.min_dihedral;
+        row.max_dihedral = q.max_dihedral;
+        row.tets_below_5 = q.below_5;
+        row.tets_below_10 = q.below_10;
+        row.tets_below_15 = q.below_15;
+        row.tets_below_20 = q.below_20;
+        row.tets_above_165 = q.above_165;
+        row.radius_ratio_median = q.radius_ratio_median;
+        row.radius_ratio_95 = q.radius_ratio_95;
+        row.radius_ratio_max = q.radius_ratio_max;
+        row.edge_ratio_max = q.edge_ratio_max;
+        row.min_edge = q.min_edge;
+        row.mean_edge = q.mean_edge;
+        row.max_edge = q.max_edge;
+        row.min_volume = q.min_volume;
+        row.total_volume = q.total_volume;
+        std::copy(q.dihedral_histogram.begin(), q.dihedral_histogram.end(), row.dihedral_histogram);
+        cleft::give(row, *out);
     });
 }
 
@@ -75,23 +76,28 @@ cleft_status cleft_mesh_validate(cleft_context* context, const cleft_mesh* mesh,
                                  cleft_validation* out) noexcept
 {
     return guarded_run(context, [&](const Run& run) {
-        const cleft_mesh& m = checked(mesh, "mesh");
-        check_size(out);
+        const auto from = held(mesh, "mesh");
+        const cleft_mesh& m = *from;
+        cleft::check_struct_size(*required(out, "out"), "cleft_validation");
         const cleft::Validation v = cleft::validate(upright(m), fills_box != 0, run);
-        out->valid = v.valid();
-        out->negative_tets = v.negative;
-        out->flat_tets = v.flat;
-        out->repeated_corners = v.repeated_corner;
-        out->crowded_faces = v.crowded_faces;
-        out->folded_faces = v.folded_faces;
-        out->hull_off_box = v.hull_off_box;
-        out->open_interface_edges = v.open_interface_edges;
-        out->unused_points = v.unused_points;
-        out->repeated_points = v.repeated_points;
-        out->volume = v.volume;
-        out->box_volume = v.box_volume;
-        out->hull_area = v.hull_area;
-        out->box_area = v.box_area;
+        cleft_validation row{};
+        row.valid = v.valid();
+        row.negative_tets = v.negative;
+        row.flat_tets = v.flat;
+        row.repeated_corners = v.repeated_corner;
+        row.crowded_faces = v.crowded_faces;
+        row.folded_faces = v.folded_faces;
+        row.hull_off_box = v.hull_off_box;
+        row.open_interface_edges = v.open_interface_edges;
+        row.unused_points = v.unused_points;
+        row.repeated_points = v.repeated_points;
+        row.volume = v.volume;
+        row.box_volume = v.box_volume;
+        row.hull_area = v.hull_area;
+        row.box_area = v.box_area;
+        row.interface_triangles = v.interface_faces;
+        row.hull_triangles = v.hull_faces;
+        cleft::give(row, *out);
         set_message(&context->message, v.first_fault.c_str());
     });
 }
@@ -99,14 +105,15 @@ cleft_status cleft_mesh_validate(cleft_context* context, const cleft_mesh* mesh,
 cleft_status cleft_surface_create(cleft_context* context, const cleft_mesh* mesh, cleft_surface** out) noexcept
 {
     return guarded_create(context, out, [&](const Run& run) {
-        const cleft_mesh& m = checked(mesh, "mesh");
+        const auto from = held(mesh, "mesh");
+        const cleft_mesh& m = *from;
         const LabelledMesh local = upright(m);
         cleft::Vec3 lo = cleft::Vec3::Zero(), hi = lo;
         if (m.frame)
             hi = m.frame->grid.extent();
         else
             bounding_box(local, lo, hi);
-        cleft_surface surface{Mark::surface, cleft::extract_interfaces(local, lo, hi, run)};
+        cleft_surface surface{{}, cleft::extract_interfaces(local, lo, hi, run)};
         if (m.frame && m.frame->flips()) {
             for (auto& triangle : surface.interfaces.triangles)
                 std::swap(triangle[1], triangle[2]);
@@ -160,8 +167,8 @@ cleft_status cleft_report_create(cleft_context* context, const cleft_volume* vol
                                  cleft_report** out) noexcept
 {
     return guarded_create(context, out, [&](const Run& run) {
-        const cleft_volume& v = checked(volume, "volume");
-        return cleft_report{Mark::report, cleft::label_report(v.volume, to_stage(checked(mesh, "mesh"), v), run)};
+        const auto v = held(volume, "volume");
+        return cleft_report{{}, cleft::label_report(v->volume, to_stage(checked(mesh, "mesh"), *v), run)};
     });
 }
 
@@ -181,20 +188,22 @@ int64_t cleft_report_joined(const cleft_report* report, int64_t index) noexcept
 cleft_status cleft_report_label(const cleft_report* report, int64_t index, cleft_label_report* out) noexcept
 {
     return guarded(nullptr, [&] {
-        check_size(out);
+        cleft::check_struct_size(*required(out, "out"), "cleft_label_report");
         if (index < 0 || index >= static_cast<int64_t>(checked(report, "report").rows.size()))
             throw Error(CLEFT_ERROR_ARGUMENT, "there is no such row");
-        const cleft::LabelRow& row = report->rows[static_cast<size_t>(index)];
-        out->label = row.label;
-        out->voxels = row.voxels;
-        out->voxel_volume = row.voxel_volume;
-        out->mesh_volume = row.mesh_volume;
-        out->tets = row.tets;
-        out->voxel_components = row.voxel_components;
-        out->mesh_components = row.mesh_components;
-        out->large_components = row.large_components;
-        out->large_components_lost = row.large_components_lost;
-        out->lost = row.voxels > 0 && row.tets == 0;
-        out->large_components_broken = static_cast<int32_t>(row.large_components_broken);
+        const cleft::LabelRow& from = report->rows[static_cast<size_t>(index)];
+        cleft_label_report row{};
+        row.label = from.label;
+        row.voxels = from.voxels;
+        row.voxel_volume = from.voxel_volume;
+        row.mesh_volume = from.mesh_volume;
+        row.tets = from.tets;
+        row.voxel_components = from.voxel_components;
+        row.mesh_components = from.mesh_components;
+        row.large_components = from.large_components;
+        row.large_components_lost = from.large_components_lost;
+        row.lost = from.voxels > 0 && row.tets == 0;
+        row.large_components_broken = static_cast<int32_t>(from.large_components_broken);
+        cleft::give(row, *out);
     });
 }

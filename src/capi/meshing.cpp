@@ -87,9 +87,10 @@ LabelledMesh meshed(const cleft_volume& volume, const cleft_sizing* sizing, cons
         return cleft::mesh_from_background(volume.volume,
                                            checked_background(checked(background, "background"), volume.frame), p, run);
     if (sizing) {
-        if (checked(sizing, "sizing").frame.grid.dims != volume.frame.grid.dims)
+        const auto s = held(sizing, "sizing");
+        if (s->frame.grid.dims != volume.frame.grid.dims)
             throw Error(CLEFT_ERROR_ARGUMENT, "the sizing field and the volume have different dims");
-        return cleft::mesh_from_sizing(volume.volume, sizing->field, p, run);
+        return cleft::mesh_from_sizing(volume.volume, s->field, p, run);
     }
     cleft::SizingField field;
     {
@@ -106,11 +107,11 @@ cleft_status cleft_background_create(cleft_context* context, const cleft_sizing*
                                      cleft_mesh** out) noexcept
 {
     return guarded_create(context, out, [&](const Run& run) {
-        const cleft_sizing& s = checked(sizing, "sizing");
-        cleft::TetMesh mesh = cleft::make_background(s.field, pipeline_options(options), run);
+        const auto s = held(sizing, "sizing");
+        cleft::TetMesh mesh = cleft::make_background(s->field, pipeline_options(options), run);
         LabelledMesh labelled{std::move(mesh.points), std::move(mesh.tets), {}};
         labelled.material.assign(labelled.tets.size(), 0);
-        return cleft::capi::to_user(std::move(labelled), s.frame, {0});
+        return cleft::capi::to_user(std::move(labelled), s->frame, {0});
     });
 }
 
@@ -118,12 +119,12 @@ cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volum
                                const cleft_options* options, cleft_mesh** out) noexcept
 {
     return guarded_create(context, out, [&](const Run& run) {
-        const cleft_volume& v = checked(volume, "volume");
+        const auto v = held(volume, "volume");
         cleft::PipelineOptions p = pipeline_options(options);
         p.improve.effort = cleft::Effort::off;
-        cleft::TetMesh mesh = checked_background(checked(background, "background"), v.frame);
+        cleft::TetMesh mesh = checked_background(checked(background, "background"), v->frame);
         cleft::repair_background(mesh, p, cleft::part_of(run, 0.0, 0.3));
-        return to_user(cleft::cleave_and_improve(v.volume, mesh, p, cleft::part_of(run, 0.3, 1.0)), v);
+        return to_user(cleft::cleave_and_improve(v->volume, mesh, p, cleft::part_of(run, 0.3, 1.0)), *v);
     });
 }
 
@@ -131,15 +132,15 @@ cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volu
                                 const cleft_options* options, cleft_mesh** out) noexcept
 {
     return guarded_create(context, out, [&](const Run& run) {
-        const cleft_volume& v = checked(volume, "volume");
+        const auto v = held(volume, "volume");
         const cleft::PipelineOptions p = pipeline_options(options);
-        const cleft_mesh& from = checked(mesh, "mesh");
-        LabelledMesh work = to_stage(from, v);
+        const auto from = held(mesh, "mesh");
+        LabelledMesh work = to_stage(*from, *v);
         const cleft::StageTimer timer(run, "improving");
-        cleft::improve(work, v.volume, p.improve, run);
-        cleft_mesh result = cleft::capi::to_user(std::move(work), v.frame, v.volume.labels());
-        add_label_names(result.names, from.names, result.labels);
-        add_label_names(result.names, v.names, result.labels);
+        cleft::improve(work, v->volume, p.improve, run);
+        cleft_mesh result = cleft::capi::to_user(std::move(work), v->frame, v->volume.labels());
+        add_label_names(result.names, from->names, result.labels);
+        add_label_names(result.names, v->names, result.labels);
         return result;
     });
 }
@@ -158,9 +159,10 @@ cleft_status cleft_mesh_volume(cleft_context* context, const cleft_volume* volum
                                const cleft_mesh* background, const cleft_options* options, cleft_mesh** out) noexcept
 {
     return guarded_create(context, out, [&](const Run& run) {
-        const cleft_volume& v = checked(volume, "volume");
-        LabelledMesh mesh = meshed(v, sizing, background, pipeline_options(options), run);
-        cleft_mesh result = to_user(std::move(mesh), v);
+        const auto v = held(volume, "volume");
+        const auto held_options = held_if_any(options, "options");
+        LabelledMesh mesh = meshed(*v, sizing, background, pipeline_options(options), run);
+        cleft_mesh result = to_user(std::move(mesh), *v);
         strip(result, options);
         note_result(run, result.mesh);
         return result;

@@ -1,5 +1,6 @@
 #include "capi/options.hpp"
 
+#include "base/struct_size.hpp"
 #include "capi/firewall.hpp"
 
 #include <array>
@@ -123,18 +124,11 @@ int32_t cleft_option_count(void) noexcept { return static_cast<int32_t>(kOptionC
 cleft_status cleft_option_info(int32_t index, cleft_option_description* out) noexcept
 {
     return guarded(nullptr, [&] {
-        required(out, "out");
-        if (index < 0 || index >= cleft_option_count() || out->struct_size < sizeof(cleft_option_description))
-            throw cleft::Error(CLEFT_ERROR_ARGUMENT, "index or struct_size is out of its range");
+        cleft::check_struct_size(*required(out, "out"), "cleft_option_description");
+        if (index < 0 || index >= cleft_option_count())
+            throw cleft::Error(CLEFT_ERROR_ARGUMENT, "there is no such row");
         const OptionRow& row = kOptionTable[index];
-        out->key = row.key;
-        out->type = row.type;
-        out->name = row.name;
-        out->value = row.value;
-        out->least = row.least;
-        out->greatest = row.greatest;
-        out->choices = row.choices;
-        out->text = row.text;
+        cleft::give({0, row.key, row.type, row.name, row.value, row.least, row.greatest, row.choices, row.text}, *out);
     });
 }
 

@@ -14,7 +14,7 @@ namespace cleft::capi
 class Reporter
 {
 public:
-    explicit Reporter(const cleft_context& context) : context_(context) {}
+    explicit Reporter(cleft_context& context) : context_(context) {}
 
     // True if the callback asks to cancel. A stage that looks twice does not go back.
     bool report(double fraction, const char* stage)
@@ -37,12 +37,13 @@ private:
 
     bool call()
     {
+        const Occupancy::Callback callback(context_.occupancy);
         const bool cancel = context_.progress(fraction_, stage_, context_.progress_user) != 0;
         last_ = Clock::now();
         return cancel;
     }
 
-    const cleft_context& context_;
+    cleft_context& context_;
     const std::thread::id caller_ = std::this_thread::get_id();
     double fraction_ = 0;
     const char* stage_ = nullptr;

@@ -28,10 +28,10 @@ cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* vol
                                  cleft_sizing** out) noexcept
 {
     return guarded_create(context, out, [&](const Run& run) {
-        const cleft_volume& v = checked(volume, "volume");
+        const auto v = held(volume, "volume");
         const cleft::PipelineOptions p = pipeline_options(options);
         const cleft::StageTimer timer(run, "sizing");
-        cleft_sizing sizing{Mark::sizing, v.frame, cleft::compute_sizing(v.volume, p.sizing, run)};
+        cleft_sizing sizing{{}, v->frame, cleft::compute_sizing(v->volume, p.sizing, run)};
         cleft::fit_to_number(sizing.field, p.tets, run);
         return sizing;
     });
@@ -41,10 +41,10 @@ cleft_status cleft_sizing_create_constant(cleft_context* context, const cleft_vo
                                           cleft_sizing** out) noexcept
 {
     return guarded_create(context, out, [&](const Run&) {
-        const cleft_volume& v = checked(volume, "volume");
+        const auto v = held(volume, "volume");
         if (!std::isfinite(size) || size <= 0)
             throw Error(CLEFT_ERROR_ARGUMENT, "the size must be a positive number");
-        return cleft_sizing{Mark::sizing, v.frame, cleft::constant_sizing(v.frame.grid, size)};
+        return cleft_sizing{{}, v->frame, cleft::constant_sizing(v->frame.grid, size)};
     });
 }
 
@@ -53,17 +53,17 @@ cleft_status cleft_sizing_create_values(cleft_context* context, const cleft_volu
                                         cleft_sizing** out) noexcept
 {
     return guarded_create(context, out, [&](const Run& run) {
-        const cleft_volume& v = checked(volume, "volume");
+        const auto v = held(volume, "volume");
         required(values, "values");
         cleft::PipelineOptions p = pipeline_options(options);
-        const std::vector<double> doubles = as_doubles(type, values, v.frame.grid.size());
-        SizingField field = cleft::sizing_from_values(v.frame.grid, doubles.data());
+        const std::vector<double> doubles = as_doubles(type, values, v->frame.grid.size());
+        SizingField field = cleft::sizing_from_values(v->frame.grid, doubles.data());
         if (combine) {
             p.sizing.user = field.h.data();
-            field = cleft::compute_sizing(v.volume, p.sizing, run);
+            field = cleft::compute_sizing(v->volume, p.sizing, run);
         }
         cleft::fit_to_number(field, p.tets, run);
-        return cleft_sizing{Mark::sizing, v.frame, std::move(field)};
+        return cleft_sizing{{}, v->frame, std::move(field)};
     });
 }
 

@@ -54,7 +54,7 @@ cleft_status cleft_volume_create_labels(cleft_context* context, cleft_type type,
         const int kernel = static_cast<int>(option_value(options, CLEFT_OPTION_SMOOTH));
         const cleft::StageTimer timer(run, "volume");
         return cleft_volume{
-            Mark::volume, frame, cleft::Volume::from_labels(voxel_type(type), voxels, frame.grid, kernel, run), {}};
+            {}, frame, cleft::Volume::from_labels(voxel_type(type), voxels, frame.grid, kernel, run), {}};
     });
 }
 
@@ -69,9 +69,9 @@ cleft_status cleft_volume_create_indicators(cleft_context* context, cleft_type t
         const cleft::Frame frame = cleft::make_frame(required(dims, "dims"), affine);
         const cleft::StageTimer timer(run, "volume");
         if (type == CLEFT_TYPE_FLOAT32)
-            return cleft_volume{Mark::volume, frame, indicators<float>(fields, count, frame.grid, labels, run), {}};
+            return cleft_volume{{}, frame, indicators<float>(fields, count, frame.grid, labels, run), {}};
         if (type == CLEFT_TYPE_FLOAT64)
-            return cleft_volume{Mark::volume, frame, indicators<double>(fields, count, frame.grid, labels, run), {}};
+            return cleft_volume{{}, frame, indicators<double>(fields, count, frame.grid, labels, run), {}};
         throw Error(CLEFT_ERROR_ARGUMENT, "indicator functions must be FLOAT32 or FLOAT64");
     });
 }

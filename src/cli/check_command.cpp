@@ -44,6 +44,10 @@ int run_check(const CheckArguments& arguments)
         if (validation.valid == 0)
             fault = cleft_context_last_error(session.context());
         found = look_at_mesh(session, mesh.get());
+        if (validation.valid != 0) {
+            fault = surface_fault(validation, found);
+            validation.valid = fault.empty();
+        }
     });
     session.clear_progress();
     if (arguments.run.prints())

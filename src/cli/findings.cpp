@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace cleft_cli
 {
@@ -77,7 +78,22 @@ void note_surface(const Session& session, const cleft_mesh* mesh, MeshFindings& 
     found.hull_triangles = cleft_surface_hull_count(surface);
 }
 
+std::string count_fault(const char* what, int64_t faces, const std::optional<int64_t>& triangles)
+{
+    if (!triangles || *triangles == faces)
+        return "";
+    return "the mesh has " + std::to_string(faces) + " faces " + what + ", but its surface has " +
+           std::to_string(*triangles) + " triangles there: a fault of cleft";
+}
+
 }  // namespace
+
+std::string surface_fault(const cleft_validation& validation, const MeshFindings& found)
+{
+    const std::string fault =
+        count_fault("between different labels", validation.interface_triangles, found.interface_triangles);
+    return fault.empty() ? count_fault("on its hull", validation.hull_triangles, found.hull_triangles) : fault;
+}
 
 MeshFindings look_at_mesh(const Session& session, const cleft_mesh* mesh)
 {

@@ -81,7 +81,9 @@ Json validation_json(const cleft_validation& v, const std::string& first_fault)
             {"volume", v.volume},
             {"box_volume", v.box_volume},
             {"hull_area", v.hull_area},
-            {"box_area", v.box_area}};
+            {"box_area", v.box_area},
+            {"interface_triangles", v.interface_triangles},
+            {"hull_triangles", v.hull_triangles}};
 }
 
 Json label_reports_json(const std::vector<LabelFindings>& rows, const std::function<bool(int32_t)>& left_out)

@@ -129,13 +129,15 @@ void check_result(Session& session, const MeshArguments& arguments, const cleft_
         whole = whole && !arguments.left_out(cleft_mesh_labels(mesh)[i]);
     cleft_validation validation = {};
     validation.struct_size = sizeof validation;
+    std::string fault;
     session.timed("check", "checking the mesh", [&] {
         session.check(cleft_mesh_validate(session.context(), mesh, whole ? 1 : 0, &validation), EXIT_MESHING_FAILED);
+        fault = validation.valid == 0 ? cleft_context_last_error(session.context())
+                                      : surface_fault(validation, look_at_mesh(session, mesh));
     });
-    if (validation.valid == 0)
-        throw Failure(
-            EXIT_CHECK_FAILED, CLEFT_ERROR_INVALID_MESH,
-            std::string("the mesh is not valid, and was not written: ") + cleft_context_last_error(session.context()));
+    if (!fault.empty())
+        throw Failure(EXIT_CHECK_FAILED, CLEFT_ERROR_INVALID_MESH,
+                      "the mesh is not valid, and was not written: " + fault);
 }
 
 void warn_of_lost_labels(Session& session, const MeshArguments& arguments, const Result& result)

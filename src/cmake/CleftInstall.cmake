@@ -1,6 +1,6 @@
 # The install tree: what goes where, and in which package (component) it is given out:
 #
-#   runtime, development         libcleft;      its header, static library, CMake package and cleft.pc
+#   runtime, development         libcleft;      its headers, static library, CMake package and cleft.pc
 #   io, io_development           libcleft_io;   its header, static library and cleft-io.pc
 #   command                      the cleft command, its manual pages and shell completion
 #   fortran                      the Fortran modules
@@ -54,7 +54,7 @@ function(cleft_install_core)
     endif()
     cleft_install_library(cleft_shared shared runtime development)
     cleft_install_library(cleft_static static development development)
-    cleft_install_headers(development cleft.h cleft_status.h)
+    cleft_install_headers(development cleft.h cleft_status.h cleft.hpp cleft_context.hpp)
     install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_BINARY_DIR}/install/NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development
         FILES_MATCHING PATTERN *.md PATTERN decisions EXCLUDE PATTERN images EXCLUDE)
@@ -92,7 +92,7 @@ function(cleft_install_io)
     cleft_install_library(cleft_io_static io-static io_development io_development)
     set_target_properties(cleft_io_shared PROPERTIES EXPORT_NAME io_shared)
     set_target_properties(cleft_io_static PROPERTIES EXPORT_NAME io_static)
-    cleft_install_headers(io_development cleft_io.h)
+    cleft_install_headers(io_development cleft_io.h cleft_io.hpp)
 
     cleft_link_flags(cleft_io_private_libs ${ARGN})
     cleft_install_pkgconfig(cleft-io io_development)

@@ -1,20 +1,23 @@
-// The wrapper of every entry: no exception leaves the component, and every failure leaves its sentence on the context.
+// The wrapper of every entry: no exception leaves the component, every failure leaves its sentence on the context, and
+// what the entry works with lives until it ends.
 #pragma once
 
 #include "base/error.hpp"
+#include "cleft/cleft.h"
 
+#include <initializer_list>
 #include <new>
 #include <string>
 
 namespace cleft::io
 {
 
+// Runs `body` and turns what it throws into a status, with a sentence on the context unless that is null.
 template <class Body>
-cleft_status entry(cleft_context* context, const Body& body) noexcept
+cleft_status guarded(cleft_context* context, const Body& body) noexcept
 {
     const auto failed = [context](cleft_status status, const char* sentence) {
-        cleft_context_set_error(context, status, sentence);
-        return status;
+        return cleft_context_set_error(context, status, sentence);
     };
     try {
         body();
@@ -30,11 +33,16 @@ cleft_status entry(cleft_context* context, const Body& body) noexcept
     }
 }
 
-// A call into the core that failed, with the core's sentence behind `what` (which may be empty).
-inline void check(cleft_context* context, cleft_status status, const std::string& what = "")
+// One call of the context, which works with `handles` (or null).
+template <class Body>
+cleft_status entry(cleft_context* context, std::initializer_list<const void*> handles, const Body& body) noexcept
 {
+    const cleft_status status = cleft_context_begin(context, handles.begin(), static_cast<int64_t>(handles.size()));
     if (status != CLEFT_OK)
-        throw Error(status, what + cleft_context_last_error(context));
+        return status;
+    const cleft_status result = guarded(context, body);
+    cleft_context_end(context);
+    return result;
 }
 
 template <class T>
@@ -43,6 +51,28 @@ T* required(T* pointer, const char* argument)
     if (!pointer)
         throw Error(CLEFT_ERROR_NULL, std::string(argument) + " is NULL");
     return pointer;
+}
+
+// An entry that makes something: *out is NULL unless all went well.
+template <class T, class Body>
+cleft_status entry_making(cleft_context* context, T** out, std::initializer_list<const void*> handles,
+                          const Body& body) noexcept
+{
+    if (out)
+        *out = nullptr;
+    return entry(context, handles, [&] {
+        required(out, "out");
+        body();
+    });
+}
+
+// A call into the core that failed, with the core's sentence (or, if it left none, the status) behind `what`.
+inline void check(cleft_context* context, cleft_status status, const std::string& what = "")
+{
+    if (status == CLEFT_OK)
+        return;
+    const std::string sentence = cleft_context_last_error(context);
+    throw Error(status, what + (sentence.empty() ? cleft_status_string(status) : sentence));
 }
 
 }  // namespace cleft::io

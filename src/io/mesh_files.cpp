@@ -1,4 +1,5 @@
 // Entries: the table of formats, meshes out and in.
+#include "base/struct_size.hpp"
 #include "cleft/cleft_io.h"
 #include "io/entry.hpp"
 #include "io/formats.hpp"
@@ -109,14 +110,12 @@ int32_t cleft_io_format_count(void) noexcept { return format_count(); }
 
 cleft_status cleft_io_format_info(int32_t index, cleft_io_format_description* out) noexcept
 {
-    if (!out)
-        return CLEFT_ERROR_NULL;
-    if (index < 0 || index >= format_count() || out->struct_size < sizeof(uint32_t))
-        return CLEFT_ERROR_ARGUMENT;
-    cleft_io_format_description row = format_row(index);
-    row.struct_size = out->struct_size;
-    std::memcpy(out, &row, std::min<size_t>(out->struct_size, sizeof row));
-    return CLEFT_OK;
+    return guarded(nullptr, [&] {
+        cleft::check_struct_size(*required(out, "out"), "cleft_io_format_description");
+        if (index < 0 || index >= format_count())
+            throw cleft::Error(CLEFT_ERROR_ARGUMENT, "there is no such row");
+        cleft::give(format_row(index), *out);
+    });
 }
 
 int32_t cleft_io_guess(const char* path) noexcept
@@ -137,8 +136,7 @@ int32_t cleft_io_guess(const char* path) noexcept
 cleft_status cleft_io_write_mesh(cleft_context* context, const cleft_mesh* mesh, const char* path,
                                  cleft_io_format format) noexcept
 {
-    return entry(context, [&] {
-        required(context, "context");
+    return entry(context, {mesh}, [&] {
         required(mesh, "mesh");
         required(path, "path");
         const cleft_io_format resolved = resolve(path, format, CLEFT_IO_WRITES_MESH);
@@ -156,9 +154,7 @@ cleft_status cleft_io_write_mesh(cleft_context* context, const cleft_mesh* mesh,
 
 cleft_status cleft_io_read_mesh(cleft_context* context, const char* path, cleft_mesh** out) noexcept
 {
-    return entry(context, [&] {
-        *required(out, "out") = nullptr;
-        required(context, "context");
+    return entry_making(context, out, {}, [&] {
         const MeshData mesh = read(required(path, "path"));
         if (mesh.tets.empty())
             throw cleft::Error(CLEFT_ERROR_FORMAT, std::string("'") + path + "': there are no tetrahedra in it");

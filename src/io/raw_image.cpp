@@ -1,11 +1,10 @@
 #include "io/raw_image.hpp"
 
-#include "base/error.hpp"
+#include "base/struct_size.hpp"
 #include "io/meaning.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -48,8 +47,7 @@ void swap_bytes(Image& image)
 
 cleft_io_raw checked_layout(const cleft_io_raw* raw)
 {
-    cleft_io_raw layout{};
-    std::memcpy(&layout, raw, std::min<size_t>(raw->struct_size, sizeof layout));
+    cleft_io_raw layout = taken(*raw, "cleft_io_raw");
     component_of(layout.type);
     check_kind(layout.kind);
     if (layout.skip < 0)

@@ -1,5 +1,5 @@
 // Entries: volumes and fields in, sizing fields out.
-#include "base/error.hpp"
+#include "base/struct_size.hpp"
 #include "cleft/cleft_io.h"
 #include "io/create_volume.hpp"
 #include "io/entry.hpp"
@@ -14,6 +14,10 @@
 #include <cstdlib>
 #include <cstring>
 
+// Its scale came later.
+template <>
+inline constexpr size_t cleft::kFirstSize<cleft_io_reading> = offsetof(cleft_io_reading, scale);
+
 namespace cleft::io
 {
 
@@ -24,9 +28,7 @@ using Affine = std::array<double, 12>;
 
 cleft_io_reading reading_or_defaults(const cleft_io_reading* given)
 {
-    cleft_io_reading reading{};
-    if (given)
-        std::memcpy(&reading, given, std::min<size_t>(given->struct_size, sizeof reading));
+    cleft_io_reading reading = given ? taken(*given, "cleft_io_reading") : cleft_io_reading{};
     if (reading.world != CLEFT_IO_WORLD_LPS && reading.world != CLEFT_IO_WORLD_RAS)
         throw Error(CLEFT_ERROR_ARGUMENT, "there is no world " + std::to_string(reading.world));
     check_kind(reading.kind);
@@ -87,9 +89,7 @@ using namespace cleft::io;
 cleft_status cleft_io_read_volume(cleft_context* context, const cleft_options* options, const char* const* paths,
                                   int64_t count, const cleft_io_reading* reading, cleft_volume** out) noexcept
 {
-    return entry(context, [&] {
-        *required(out, "out") = nullptr;
-        required(context, "context");
+    return entry_making(context, out, {options}, [&] {
         required(paths, "paths");
         if (count < 1)
             throw cleft::Error(CLEFT_ERROR_ARGUMENT, "there must be at least one path");
@@ -100,9 +100,7 @@ cleft_status cleft_io_read_volume(cleft_context* context, const cleft_options* o
 cleft_status cleft_io_read_raw(cleft_context* context, const cleft_options* options, const char* const* paths,
                                int64_t count, const cleft_io_raw* raw, cleft_volume** out) noexcept
 {
-    return entry(context, [&] {
-        *required(out, "out") = nullptr;
-        required(context, "context");
+    return entry_making(context, out, {options}, [&] {
         required(paths, "paths");
         if (count < 1)
             throw cleft::Error(CLEFT_ERROR_ARGUMENT, "there must be at least one path");
@@ -120,8 +118,7 @@ cleft_status cleft_io_read_raw(cleft_context* context, const cleft_options* opti
 cleft_status cleft_io_write_sizing(cleft_context* context, const cleft_sizing* sizing, const char* path,
                                    cleft_io_world world) noexcept
 {
-    return entry(context, [&] {
-        required(context, "context");
+    return entry(context, {sizing}, [&] {
         required(path, "path");
         Affine affine{};
         Image image;
@@ -140,9 +137,7 @@ cleft_status cleft_io_write_sizing(cleft_context* context, const cleft_sizing* s
 cleft_status cleft_io_read_field(cleft_context* context, const char* path, const cleft_io_reading* reading,
                                  int64_t dims[3], double affine[12], double** values) noexcept
 {
-    return entry(context, [&] {
-        *required(values, "values") = nullptr;
-        required(context, "context");
+    return entry_making(context, values, {}, [&] {
         Affine map{};
         Image image = read_field_image(context, required(path, "path"), reading_or_defaults(reading), map);
         widen(image);
@@ -165,9 +160,7 @@ cleft_status cleft_io_read_sizing(cleft_context* context, const cleft_volume* vo
                                   const cleft_io_reading* reading, int32_t combine, const cleft_options* options,
                                   cleft_sizing** out) noexcept
 {
-    return entry(context, [&] {
-        *required(out, "out") = nullptr;
-        required(context, "context");
+    return entry_making(context, out, {volume, options}, [&] {
         std::array<int64_t, 3> dims{};
         Affine affine{};
         check(context, cleft_volume_dims(required(volume, "volume"), dims.data()), "volume: ");

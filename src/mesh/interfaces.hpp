@@ -23,6 +23,7 @@ struct Interfaces {
     std::vector<Side> hull_side;
 };
 
+// The materials may also be a caller's labels: any numbers of 32 bits, none of which means something else.
 // lo, hi: the box against which sides are decided, by exact coordinates.
 Interfaces extract_interfaces(const LabelledMesh& mesh, const Vec3& lo, const Vec3& hi, const Run& run);
 

@@ -57,20 +57,26 @@ std::vector<uint8_t> points_inside(const std::vector<Tet>& tets, size_t point_co
 
 std::vector<uint8_t> surface_points(const LabelledMesh& mesh, const Run& run)
 {
-    constexpr Material kNone = -1, kSeveral = -2;
+    // Apart from the materials, which may be any number: a caller's labels, too.
+    enum class Met : uint8_t { none, one, several };
     std::vector<uint8_t> surface = points_inside(mesh.tets, mesh.points.size(), run);
-    std::vector<Material> material(mesh.points.size(), kNone);
+    std::vector<Met> met(mesh.points.size(), Met::none);
+    std::vector<Material> material(mesh.points.size());  // where one is met
     for (size_t t = 0; t < mesh.tets.size(); ++t) {
         if (has_bad_index(mesh.tets[t], static_cast<int64_t>(mesh.points.size())))
             continue;
-        for (const int32_t p : mesh.tets[t]) {
-            Material& m = material[static_cast<size_t>(p)];
-            if (m != mesh.material[t])
-                m = m == kNone ? mesh.material[t] : kSeveral;
+        for (const int32_t corner : mesh.tets[t]) {
+            const auto p = static_cast<size_t>(corner);
+            if (met[p] == Met::none) {
+                met[p] = Met::one;
+                material[p] = mesh.material[t];
+            } else if (material[p] != mesh.material[t]) {
+                met[p] = Met::several;
+            }
         }
     }
     for (size_t p = 0; p < surface.size(); ++p)
-        surface[p] = surface[p] == 0 || material[p] == kSeveral;
+        surface[p] = surface[p] == 0 || met[p] == Met::several;
     return surface;
 }
 

@@ -15,7 +15,7 @@ import sys
 import tempfile
 
 ABIDW = ["abidw", "--no-corpus-path", "--no-comp-dir-path", "--no-show-locs", "--no-elf-needed", "--type-id-style", "hash"]
-PROTOTYPE = re.compile(r"^CLEFT(?:_IO)?_API ([^;{}]*?\bcleft_\w+\([^;{}]*?\)) CLEFT_NOEXCEPT;", re.M)
+PROTOTYPE = re.compile(r"^(?:CLEFT_NODISCARD )?CLEFT(?:_IO)?_API ([^;{}]*?\bcleft_\w+\([^;{}]*?\)) CLEFT_NOEXCEPT;", re.M)
 
 
 def stub(header):
@@ -56,11 +56,11 @@ def changed(header, pattern, replacement):
 def check_faults(baseline, compiler, header, include, version_script):
     first, last = PROTOTYPE.findall(header)[0], PROTOTYPE.findall(header)[-1]
     name = re.search(r"cleft_\w+", first).group()
-    added = changed(header, r"(CLEFT(?:_IO)?_API [^;]*;)", r"\1\nCLEFT_API int cleft_added(void) CLEFT_NOEXCEPT;")
+    added = changed(header, r"((?:CLEFT_NODISCARD )?CLEFT(?:_IO)?_API [^;]*;)", r"\1\nCLEFT_API int cleft_added(void) CLEFT_NOEXCEPT;")
     harmless = {"nothing": header, "an added function": added, "a comment": header + "/* */"}
     breaking = {
-        "a removed function": changed(header, r"CLEFT(?:_IO)?_API [^;]*\b" + name + r"\([^;]*;", ""),
-        "another type of an argument": changed(header, r"\bint64_t (\w+)(, [^;]*\) CLEFT_NOEXCEPT)", r"int32_t \1\2"),
+        "a removed function": changed(header, r"(?:CLEFT_NODISCARD )?CLEFT(?:_IO)?_API [^;]*\b" + name + r"\([^;]*;", ""),
+        "another type of an argument": changed(header, r"\bint64_t (\w+)(,\s[^;]*\) CLEFT_NOEXCEPT)", r"int32_t \1\2"),
         "another result": changed(header, re.escape(last), "double " + re.search(r"cleft_\w+\(.*", last, re.S).group()),
         "an added argument": changed(header, re.escape(last), last[:-1].replace("(void", "(") + ", int added)"
                                      if "(void" not in last else last.replace("(void)", "(int added)")),

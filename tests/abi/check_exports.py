@@ -21,7 +21,7 @@ def listed(path):
 def declared(path):
     """Function -> the release that its comment names."""
     return {name: since for since, name in re.findall(
-        r"\\since ([\d.]+)\s*\*/\s*CLEFT(?:_IO)?_API [^;]*?\b(cleft_\w+)\([^;]*;", open(path).read())}
+        r"\\since ([\d.]+)\s*\*/\s*(?:CLEFT_NODISCARD )?CLEFT(?:_IO)?_API [^;]*?\b(cleft_\w+)\([^;]*;", open(path).read())}
 
 
 def exported(path):

@@ -24,10 +24,11 @@ PLACE(cleft_quality, radius_ratio_median, 72);
 PLACE(cleft_quality, total_volume, 136);
 PLACE(cleft_quality, dihedral_histogram, 144);
 
-HOLDS(sizeof(cleft_validation) == 112);
+HOLDS(sizeof(cleft_validation) == 128);
 PLACE(cleft_validation, valid, 4);
 PLACE(cleft_validation, negative_tets, 8);
 PLACE(cleft_validation, volume, 80);
+PLACE(cleft_validation, interface_triangles, 112);
 
 HOLDS(sizeof(cleft_label_report) == 80);
 PLACE(cleft_label_report, label, 4);

@@ -58,9 +58,13 @@ def build_by_cmake(language, source, block):
 
 
 def check_c():
-    (_, ten), (_, cmake) = blocks("docs/c.md")
+    (_, ten), (_, cmake), (_, cpp) = blocks("docs/c.md")
     write("ten.c", ten)
     run(*commands("docs/c.md", "cc ten.c"), "./a.out", expect=TETRAHEDRA)
+    run(*commands("docs/c.md", "cc ten.c $(pkg-config --static"), "ldd a.out", expect=r"(?s)^(?!.*libcleft\.so)")
+    run("./a.out", expect=TETRAHEDRA)
+    write("example.cpp", cpp)
+    run(*commands("docs/c.md", "c++ example.cpp"), "./a.out", expect=TETRAHEDRA)
     build_by_cmake("C", "ten.c", cmake)
 
     (_, part), = blocks("README.md")

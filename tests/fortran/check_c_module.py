@@ -49,7 +49,7 @@ def read_headers(paths):
     constants.update(re.findall(r"#define (CLEFT_VERSION_\w+) (\d+)$", text, re.M))
     constants.update({"CLEFT_" + name: value for name, value in re.findall(r"X\((\w+), (-?\d+),", text)})
     functions = {}
-    for result, name, arguments in re.findall(r"^CLEFT(?:_IO)?_API ([^;()]*?)(\w+)\(([^;]*?)\) CLEFT_NOEXCEPT;", text, re.M):
+    for result, name, arguments in re.findall(r"^(?:CLEFT_NODISCARD )?CLEFT(?:_IO)?_API ([^;()]*?)(\w+)\(([^;]*?)\) CLEFT_NOEXCEPT;", text, re.M):
         found = []
         for argument in re.sub(r"\s+", " ", arguments).split(","):
             if argument.strip() != "void":

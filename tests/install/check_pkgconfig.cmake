@@ -22,6 +22,19 @@ function(build_by name)
     execute_process(COMMAND ${FOLDER}/${name} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
+# Does the program load libcleft.so?
+function(expect_needed name wanted)
+    execute_process(COMMAND ldd ${FOLDER}/${name} OUTPUT_VARIABLE needed COMMAND_ERROR_IS_FATAL ANY)
+    string(FIND "${needed}" "libcleft.so" place)
+    set(found TRUE)
+    if(place EQUAL -1)
+        set(found FALSE)
+    endif()
+    if(NOT found STREQUAL wanted)
+        message(FATAL_ERROR "${name} needs: ${needed}")
+    endif()
+endfunction()
+
 set(ENV{PKG_CONFIG_PATH} ${INSTALLED})
 file(GLOB files ${INSTALLED}/*.pc)
 foreach(file ${files})
@@ -36,8 +49,12 @@ if(TETGEN)
     expect_private(tet "${flags}" "${static_flags}")
 endif()
 build_by(shared ${flags} -Wl,-rpath,${libdir})
+# --static names what the library needs, but a linker takes libcleft.so for -lcleft where there is one.
+build_by(told_static ${static_flags} -Wl,-rpath,${libdir})
+expect_needed(told_static TRUE)
 string(REPLACE "-lcleft " "-l:libcleft.a " static_flags "${static_flags}")
 build_by(static ${static_flags})
+expect_needed(static FALSE)
 
 # Without the flags there must be no way, or the test would prove nothing.
 execute_process(COMMAND ${COMPILER} ${PROGRAM} -o ${FOLDER}/none RESULT_VARIABLE result OUTPUT_QUIET ERROR_QUIET)

@@ -4,7 +4,7 @@ import subprocess
 
 import numpy as np
 
-from sample import SIDES, run_checks, same, word
+from sample import SIDES, run_checks_with_all_labels, same, word
 
 CONDUCTIVITY = 2.0
 JOB = '''*INCLUDE, INPUT=abaqus.inp
@@ -83,4 +83,4 @@ def check_heat_conduction(sample):
         assert abs(fluxes[name] - wanted) < 1e-5, (name, fluxes[name], wanted)
 
 
-run_checks(check_heat_conduction)
+run_checks_with_all_labels(check_heat_conduction)

@@ -4,7 +4,7 @@ import subprocess
 
 import numpy as np
 
-from sample import corners, run_checks, same
+from sample import corners, run_checks_with_all_labels, same
 
 REWRITE = '''Merge "%s";
 Mesh.MshFileVersion = 2.2;
@@ -76,4 +76,4 @@ def check_medit(sample):
     same(triangles, list(sample.groups().values()), 'triangles')
 
 
-run_checks(check_msh('msh41.msh'), check_msh('msh22.msh'), check_medit)
+run_checks_with_all_labels(check_msh('msh41.msh'), check_msh('msh22.msh'), check_medit)

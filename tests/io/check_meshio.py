@@ -2,7 +2,7 @@
 import meshio
 import numpy as np
 
-from sample import corners, run_checks, same
+from sample import corners, run_checks_with_all_labels, same
 
 
 def tets_of(mesh, key):
@@ -76,6 +76,6 @@ def check_stl(sample):
     same(triangles.tolist(), sample.points[sample.interface[:, :3]].astype('f4').tolist(), 'triangles')
 
 
-run_checks(check_with_labels('vtu.vtu', 'material'), check_with_labels('vtk.vtk', 'material'),
+run_checks_with_all_labels(check_with_labels('vtu.vtu', 'material'), check_with_labels('vtk.vtk', 'material'),
            check_with_labels('medit.mesh', 'medit:ref'), check_triangles_of_medit, check_gmsh('msh22.msh'),
            check_gmsh('msh41.msh'), check_tetgen, check_abaqus, check_stl)

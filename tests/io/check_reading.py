@@ -7,7 +7,7 @@ import numpy as np
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
-from sample import corners, run_checks, same
+from sample import corners, run_checks, run_checks_with_all_labels, same
 
 BOXES = '''SetFactory("Built-in");
 Mesh.MeshSizeMax = 0.5;
@@ -118,4 +118,5 @@ def check_meshio(sample):
 
 
 if __name__ == '__main__':
-    run_checks(check_own, check_gmsh, check_vtk, check_meshio)
+    run_checks_with_all_labels(check_own)
+    run_checks(check_gmsh, check_vtk, check_meshio)

@@ -3,7 +3,7 @@ import numpy as np
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
-from sample import NAME, run_checks, same, word
+from sample import NAME, run_checks_with_all_labels, same, word
 
 
 def read(reader, path):
@@ -79,4 +79,4 @@ def check_stl(sample):
     same(triangles_of(surface).tolist(), wanted.tolist(), 'triangles')
 
 
-run_checks(check_vtu, check_legacy_vtk, check_vtp, check_ply, check_all_of_ply, check_stl)
+run_checks_with_all_labels(check_vtu, check_legacy_vtk, check_vtp, check_ply, check_all_of_ply, check_stl)

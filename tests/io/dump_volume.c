@@ -20,7 +20,8 @@ static void write_centres(const cleft_volume* volume, const int64_t dims[3], con
                     for (int axis = 0; axis < 3; ++axis)
                         point[row] += affine[4 * row + axis] * index[axis];
                 }
-                cleft_volume_sample(volume, point, 1, &label);
+                if (cleft_volume_sample(volume, point, 1, &label) != CLEFT_OK)
+                    exit(2);
                 fwrite(&label, sizeof label, 1, file);
             }
 }
@@ -36,9 +37,9 @@ int main(int argc, char** argv)
 {
     cleft_context* context = NULL;
     cleft_volume* volume = NULL;
-    if (argc < 8 || cleft_context_create(&context) != CLEFT_OK)
+    if (argc < 8 || cleft_context_create(&context) != CLEFT_OK ||
+        cleft_context_set_log(context, on_log, NULL) != CLEFT_OK)
         return 2;
-    cleft_context_set_log(context, on_log, NULL);
     cleft_io_reading reading = {.struct_size = sizeof reading, .world = atoi(argv[1]), .kind = atoi(argv[2])};
     for (int axis = 0; axis < 3; ++axis)
         reading.spacing[axis] = atof(argv[3 + axis]);
@@ -48,13 +49,11 @@ int main(int argc, char** argv)
         printf("%d %s\n", (int)status, cleft_context_last_error(context));
     } else {
         FILE* file = fopen(argv[6], "wb");
-        if (!file)
-            return 2;
         int64_t dims[3];
         double affine[12];
         const int64_t labels = cleft_volume_label_count(volume);
-        cleft_volume_dims(volume, dims);
-        cleft_volume_affine(volume, affine);
+        if (!file || cleft_volume_dims(volume, dims) != CLEFT_OK || cleft_volume_affine(volume, affine) != CLEFT_OK)
+            return 2;
         fwrite(dims, sizeof *dims, 3, file);
         fwrite(affine, sizeof *affine, 12, file);
         fwrite(&labels, sizeof labels, 1, file);

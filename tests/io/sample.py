@@ -78,3 +78,24 @@ def run_checks(*checks, labels=()):
         for check in checks:
             check(sample)
             print('ok', check.__name__)
+
+
+# The sample's own labels, those that programs like to keep for themselves, and the extremes.
+LABELS = [(), (-1, 0, 1), (-2, -1, 5), (-2**31, -1, 2**31 - 1)]
+
+
+def check_surface(sample):
+    """The library's interface triangles are the faces of two tetrahedra of different labels, and its hull the others."""
+    labels_of = {}
+    for tet, label in zip(sample.tets.tolist(), sample.labels.tolist()):
+        for left_out in range(4):
+            labels_of.setdefault(corners(*(p for i, p in enumerate(tet) if i != left_out)), []).append(label)
+    wanted = sorted(face + tuple(sorted(labels)) for face, labels in labels_of.items() if len(set(labels)) == 2)
+    same(sorted(corners(*row[:3]) + tuple(row[3:]) for row in sample.interface.tolist()), wanted, 'interfaces')
+    wanted = sorted(face + tuple(labels) for face, labels in labels_of.items() if len(labels) == 1)
+    same(sorted(corners(*row[:3]) + (row[3],) for row in sample.hull.tolist()), wanted, 'hull')
+
+
+def run_checks_with_all_labels(*checks):
+    for labels in LABELS:
+        run_checks(check_surface, *checks, labels=labels)

@@ -42,6 +42,8 @@ cleft_mesh* sample_mesh_create(cleft_context* context)
     sample_mesh sample;
     cleft_mesh* mesh = NULL;
     sample_mesh_fill(&sample);
-    cleft_mesh_create(context, SAMPLE_POINTS, sample.points, SAMPLE_TETS, sample.tets, sample.labels, 0, &mesh);
+    if (cleft_mesh_create(context, SAMPLE_POINTS, sample.points, SAMPLE_TETS, sample.tets, sample.labels, 0, &mesh) !=
+        CLEFT_OK)
+        return NULL;
     return mesh;
 }

@@ -130,7 +130,8 @@ static cleft_mesh* make_large_mesh(cleft_context* context)
             tets[copy * 4 * SAMPLE_TETS + i] = sample.tets[i] + copy * SAMPLE_POINTS;
         memcpy(labels + copy * SAMPLE_TETS, sample.labels, sizeof sample.labels);
     }
-    cleft_mesh_create(context, COPIES * SAMPLE_POINTS, points, COPIES * SAMPLE_TETS, tets, labels, 0, &mesh);
+    assert_int_equal(
+        cleft_mesh_create(context, COPIES * SAMPLE_POINTS, points, COPIES * SAMPLE_TETS, tets, labels, 0, &mesh), 0);
     free(points);
     free(tets);
     free(labels);
@@ -145,7 +146,7 @@ static void test_same_bytes_for_any_number_of_threads(void** state)
     size_t sizes[2];
     char* data[2];
     for (int threads = 1; threads <= 2; ++threads) {
-        cleft_context_set_threads(f->context, threads);
+        assert_int_equal(cleft_context_set_threads(f->context, threads), CLEFT_OK);
         assert_int_equal(cleft_io_write_mesh(f->context, mesh, path_of(f, "t.vtu"), CLEFT_FORMAT_VTU), CLEFT_OK);
         data[threads - 1] = read_file(f->path, &sizes[threads - 1]);
         assert_non_null(data[threads - 1]);

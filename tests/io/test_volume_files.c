@@ -180,7 +180,8 @@ static cleft_volume* make_volume(fixture* f, const double affine[12])
     cleft_volume* volume = NULL;
     for (int v = 0; v < VOXELS; ++v)
         voxels[v] = v % NX < 2;
-    cleft_volume_create_labels(f->context, CLEFT_TYPE_UINT8, voxels, dims, affine, NULL, &volume);
+    assert_int_equal(cleft_volume_create_labels(f->context, CLEFT_TYPE_UINT8, voxels, dims, affine, NULL, &volume),
+                     CLEFT_OK);
     return volume;
 }
 
@@ -190,7 +191,8 @@ static cleft_sizing* make_sizing(fixture* f, const cleft_volume* volume)
     cleft_sizing* sizing = NULL;
     for (int v = 0; v < VOXELS; ++v)
         values[v] = 1 + v / 7.0;
-    cleft_sizing_create_values(f->context, volume, CLEFT_TYPE_FLOAT64, values, 0, NULL, &sizing);
+    assert_int_equal(cleft_sizing_create_values(f->context, volume, CLEFT_TYPE_FLOAT64, values, 0, NULL, &sizing),
+                     CLEFT_OK);
     return sizing;
 }
 
@@ -341,6 +343,52 @@ static void test_scale_takes_origin_and_spacing(void** state)
     cleft_volume_destroy(volume);
 }
 
+/* Too small a struct_size is refused; a reader of an older size, without the scale, is not, and a newer one is unless
+ * it asks for what this version does not know. */
+static void test_struct_sizes(void** state)
+{
+    static const uint32_t bad[] = {0, 1, 4, 12, offsetof(cleft_io_reading, scale) - 1, 0x55555555, UINT32_MAX};
+    fixture* f = *state;
+    struct {
+        cleft_io_reading known;
+        int64_t later;
+    } newer = {{.struct_size = sizeof newer, .world = CLEFT_IO_WORLD_RAS}, 0};
+    cleft_io_reading reading = {.world = CLEFT_IO_WORLD_RAS, .scale = -1};
+    cleft_io_raw raw = raw_layout(CLEFT_TYPE_UINT8);
+    cleft_io_format_description row = {0};
+    double affine[12], read_affine[12];
+    double* values = NULL;
+    make_affine(0, affine);
+    cleft_volume* volume = make_volume(f, affine);
+    cleft_sizing* sizing = make_sizing(f, volume);
+    const char* path = path_of(f, "a.nrrd");
+    assert_int_equal(cleft_io_write_sizing(f->context, sizing, path, CLEFT_IO_WORLD_LPS), CLEFT_OK);
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        reading.struct_size = bad[i];
+        assert_refused(f, cleft_io_read_field(f->context, path, &reading, NULL, NULL, &values), CLEFT_ERROR_ARGUMENT,
+                       "struct_size of the cleft_io_reading");
+        assert_null(values);
+    }
+    reading.struct_size = offsetof(cleft_io_reading, scale);
+    assert_int_equal(cleft_io_read_field(f->context, path, &reading, NULL, read_affine, &values), CLEFT_OK);
+    assert_true(fabs(read_affine[3] + affine[3]) < 1e-9 && fabs(read_affine[0] + affine[0]) < 1e-9);
+    cleft_io_free(values);
+    assert_int_equal(cleft_io_read_field(f->context, path, &newer.known, NULL, read_affine, &values), CLEFT_OK);
+    assert_true(fabs(read_affine[3] + affine[3]) < 1e-9);
+    cleft_io_free(values);
+    newer.later = 1;
+    assert_refused(f, cleft_io_read_field(f->context, path, &newer.known, NULL, NULL, &values), CLEFT_ERROR_ARGUMENT,
+                   "does not know");
+    cleft_sizing_destroy(sizing);
+    cleft_volume_destroy(volume);
+    volume = NULL;
+    for (raw.struct_size = 0; raw.struct_size < sizeof raw; raw.struct_size += 8)
+        assert_refused(f, cleft_io_read_raw(f->context, NULL, &path, 1, &raw, &volume), CLEFT_ERROR_ARGUMENT,
+                       "struct_size of the cleft_io_raw");
+    for (row.struct_size = 0; row.struct_size < sizeof row; row.struct_size += 8)
+        assert_int_equal(cleft_io_format_info(0, &row), CLEFT_ERROR_ARGUMENT);
+}
+
 static void test_full_disk_keeps_the_old_field(void** state)
 {
     static const char* const names[] = {"a.nrrd", "a.nii", "a.nii.gz", "a.mha"};
@@ -382,6 +430,7 @@ int main(void)
         TEST(test_sizing_comes_back_from_vtk),
         TEST(test_sizing_of_another_grid_is_refused),
         TEST(test_scale_takes_origin_and_spacing),
+        TEST(test_struct_sizes),
         TEST(test_full_disk_keeps_the_old_field),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -63,8 +63,11 @@ static cleft_mesh* make_mesh(cleft_context* context, char** labels)
                 sample.labels[t] = (int32_t)strtol(labels[i], NULL, 10);
                 break;
             }
-    cleft_mesh_create(context, SAMPLE_POINTS, sample.points, SAMPLE_TETS, sample.tets, sample.labels, 0, &mesh);
-    cleft_mesh_set_label_name(mesh, labels ? (int32_t)strtol(labels[1], NULL, 10) : own[1], NAME_OF_SECOND);
+    if (cleft_mesh_create(context, SAMPLE_POINTS, sample.points, SAMPLE_TETS, sample.tets, sample.labels, 0, &mesh) !=
+            CLEFT_OK ||
+        cleft_mesh_set_label_name(mesh, labels ? (int32_t)strtol(labels[1], NULL, 10) : own[1], NAME_OF_SECOND) !=
+            CLEFT_OK)
+        return NULL;
     return mesh;
 }
 
@@ -75,7 +78,8 @@ int main(int argc, char** argv)
     folder = argv[1];
     cleft_context* context = NULL;
     cleft_surface* surface = NULL;
-    cleft_context_create(&context);
+    if (cleft_context_create(&context) != CLEFT_OK)
+        return 1;
     cleft_mesh* mesh = make_mesh(context, argc == 5 ? argv + 2 : NULL);
     if (!mesh || cleft_surface_create(context, mesh, &surface) != CLEFT_OK) {
         fprintf(stderr, "%s\n", cleft_context_last_error(context));
@@ -89,8 +93,7 @@ int main(int argc, char** argv)
     int failures = 0;
     for (int32_t i = 0; i < cleft_io_format_count(); ++i) {
         cleft_io_format_description row = {.struct_size = sizeof row};
-        cleft_io_format_info(i, &row);
-        if (!(row.directions & CLEFT_IO_WRITES_MESH))
+        if (cleft_io_format_info(i, &row) != CLEFT_OK || !(row.directions & CLEFT_IO_WRITES_MESH))
             continue;
         char path[4096];
         snprintf(path, sizeof path, "%s/%s%.*s", folder, row.name, (int)strcspn(row.extensions, " "), row.extensions);

@@ -1,0 +1,68 @@
+/*
+ * cleft_io.h for C++11 and later: the files of cleft.hpp's volumes, sizing fields and meshes. Header only.
+ */
+#ifndef CLEFT_IO_HPP
+#define CLEFT_IO_HPP
+
+#include "cleft/cleft.hpp"
+#include "cleft/cleft_io.h"
+
+#include <string>
+#include <vector>
+
+namespace cleft
+{
+inline namespace cpp
+{
+
+/** The defaults of cleft_io_reading. */
+inline cleft_io_reading default_reading()
+{
+    cleft_io_reading reading{};
+    reading.struct_size = sizeof reading;
+    return reading;
+}
+
+/** One file: labels or functions, as cleft_io_read_volume() says; several: one function each. */
+inline Volume read_volume(const Context& context, const std::vector<std::string>& paths,
+                          const cleft_io_reading& reading = default_reading(), const Options& options = Options())
+{
+    std::vector<const char*> texts;
+    for (const std::string& path : paths)
+        texts.push_back(path.c_str());
+    return made<Volume, cleft_volume>(context, [&](cleft_volume** out) {
+        return cleft_io_read_volume(context.get(), options.get(), texts.data(), static_cast<int64_t>(texts.size()),
+                                    &reading, out);
+    });
+}
+
+inline Sizing read_sizing(const Context& context, const Volume& volume, const std::string& path, bool combine = false,
+                          const cleft_io_reading& reading = default_reading(), const Options& options = Options())
+{
+    return made<Sizing, cleft_sizing>(context, [&](cleft_sizing** out) {
+        return cleft_io_read_sizing(context.get(), volume.get(), path.c_str(), &reading, combine, options.get(), out);
+    });
+}
+
+inline void write_sizing(const Context& context, const Sizing& sizing, const std::string& path,
+                         cleft_io_world world = CLEFT_IO_WORLD_LPS)
+{
+    context.check(cleft_io_write_sizing(context.get(), sizing.get(), path.c_str(), world));
+}
+
+inline Mesh read_mesh(const Context& context, const std::string& path)
+{
+    return made<Mesh, cleft_mesh>(
+        context, [&](cleft_mesh** out) { return cleft_io_read_mesh(context.get(), path.c_str(), out); });
+}
+
+inline void write_mesh(const Context& context, const Mesh& mesh, const std::string& path,
+                       cleft_io_format format = CLEFT_FORMAT_BY_NAME)
+{
+    context.check(cleft_io_write_mesh(context.get(), mesh.get(), path.c_str(), format));
+}
+
+}  // namespace cpp
+}  // namespace cleft
+
+#endif

@@ -1,0 +1,56 @@
+// The structs of the C interfaces, which begin with struct_size and grow at their end: what an older or a newer program
+// gives or takes is told by that number.
+#pragma once
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string>
+
+namespace cleft
+{
+
+// The size that a struct had in the release that brought it; structs that grew since have a specialization.
+template <class Struct>
+inline constexpr size_t kFirstSize = sizeof(Struct);
+
+// No struct is as large as this: struct_size was not set.
+inline constexpr uint32_t kGreatestStructSize = 1U << 16;
+
+template <class Struct>
+void check_struct_size(const Struct& given, const char* name)
+{
+    if (given.struct_size < kFirstSize<Struct> || given.struct_size > kGreatestStructSize)
+        throw Error(CLEFT_ERROR_ARGUMENT, "struct_size of the " + std::string(name) + " is " +
+                                              std::to_string(given.struct_size) + "; set it to sizeof(" + name +
+                                              "), which is " + std::to_string(sizeof(Struct)));
+}
+
+// What the caller asks for; fields that its version lacks are 0. Those that this version lacks must be 0.
+template <class Struct>
+Struct taken(const Struct& given, const char* name)
+{
+    check_struct_size(given, name);
+    Struct out{};
+    std::memcpy(&out, &given, std::min<size_t>(given.struct_size, sizeof out));
+    const char* bytes = reinterpret_cast<const char*>(&given);
+    for (size_t i = sizeof out; i < given.struct_size; ++i)
+        if (bytes[i] != 0)
+            throw Error(CLEFT_ERROR_ARGUMENT, "the " + std::string(name) +
+                                                  " has a field set that this version of the "
+                                                  "library does not know");
+    return out;
+}
+
+// Fills the caller's struct, whose size has been checked, as far as its version goes.
+template <class Struct>
+void give(Struct row, Struct& out)
+{
+    row.struct_size = out.struct_size;
+    std::memcpy(&out, &row, std::min<size_t>(out.struct_size, sizeof row));
+}
+
+}  // namespace cleft

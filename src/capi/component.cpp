@@ -1,0 +1,83 @@
+// For components that are built on this library: several calls as one call of a context.
+#include "capi/firewall.hpp"
+
+using namespace cleft::capi;
+
+namespace
+{
+
+// Calls body(handle) with the handle's own type.
+template <class Body>
+void with_handle(const void* handle, const Body& body)
+{
+    switch (*static_cast<const Mark*>(handle)) {
+        case Mark::context:
+            return body(*static_cast<const cleft_context*>(handle));
+        case Mark::options:
+            return body(*static_cast<const cleft_options*>(handle));
+        case Mark::volume:
+            return body(*static_cast<const cleft_volume*>(handle));
+        case Mark::sizing:
+            return body(*static_cast<const cleft_sizing*>(handle));
+        case Mark::mesh:
+            return body(*static_cast<const cleft_mesh*>(handle));
+        case Mark::surface:
+            return body(*static_cast<const cleft_surface*>(handle));
+        case Mark::report:
+            return body(*static_cast<const cleft_report*>(handle));
+        case Mark::dead:
+            break;
+    }
+    throw cleft::Error(CLEFT_ERROR_HANDLE, "a handle that was given is none of this library");
+}
+
+void keep(std::vector<const void*>& kept, const void* handle)
+{
+    with_handle(handle, [](const auto& of_kind) { ++of_kind.owners.count; });
+    kept.push_back(handle);
+}
+
+void let_go(const std::vector<const void*>& kept) noexcept
+{
+    for (const void* handle : kept)
+        with_handle(handle, [](const auto& of_kind) { release(of_kind); });
+}
+
+}  // namespace
+
+cleft_status cleft_context_begin(cleft_context* context, const void* const* handles, int64_t count) noexcept
+{
+    if (!context)
+        return CLEFT_ERROR_NULL;
+    if (!is_sound(context))
+        return CLEFT_ERROR_HANDLE;
+    if (!context->occupancy.enter())
+        return CLEFT_ERROR_BUSY;
+    std::vector<const void*> kept;
+    begin(*context);
+    const cleft_status status = guarded(&context->message, [&] {
+        kept.reserve(static_cast<size_t>(count) + 1);
+        context->kept.reserve(context->kept.size() + 1);
+        keep(kept, context);
+        for (int64_t i = 0; i < count; ++i)
+            if (handles[i])
+                keep(kept, handles[i]);
+    });
+    if (status == CLEFT_OK) {
+        context->kept.push_back(std::move(kept));
+        return status;
+    }
+    context->occupancy.leave();
+    let_go(kept);
+    return status;
+}
+
+void cleft_context_end(cleft_context* context) noexcept
+{
+    if (!is_sound(context) || context->occupancy.is_others() || context->kept.empty())
+        return;
+    const std::vector<const void*> kept = std::move(context->kept.back());
+    context->kept.pop_back();
+    context->occupancy.leave();
+    let_go(kept);
+}
