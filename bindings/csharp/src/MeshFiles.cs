@@ -16,9 +16,12 @@ namespace Cleft
     /// <summary>What the voxels of a file mean.</summary>
     public enum VoxelKind
     {
-        /// <summary>Labels if the numbers are whole and not negative, else indicator functions.</summary>
+        /// <summary>
+        /// By the values. Whole numbers are labels, also where they are up to 1/50 off. Fractions on both sides of 0 are a signed
+        /// function, several files of 0 and one other number masks. What is uncertain is refused.
+        /// </summary>
         Auto = CleftIoNative.CLEFT_IO_KIND_AUTO,
-        /// <summary>Labels.</summary>
+        /// <summary>Labels: fractions are rounded to the nearest; or several masks.</summary>
         Labels = CleftIoNative.CLEFT_IO_KIND_LABELS,
         /// <summary>Indicator functions.</summary>
         Indicators = CleftIoNative.CLEFT_IO_KIND_INDICATORS

@@ -20,9 +20,12 @@ public final class MeshFiles {
 
     /** What the voxels of a file mean. */
     public enum VoxelKind {
-        /** Labels if the numbers are whole and not negative, else indicator functions. */
+        /**
+         * By the values. Whole numbers are labels, also where they are up to 1/50 off. Fractions on both sides of 0 are a
+         * signed function, several files of 0 and one other number masks. What is uncertain is refused.
+         */
         AUTO,
-        /** Labels. */
+        /** Labels: fractions are rounded to the nearest; or several masks. */
         LABELS,
         /** Indicator functions. */
         INDICATORS
