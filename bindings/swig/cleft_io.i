@@ -37,6 +37,7 @@ CLEFT_STRUCT(cleft_io_raw, NativeRaw)
 }
 
 #define CLEFT_NOEXCEPT
+#define CLEFT_NODISCARD
 typedef int32_t cleft_status;
 typedef int32_t cleft_type;
 %include "cleft/cleft_io.h"
