@@ -223,7 +223,11 @@ sealed class MeshingTest
             Checks.Equal(names, mesher.MeshOf(mesh.CopyPoints(), mesh.CopyTets(), renamed).Labels.ToArray());
             Checks.Check(mesher.Validate(mesh, true).IsValid, "not valid");
             Surface surface = mesher.Surface(mesh), same = mesher.Surface(wanted);
+            Checks.Equal(same.InterfaceTriangles.ToArray(), surface.InterfaceTriangles.ToArray());
             Checks.Equal(same.HullSides.ToArray(), surface.HullSides.ToArray());
+            Validation found = mesher.Validate(mesh, true);
+            Checks.Equal(3 * found.InterfaceTriangles, surface.InterfaceTriangles.LongCount);
+            Checks.Equal(3 * found.HullTriangles, surface.HullTriangles.LongCount);
             for (int m = 0; m < 3; ++m) {
                 Checks.Equal(new[] { names[m] }, mesher.Strip(mesh, new Options { Only = new[] { names[m] } }).Labels.ToArray());
                 Checks.Equal(2, mesher.Strip(mesh, new Options { Strip = new[] { names[m] } }).Labels.Count);

@@ -225,7 +225,11 @@ final class MeshingTest {
             Mesh again = mesher.meshOf(mesh.points(), mesh.tets(), mesh.tetLabels(), 0);
             Checks.equal(names, again.labels());
             Checks.check(mesher.validate(mesh, true).valid(), "not valid");
+            Checks.equal(mesher.surface(wanted).interfaceTriangles(), mesher.surface(mesh).interfaceTriangles());
             Checks.equal(sides, mesher.surface(mesh).hullSides());
+            Validation found = mesher.validate(mesh, true);
+            Checks.equal(3 * found.interfaceTriangles(), (long) mesher.surface(mesh).interfaceTriangles().length);
+            Checks.equal(3 * found.hullTriangles(), (long) mesher.surface(mesh).hullTriangles().length);
             for (int m = 0; m < 3; ++m) {
                 Checks.equal(new int[] {names[m]}, mesher.strip(mesh, new Options().only(names[m])).labels());
                 Checks.equal(2, mesher.strip(mesh, new Options().strip(names[m])).labels().length);

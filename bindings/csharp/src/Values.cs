@@ -177,6 +177,8 @@ namespace Cleft
             BoxVolume = v.box_volume;
             HullArea = v.hull_area;
             BoxArea = v.box_area;
+            InterfaceTriangles = v.interface_triangles;
+            HullTriangles = v.hull_triangles;
             FirstFault = IsValid ? "" : sentence;
         }
 
@@ -208,6 +210,10 @@ namespace Cleft
         public double HullArea { get; }
         /// <summary>The area of the bounding box.</summary>
         public double BoxArea { get; }
+        /// <summary>Triangles between two labels.</summary>
+        public long InterfaceTriangles { get; }
+        /// <summary>Triangles of the hull.</summary>
+        public long HullTriangles { get; }
         /// <summary>The first fault and its place, "" if there is none.</summary>
         public string FirstFault { get; }
 

@@ -17,6 +17,8 @@ package org.cleft;
  * @param boxVolume of the bounding box
  * @param hullArea of the hull
  * @param boxArea of the bounding box
+ * @param interfaceTriangles triangles between two labels
+ * @param hullTriangles triangles of the hull
  * @param firstFault the first fault and its place, "" if there is none
  */
 public record Validation(
@@ -34,12 +36,14 @@ public record Validation(
         double boxVolume,
         double hullArea,
         double boxArea,
+        long interfaceTriangles,
+        long hullTriangles,
         String firstFault) {
     static Validation of(NativeValidation v, String sentence) {
         boolean valid = v.getValid() != 0;
         return new Validation(valid, v.getNegative_tets(), v.getFlat_tets(), v.getRepeated_corners(),
                 v.getCrowded_faces(), v.getFolded_faces(), v.getHull_off_box(), v.getOpen_interface_edges(),
                 v.getUnused_points(), v.getRepeated_points(), v.getVolume(), v.getBox_volume(), v.getHull_area(),
-                v.getBox_area(), valid ? "" : sentence);
+                v.getBox_area(), v.getInterface_triangles(), v.getHull_triangles(), valid ? "" : sentence);
     }
 }
