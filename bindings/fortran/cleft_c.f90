@@ -166,6 +166,14 @@ module cleft_c
     integer(c_int32_t) :: large_components_broken
   end type
 
+  type, bind(C) :: cleft_contact
+    integer(c_int32_t) :: struct_size
+    integer(c_int32_t) :: first
+    integer(c_int32_t) :: second
+    integer(c_int32_t) :: reserved
+    integer(c_int64_t) :: triangles
+  end type
+
   abstract interface
 
     ! A nonzero answer cancels.
@@ -816,6 +824,20 @@ module cleft_c
       type(c_ptr), value :: report
       integer(c_int64_t), value :: index
       type(cleft_label_report), intent(inout) :: out
+      integer(c_int32_t) :: answer
+    end function
+
+    function cleft_report_contact_count(report) bind(C) result(answer)
+      import
+      type(c_ptr), value :: report
+      integer(c_int64_t) :: answer
+    end function
+
+    function cleft_report_contact(report, index, out) bind(C) result(answer)
+      import
+      type(c_ptr), value :: report
+      integer(c_int64_t), value :: index
+      type(cleft_contact), intent(inout) :: out
       integer(c_int32_t) :: answer
     end function
 

@@ -115,7 +115,8 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_context_set_threads(cleft_context* 
 /** The number of threads in use; 0 for NULL. \since 0.1 */
 CLEFT_API int32_t cleft_context_threads(const cleft_context* context) CLEFT_NOEXCEPT;
 
-/** fraction in [0, 1] of the running call, `stage` in words (borrowed for the call); a nonzero answer cancels. Always
+/** fraction in [0, 1] of the running call, `stage` in words (borrowed for the call); a nonzero answer cancels. The
+ *  fraction never falls, and the last one of a call that succeeds is 1. Always
  *  called on the thread that called the library, mostly ten times a second or more, at times with the same fraction
  *  again; TetGen's part, seconds for millions of tetrahedra, cannot be interrupted. \since 0.1 */
 typedef int (*cleft_progress_callback)(double fraction, const char* stage, void* user);
@@ -240,14 +241,17 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_options_get_integer(const cleft_opt
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_options_get_real(const cleft_options* options, cleft_option key,
                                                               double* value) CLEFT_NOEXCEPT;
 
-/** The greatest edge length inside one label (> 0), in world units; 0 takes the wish back. \since 0.1 */
+/** The greatest wanted edge length inside one label (> 0), in world units; 0 takes the wish back. As with all sizes,
+ *  single edges come out longer: see docs/guide.md, section 3. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_options_set_label_size(cleft_options* options, int32_t label,
                                                                     double size) CLEFT_NOEXCEPT;
 /** Labels whose tetrahedra are left out of the finished mesh; replaces the former list. No label is special: without
- *  this, the background label is meshed like the others. \since 0.1 */
+ *  this, the background label is meshed like the others. A call that is given these options warns of labels that its
+ *  volume (or mesh) does not have, and refuses lists that leave nothing of it with CLEFT_ERROR_OPTION. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_options_set_strip(cleft_options* options, const int32_t* labels,
                                                                int64_t count) CLEFT_NOEXCEPT;
-/** Labels whose tetrahedra alone are kept (count 0: all); replaces the former list. \since 0.1 */
+/** Labels whose tetrahedra alone are kept (count 0: all); replaces the former list. Labels that are not there: as for
+ *  strip. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_options_set_only(cleft_options* options, const int32_t* labels,
                                                               int64_t count) CLEFT_NOEXCEPT;
 
@@ -279,7 +283,10 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_create_labels(cleft_context*
                                                                   cleft_volume** out) CLEFT_NOEXCEPT;
 /** `count` indicator functions (FLOAT32 or FLOAT64), one for each material; the largest wins at a point. count = 1: a
  *  signed function, inside (second label) where it is > 0. `labels`: what the materials are called, `count` values (two
- *  for count = 1, outside first), or NULL for 0, 1, 2, ... Values must be finite. Copied as float. \since 0.1 */
+ *  for count = 1, outside first), or NULL for 0, 1, 2, ... Values must be finite. Copied as float.
+ *  Several functions of two values each, the lower the same in all, are masks: CLEFT_ERROR_ARGUMENT if voxels are in
+ *  none of them (give the outside a mask of its own, or make a label map), a warning if some are in several. A warning
+ *  also if other functions are equal and the greatest all over a region: the first of them holds there. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_create_indicators(cleft_context* context, cleft_type type,
                                                                       const void* const* fields, int64_t count,
                                                                       const int64_t dims[3], const double affine[12],
@@ -317,7 +324,8 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_sample(const cleft_volume* v
 
 /** The sizing field of a volume from its features: three distance transforms (see docs/method.md), limited by the
  *  options SIZE, SIZE_MIN, SIZE_MAX, FEATURE_SCALE, GRADATION, INTERFACE_SIZE, KEEP_THIN and the label sizes. With
- * TETS, scaled to the number of tetrahedra expected. `options` may be NULL. The caller owns *out. \since 0.1 */
+ *  TETS, scaled to the number of tetrahedra expected of the labels that strip and only keep. `options` may be NULL. The
+ * caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* volume,
                                                            const cleft_options* options,
                                                            cleft_sizing** out) CLEFT_NOEXCEPT;
@@ -343,7 +351,10 @@ CLEFT_API const float* cleft_sizing_values(const cleft_sizing* sizing) CLEFT_NOE
 /** The field at a world point. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_at(const cleft_sizing* sizing, const double point[3],
                                                        double* size) CLEFT_NOEXCEPT;
-/** Tetrahedra that a background of this field will have, within some 10 %; 0 for NULL. \since 0.1 */
+/** Tetrahedra that a background of particles of this field will have, within some 10 %, in the labels that strip and
+ *  only of the options keep with which the field was made (all, if there were none). The number in all labels is the
+ *  figure "sizing.expected_background_tets" on the context. A finished mesh has 10 to 30 % more. 0 for NULL.
+ *  \since 0.1 */
 CLEFT_API double cleft_sizing_expected_tets(const cleft_sizing* sizing) CLEFT_NOEXCEPT;
 
 /* ---------------------------------------------------------------------------------------------- background -- */
@@ -383,9 +394,12 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_improve(cleft_context* context
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_strip(cleft_context* context, const cleft_mesh* mesh,
                                                         const cleft_options* options, cleft_mesh** out) CLEFT_NOEXCEPT;
 /** All of it: sizing (unless given), background (unless given), cleaving, improving, spatial ordering, stripping.
- *  `sizing`, `background` and `options` may be NULL. With TETS, the size is corrected until the number of tetrahedra is
- *  within 10 % (at most eight rounds). With STRICT, CLEFT_ERROR_LABEL_LOST if a label of the volume, or a piece of
- *  more than 30 voxels of one, is not in the mesh or broke.
+ *  `sizing`, `background` and `options` may be NULL. With TETS, the size is corrected until the number of tetrahedra
+ *  that strip and only keep is within 10 % (at most eight rounds; where labels are left out, the whole mesh keeps to
+ *  MAX_TETS, and a warning tells if the number is not met). With STRICT, CLEFT_ERROR_LABEL_LOST if a kept label, or a
+ *  piece of more than 30 voxels of one, is not in the mesh or broke, or if two kept labels are a cleft_contact; also,
+ *  without STRICT, if no kept label is in the mesh. Warns (CLEFT_LOG_WARNING, in one sentence) of kept labels of 100
+ *  voxels or more whose volume in the mesh differs by more than 5 % from that of their voxels.
  *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_volume(cleft_context* context, const cleft_volume* volume,
                                                          const cleft_sizing* sizing, const cleft_mesh* background,
@@ -483,8 +497,10 @@ typedef struct cleft_validation {
     int64_t hull_triangles; /**< faces of one tetrahedron, counted so, too */
 } cleft_validation;
 
-/** Looks for faults. `fills_box` nonzero: the mesh is also asked to fill its bounding box. A fault is no failure of the
- *  call; the first one and its place are then in cleft_context_last_error(). \since 0.1 */
+/** Looks for faults. `fills_box` nonzero: the mesh is also asked to fill its bounding box, as meshes of
+ *  cleft_mesh_volume() do; ask it neither of a mesh from which labels were left out (strip, only) nor of one of a
+ *  background of the user's that does not fill it. A fault is no failure of the call; the first one and its place are
+ *  then in cleft_context_last_error(). \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_validate(cleft_context* context, const cleft_mesh* mesh,
                                                            int32_t fills_box, cleft_validation* out) CLEFT_NOEXCEPT;
 
@@ -558,6 +574,25 @@ CLEFT_API int64_t cleft_report_joined(const cleft_report* report, int64_t index)
 /** Row `index`, in the order of cleft_volume_labels(). \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_report_label(const cleft_report* report, int64_t index,
                                                           cleft_label_report* out) CLEFT_NOEXCEPT;
+
+/** Two labels that share triangles in the mesh, but of which no two voxels share a face or an edge (a corner at most,
+ *  through which a gap of one voxel goes on): the gap between them is narrower than the tetrahedra there, and a smaller
+ *  size opens it. The caller sets struct_size.
+ *  \since 0.1 */
+typedef struct cleft_contact {
+    uint32_t struct_size;
+    int32_t first; /**< the lower of the two labels */
+    int32_t second;
+    int32_t reserved;
+    int64_t triangles; /**< that the two share */
+} cleft_contact;
+
+/** Number of such pairs of labels; 0 for NULL. Where the volume is of indicator functions, the label of a voxel is that
+ *  of the function which wins at its centre. \since 0.1 */
+CLEFT_API int64_t cleft_report_contact_count(const cleft_report* report) CLEFT_NOEXCEPT;
+/** Pair `index` (0 ..), in ascending order of the labels. CLEFT_ERROR_ARGUMENT if there is no such pair. \since 0.1 */
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_report_contact(const cleft_report* report, int64_t index,
+                                                            cleft_contact* out) CLEFT_NOEXCEPT;
 
 #ifdef __cplusplus
 }

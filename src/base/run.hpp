@@ -13,7 +13,7 @@ namespace cleft
 
 struct Run {
     int threads = 1;
-    // Called on the calling thread only; true asks to cancel.
+    // Called on the calling thread only; true asks to cancel. A stage of null is the one before.
     std::function<bool(double fraction, const char* stage)> progress;
     // May be called on any thread, at any time: repeats the last progress if it is due; true asks to cancel.
     std::function<bool()> repeat_progress;
@@ -30,7 +30,7 @@ struct Run {
             throw Error(CLEFT_ERROR_CANCELLED, "the run was cancelled");
     }
 
-    // On the calling thread only: fraction in [0, 1] of the named stage.
+    // On the calling thread only: fraction in [0, 1] of the named stage; null: of the one named before.
     void report(double fraction, const char* stage) const
     {
         if (cancelled() || (progress && progress(fraction, stage)))

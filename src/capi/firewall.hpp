@@ -7,6 +7,7 @@
 #include "capi/reporter.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <new>
 #include <optional>
 #include <string>
@@ -191,7 +192,9 @@ cleft_status guarded_create(cleft_context* context, Handle** out, const Make& ma
         *out = nullptr;
     return guarded_run(context, [&](const Run& run) {
         required(out, "out");
-        *out = new Handle(make(run));
+        auto made = std::make_unique<Handle>(make(run));
+        run.report(1, nullptr);
+        *out = made.release();
     });
 }
 

@@ -69,6 +69,7 @@ struct cleft_context : cleft::capi::Handle<cleft::capi::Mark::context> {
 
 struct cleft_options : cleft::capi::Handle<cleft::capi::Mark::options> {
     std::array<double, cleft::capi::kOptionCount> values{};
+    std::array<bool, cleft::capi::kOptionCount> given{};  // whether the user set it
     std::vector<std::pair<int32_t, double>> label_sizes;
     std::vector<int32_t> strip;
     std::vector<int32_t> only;
@@ -84,6 +85,7 @@ struct cleft_volume : cleft::capi::Handle<cleft::capi::Mark::volume> {
 struct cleft_sizing : cleft::capi::Handle<cleft::capi::Mark::sizing> {
     cleft::Frame frame;
     cleft::SizingField field;
+    double expected_tets = 0;  // of a background, in the labels that the options keep
 };
 
 struct cleft_mesh : cleft::capi::Handle<cleft::capi::Mark::mesh> {
@@ -98,5 +100,5 @@ struct cleft_surface : cleft::capi::Handle<cleft::capi::Mark::surface> {
 };
 
 struct cleft_report : cleft::capi::Handle<cleft::capi::Mark::report> {
-    std::vector<cleft::LabelRow> rows;
+    cleft::LabelReport report;
 };

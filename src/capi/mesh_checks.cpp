@@ -176,22 +176,22 @@ void cleft_report_destroy(cleft_report* report) noexcept { destroy(report); }
 
 int64_t cleft_report_count(const cleft_report* report) noexcept
 {
-    return is_sound(report) ? static_cast<int64_t>(report->rows.size()) : 0;
+    return is_sound(report) ? static_cast<int64_t>(report->report.rows.size()) : 0;
 }
 
 int64_t cleft_report_joined(const cleft_report* report, int64_t index) noexcept
 {
     const bool has_row = index >= 0 && index < cleft_report_count(report);
-    return has_row ? report->rows[static_cast<size_t>(index)].large_components_joined : 0;
+    return has_row ? report->report.rows[static_cast<size_t>(index)].large_components_joined : 0;
 }
 
 cleft_status cleft_report_label(const cleft_report* report, int64_t index, cleft_label_report* out) noexcept
 {
     return guarded(nullptr, [&] {
         cleft::check_struct_size(*required(out, "out"), "cleft_label_report");
-        if (index < 0 || index >= static_cast<int64_t>(checked(report, "report").rows.size()))
+        if (index < 0 || index >= static_cast<int64_t>(checked(report, "report").report.rows.size()))
             throw Error(CLEFT_ERROR_ARGUMENT, "there is no such row");
-        const cleft::LabelRow& from = report->rows[static_cast<size_t>(index)];
+        const cleft::LabelRow& from = report->report.rows[static_cast<size_t>(index)];
         cleft_label_report row{};
         row.label = from.label;
         row.voxels = from.voxels;
@@ -205,5 +205,27 @@ cleft_status cleft_report_label(const cleft_report* report, int64_t index, cleft
         row.lost = from.voxels > 0 && row.tets == 0;
         row.large_components_broken = static_cast<int32_t>(from.large_components_broken);
         cleft::give(row, *out);
+    });
+}
+
+int64_t cleft_report_contact_count(const cleft_report* report) noexcept
+{
+    return is_sound(report) ? static_cast<int64_t>(report->report.contacts.size()) : 0;
+}
+
+cleft_status cleft_report_contact(const cleft_report* report, int64_t index, cleft_contact* out) noexcept
+{
+    return guarded(nullptr, [&] {
+        cleft::check_struct_size(*required(out, "out"), "cleft_contact");
+        checked(report, "report");
+        if (index < 0 || index >= cleft_report_contact_count(report))
+            throw Error(CLEFT_ERROR_ARGUMENT, "there is no such contact");
+        const cleft::LabelContact& from = report->report.contacts[static_cast<size_t>(index)];
+        const auto label = [&](cleft::Material m) { return report->report.rows[static_cast<size_t>(m)].label; };
+        cleft_contact contact{};
+        contact.first = label(from.first);
+        contact.second = label(from.second);
+        contact.triangles = from.triangles;
+        cleft::give(contact, *out);
     });
 }

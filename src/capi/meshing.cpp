@@ -2,9 +2,10 @@
 #include "base/ordinal.hpp"
 #include "base/stage_timer.hpp"
 #include "capi/firewall.hpp"
+#include "capi/kept_labels.hpp"
 #include "capi/mesh_frame.hpp"
 #include "capi/options.hpp"
-#include "mesh/finish.hpp"
+#include "pipeline/number_search.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -16,38 +17,6 @@ using cleft::Run;
 
 namespace
 {
-
-bool contains(const std::vector<int32_t>& list, int32_t label)
-{
-    return std::find(list.begin(), list.end(), label) != list.end();
-}
-
-void strip(cleft_mesh& mesh, const cleft_options* options)
-{
-    if (!options || (options->strip.empty() && options->only.empty()))
-        return;
-    const auto kept = [&](int32_t label) {
-        return !contains(options->strip, label) && (options->only.empty() || contains(options->only, label));
-    };
-    if (std::all_of(mesh.labels.begin(), mesh.labels.end(), kept))
-        return;
-    // strip_materials numbers materials densely: labels become their place in the list, and back.
-    std::vector<char> keep;
-    for (const int32_t label : mesh.labels)
-        keep.push_back(kept(label));
-    const auto place = [&](int32_t label) {
-        return static_cast<cleft::Material>(std::lower_bound(mesh.labels.begin(), mesh.labels.end(), label) -
-                                            mesh.labels.begin());
-    };
-    for (int32_t& label : mesh.mesh.material)
-        label = place(label);
-    cleft::strip_materials(mesh.mesh, keep);
-    for (int32_t& label : mesh.mesh.material)
-        label = mesh.labels[static_cast<size_t>(label)];
-    mesh.labels = distinct_labels(mesh.mesh.material);
-    const LabelNames all = std::exchange(mesh.names, {});
-    add_label_names(mesh.names, all, mesh.labels);
-}
 
 // A mesh of a volume, under the volume's labels and their names.
 cleft_mesh to_user(LabelledMesh&& mesh, const cleft_volume& volume)
@@ -74,6 +43,14 @@ cleft::TetMesh checked_background(const cleft_mesh& mesh, const cleft::Frame& fr
     return out;
 }
 
+// A label that is to be kept can have been lost; where all are, an empty mesh would be left.
+void require_kept(const LabelledMesh& mesh, const cleft::PipelineOptions& p)
+{
+    if (std::none_of(mesh.material.begin(), mesh.material.end(), [&](cleft::Material m) { return p.keeps(m); }))
+        throw Error(CLEFT_ERROR_LABEL_LOST,
+                    "none of the labels that are kept has a tetrahedron; a smaller size would keep them");
+}
+
 void note_result(const Run& run, const LabelledMesh& mesh)
 {
     run.note("mesh.points", static_cast<double>(mesh.points.size()));
@@ -83,6 +60,8 @@ void note_result(const Run& run, const LabelledMesh& mesh)
 LabelledMesh meshed(const cleft_volume& volume, const cleft_sizing* sizing, const cleft_mesh* background,
                     const cleft::PipelineOptions& p, const Run& run)
 {
+    if (background && p.tets > 0)
+        run.say(CLEFT_LOG_WARNING, "tets has no effect on a background that is given");
     if (background)
         return cleft::mesh_from_background(volume.volume,
                                            checked_background(checked(background, "background"), volume.frame), p, run);
@@ -97,7 +76,7 @@ LabelledMesh meshed(const cleft_volume& volume, const cleft_sizing* sizing, cons
         const cleft::StageTimer timer(run, "sizing");
         field = cleft::compute_sizing(volume.volume, p.sizing, cleft::part_of(run, 0.0, 0.1));
     }
-    cleft::fit_to_number(field, p.tets, run);
+    cleft::fit_to_number(field, volume.volume, p, cleft::part_of(run, 0.0, 0.1));
     return cleft::mesh_from_sizing(volume.volume, std::move(field), p, cleft::part_of(run, 0.1, 1.0));
 }
 
@@ -121,6 +100,7 @@ cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volum
     return guarded_create(context, out, [&](const Run& run) {
         const auto v = held(volume, "volume");
         cleft::PipelineOptions p = pipeline_options(options);
+        warn_of_unused_smooth(v->volume, options, run);
         p.improve.effort = cleft::Effort::off;
         cleft::TetMesh mesh = checked_background(checked(background, "background"), v->frame);
         cleft::repair_background(mesh, p, cleft::part_of(run, 0.0, 0.3));
@@ -134,6 +114,7 @@ cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volu
     return guarded_create(context, out, [&](const Run& run) {
         const auto v = held(volume, "volume");
         const cleft::PipelineOptions p = pipeline_options(options);
+        warn_of_unused_smooth(v->volume, options, run);
         const auto from = held(mesh, "mesh");
         LabelledMesh work = to_stage(*from, *v);
         const cleft::StageTimer timer(run, "improving");
@@ -148,9 +129,12 @@ cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volu
 cleft_status cleft_mesh_strip(cleft_context* context, const cleft_mesh* mesh, const cleft_options* options,
                               cleft_mesh** out) noexcept
 {
-    return guarded_create(context, out, [&](const Run&) {
-        cleft_mesh copy = checked(mesh, "mesh");
-        strip(copy, &checked(options, "options"));
+    return guarded_create(context, out, [&](const Run& run) {
+        const auto from = held(mesh, "mesh");
+        const auto lists = held(options, "options");
+        cleft_mesh copy = *from;
+        strip_labels(copy, &*lists);
+        warn_of_unknown_labels(from->labels, &*lists, "mesh", run);
         return copy;
     });
 }
@@ -161,9 +145,13 @@ cleft_status cleft_mesh_volume(cleft_context* context, const cleft_volume* volum
     return guarded_create(context, out, [&](const Run& run) {
         const auto v = held(volume, "volume");
         const auto held_options = held_if_any(options, "options");
-        LabelledMesh mesh = meshed(*v, sizing, background, pipeline_options(options), run);
+        const cleft::PipelineOptions p = pipeline_options(options, *v);
+        warn_of_unknown_labels(v->volume.labels(), options, "volume", run);
+        warn_of_unused_smooth(v->volume, options, run);
+        LabelledMesh mesh = meshed(*v, sizing, background, p, run);
+        require_kept(mesh, p);
         cleft_mesh result = to_user(std::move(mesh), *v);
-        strip(result, options);
+        strip_labels(result, options);
         note_result(run, result.mesh);
         return result;
     });

@@ -2,6 +2,7 @@
 
 #include "base/struct_size.hpp"
 #include "capi/firewall.hpp"
+#include "capi/kept_labels.hpp"
 
 #include <array>
 #include <cmath>
@@ -36,7 +37,9 @@ void assign(cleft_options& options, const OptionRow& row, double value)
     if (value < row.least || value > row.greatest)
         throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is " + text_of(value) + ", which is not within " +
                                             text_of(row.least) + " to " + text_of(row.greatest));
-    options.values[static_cast<size_t>(&row - kOptionTable)] = value;
+    const auto at = static_cast<size_t>(&row - kOptionTable);
+    options.values[at] = value;
+    options.given[at] = true;
 }
 
 double choice_number(const OptionRow& row, const char* text)
@@ -101,7 +104,8 @@ PipelineOptions pipeline_options(const cleft_options* options)
     out.sizing.gradation = value(CLEFT_OPTION_GRADATION);
     out.sizing.interface_size = value(CLEFT_OPTION_INTERFACE_SIZE);
     out.sizing.keep_thin = value(CLEFT_OPTION_KEEP_THIN) != 0;
-    out.sizing.max_tets = value(CLEFT_OPTION_TETS) > 0 ? 0 : value(CLEFT_OPTION_MAX_TETS);
+    out.max_tets = value(CLEFT_OPTION_MAX_TETS);
+    out.sizing.max_tets = value(CLEFT_OPTION_TETS) > 0 ? 0 : out.max_tets;
     if (options)
         out.sizing.label_sizes = options->label_sizes;
     out.background = static_cast<BackgroundKind>(static_cast<int>(value(CLEFT_OPTION_BACKGROUND)));
@@ -113,6 +117,25 @@ PipelineOptions pipeline_options(const cleft_options* options)
     out.tets = static_cast<int64_t>(value(CLEFT_OPTION_TETS));
     out.strict = value(CLEFT_OPTION_STRICT) != 0;
     return out;
+}
+
+PipelineOptions pipeline_options(const cleft_options* options, const cleft_volume& volume)
+{
+    PipelineOptions out = pipeline_options(options);
+    out.keep = kept_labels(volume.volume.labels(), options, "volume");
+    return out;
+}
+
+void warn_of_unused_smooth(const Volume& volume, const cleft_options* options, const Run& run)
+{
+    if (!options || !options->given[static_cast<size_t>(option_row(CLEFT_OPTION_SMOOTH))])
+        return;
+    const int asked = static_cast<int>(option_value(options, CLEFT_OPTION_SMOOTH));
+    if (!volume.is_label_map())
+        run.say(CLEFT_LOG_WARNING, "smooth has no effect on a volume of indicator functions");
+    else if (asked != volume.kernel_width())
+        run.say(CLEFT_LOG_WARNING, "smooth is " + std::to_string(asked) + ", but the volume was made with " +
+                                       std::to_string(volume.kernel_width()) + ", which holds");
 }
 
 }  // namespace cleft::capi

@@ -12,5 +12,10 @@ double option_value(const cleft_options* options, cleft_option key);
 
 // What the pipeline takes; throws if `options` is not sound. Null gives the defaults.
 PipelineOptions pipeline_options(const cleft_options* options);
+// The same, with the labels of the volume that are kept; throws if none is.
+PipelineOptions pipeline_options(const cleft_options* options, const cleft_volume& volume);
+
+// Warns if SMOOTH was set and is not what the volume was made with: it takes effect there alone.
+void warn_of_unused_smooth(const Volume& volume, const cleft_options* options, const Run& run);
 
 }  // namespace cleft::capi

@@ -16,12 +16,12 @@ class Reporter
 public:
     explicit Reporter(cleft_context& context) : context_(context) {}
 
-    // True if the callback asks to cancel. A stage that looks twice does not go back.
+    // True if the callback asks to cancel. A stage that looks twice does not go back. Null: the stage before.
     bool report(double fraction, const char* stage)
     {
         fraction_ = std::clamp(fraction, fraction_, 1.0);
-        stage_ = stage;
-        return call();
+        stage_ = stage ? stage : stage_;
+        return stage_ && call();
     }
 
     // Says the same again if the last time was long ago, so that a callback that cancels has its say within loops that

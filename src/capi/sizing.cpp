@@ -1,6 +1,7 @@
 #include "base/stage_timer.hpp"
 #include "capi/firewall.hpp"
 #include "capi/options.hpp"
+#include "pipeline/number_search.hpp"
 
 #include <cmath>
 
@@ -22,6 +23,15 @@ std::vector<double> as_doubles(cleft_type type, const void* values, int64_t coun
     throw Error(CLEFT_ERROR_ARGUMENT, "the values of a sizing field must be FLOAT32 or FLOAT64");
 }
 
+// The handle of a field, scaled to the wanted number of tetrahedra if the options have one.
+cleft_sizing finished(const cleft_volume& v, SizingField field, const cleft::PipelineOptions& p, const Run& run)
+{
+    cleft::fit_to_number(field, v.volume, p, run);
+    run.note("sizing.expected_background_tets", cleft::expected_background_tets(field));
+    const double expected = cleft::expected_background_tets(field, v.volume, p.keep);
+    return {{}, v.frame, std::move(field), expected};
+}
+
 }  // namespace
 
 cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* volume, const cleft_options* options,
@@ -29,11 +39,10 @@ cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* vol
 {
     return guarded_create(context, out, [&](const Run& run) {
         const auto v = held(volume, "volume");
-        const cleft::PipelineOptions p = pipeline_options(options);
+        const cleft::PipelineOptions p = pipeline_options(options, *v);
+        warn_of_unused_smooth(v->volume, options, run);
         const cleft::StageTimer timer(run, "sizing");
-        cleft_sizing sizing{{}, v->frame, cleft::compute_sizing(v->volume, p.sizing, run)};
-        cleft::fit_to_number(sizing.field, p.tets, run);
-        return sizing;
+        return finished(*v, cleft::compute_sizing(v->volume, p.sizing, run), p, run);
     });
 }
 
@@ -44,7 +53,9 @@ cleft_status cleft_sizing_create_constant(cleft_context* context, const cleft_vo
         const auto v = held(volume, "volume");
         if (!std::isfinite(size) || size <= 0)
             throw Error(CLEFT_ERROR_ARGUMENT, "the size must be a positive number");
-        return cleft_sizing{{}, v->frame, cleft::constant_sizing(v->frame.grid, size)};
+        SizingField field = cleft::constant_sizing(v->frame.grid, size);
+        const double expected = cleft::expected_background_tets(field);
+        return cleft_sizing{{}, v->frame, std::move(field), expected};
     });
 }
 
@@ -55,15 +66,15 @@ cleft_status cleft_sizing_create_values(cleft_context* context, const cleft_volu
     return guarded_create(context, out, [&](const Run& run) {
         const auto v = held(volume, "volume");
         required(values, "values");
-        cleft::PipelineOptions p = pipeline_options(options);
+        cleft::PipelineOptions p = pipeline_options(options, *v);
+        warn_of_unused_smooth(v->volume, options, run);
         const std::vector<double> doubles = as_doubles(type, values, v->frame.grid.size());
         SizingField field = cleft::sizing_from_values(v->frame.grid, doubles.data());
         if (combine) {
             p.sizing.user = field.h.data();
             field = cleft::compute_sizing(v->volume, p.sizing, run);
         }
-        cleft::fit_to_number(field, p.tets, run);
-        return cleft_sizing{{}, v->frame, std::move(field)};
+        return finished(*v, std::move(field), p, run);
     });
 }
 
@@ -104,7 +115,5 @@ cleft_status cleft_sizing_at(const cleft_sizing* sizing, const double point[3], 
 
 double cleft_sizing_expected_tets(const cleft_sizing* sizing) noexcept
 {
-    double tets = 0;
-    guarded(nullptr, [&] { tets = is_sound(sizing) ? cleft::expected_background_tets(sizing->field) : 0; });
-    return tets;
+    return is_sound(sizing) ? sizing->expected_tets : 0;
 }

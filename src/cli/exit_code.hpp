@@ -26,9 +26,9 @@ enum ExitCode {
 inline const char* exit_code_help()
 {
     return "Exit codes: 0 done; 1 the mesh is not valid; 2 usage; 3 an input cannot be read; 4 an output cannot\n"
-           "be written; 5 meshing failed; 6 a label or a large piece of one was lost (--strict); 7 out of memory;\n"
-           "130 stopped by Ctrl-C (128 + the number of the signal). A failed or stopped run leaves no output and no\n"
-           "part of one.";
+           "be written; 5 meshing failed; 6 a label or a large piece of one was lost, or labels met that do not in\n"
+           "the voxels (--strict); 7 out of memory; 130 stopped by Ctrl-C (128 + the number of the signal). A failed\n"
+           "or stopped run leaves no output and no part of one.";
 }
 
 struct Failure : std::runtime_error {

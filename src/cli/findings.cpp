@@ -151,19 +151,27 @@ VolumeFindings look_at_volume(const Session& session, const cleft_volume* volume
     return found;
 }
 
-std::vector<LabelFindings> label_reports(const Session& session, const cleft_volume* volume, const cleft_mesh* mesh)
+ReportFindings look_at_labels(const Session& session, const cleft_volume* volume, const cleft_mesh* mesh)
 {
     const auto report = session.make<Report>(EXIT_MESHING_FAILED, [&](cleft_report** out) {
         return cleft_report_create(session.context(), volume, mesh, out);
     });
-    std::vector<LabelFindings> rows(static_cast<std::size_t>(cleft_report_count(report.get())));
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        rows[i].struct_size = sizeof(cleft_label_report);
-        session.check(cleft_report_label(report.get(), static_cast<int64_t>(i), &rows[i]), EXIT_MESHING_FAILED);
-        rows[i].name = cleft_volume_label_name(volume, rows[i].label);
-        rows[i].large_components_joined = cleft_report_joined(report.get(), static_cast<int64_t>(i));
+    ReportFindings found;
+    found.labels.resize(static_cast<std::size_t>(cleft_report_count(report.get())));
+    for (std::size_t i = 0; i < found.labels.size(); ++i) {
+        LabelFindings& row = found.labels[i];
+        row.struct_size = sizeof(cleft_label_report);
+        session.check(cleft_report_label(report.get(), static_cast<int64_t>(i), &row), EXIT_MESHING_FAILED);
+        row.name = cleft_volume_label_name(volume, row.label);
+        row.large_components_joined = cleft_report_joined(report.get(), static_cast<int64_t>(i));
     }
-    return rows;
+    found.contacts.resize(static_cast<std::size_t>(cleft_report_contact_count(report.get())));
+    for (std::size_t i = 0; i < found.contacts.size(); ++i) {
+        found.contacts[i].struct_size = sizeof(cleft_contact);
+        session.check(cleft_report_contact(report.get(), static_cast<int64_t>(i), &found.contacts[i]),
+                      EXIT_MESHING_FAILED);
+    }
+    return found;
 }
 
 double difference_percent(const cleft_label_report& row)

@@ -53,7 +53,11 @@ struct LabelFindings : cleft_label_report {
     int64_t large_components_joined = 0;
     std::string name;  // "" if it has none
 };
-std::vector<LabelFindings> label_reports(const Session& session, const cleft_volume* volume, const cleft_mesh* mesh);
+struct ReportFindings {
+    std::vector<LabelFindings> labels;
+    std::vector<cleft_contact> contacts;  // that the voxels do not have
+};
+ReportFindings look_at_labels(const Session& session, const cleft_volume* volume, const cleft_mesh* mesh);
 double difference_percent(const cleft_label_report& row);
 
 }  // namespace cleft_cli

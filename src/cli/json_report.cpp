@@ -108,6 +108,14 @@ Json label_reports_json(const std::vector<LabelFindings>& rows, const std::funct
     return labels;
 }
 
+Json contacts_json(const std::vector<cleft_contact>& contacts)
+{
+    Json all = Json::array();
+    for (const cleft_contact& contact : contacts)
+        all.push_back({{"labels", {contact.first, contact.second}}, {"triangles", contact.triangles}});
+    return all;
+}
+
 void add_run(Json& report, const Session& session)
 {
     Json stages = Json::array();

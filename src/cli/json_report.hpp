@@ -21,6 +21,7 @@ nlohmann::ordered_json quality_json(const cleft_quality& quality);
 nlohmann::ordered_json validation_json(const cleft_validation& validation, const std::string& first_fault);
 nlohmann::ordered_json label_reports_json(const std::vector<LabelFindings>& rows,
                                           const std::function<bool(int32_t label)>& left_out);
+nlohmann::ordered_json contacts_json(const std::vector<cleft_contact>& contacts);
 
 // Adds what the run cost and told: stages, metrics, warnings.
 void add_run(nlohmann::ordered_json& report, const Session& session);

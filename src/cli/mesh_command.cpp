@@ -11,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <memory>
@@ -41,7 +42,7 @@ struct MeshArguments {
 struct Result {
     VolumeFindings volume;
     MeshFindings mesh;
-    std::vector<LabelFindings> labels;
+    ReportFindings report;  // contacts of kept labels only
     std::vector<OutputFile> outputs;
 };
 
@@ -93,6 +94,51 @@ Mesh read_background(Session& session, const std::string& path)
     return background;
 }
 
+struct Estimate {
+    double tets = 0;        // of the labels that are kept
+    double whole_tets = 0;  // of the mesh that they are taken from
+    double bytes = 0;
+};
+
+// The share of the tetrahedra of a background whose middles lie in labels that are kept.
+double kept_share(const Session& session, const MeshArguments& arguments, const cleft_volume* volume,
+                  const cleft_mesh* background)
+{
+    const int64_t count = cleft_mesh_tet_count(background);
+    const double* points = cleft_mesh_points(background);
+    const int32_t* tets = cleft_mesh_tets(background);
+    std::vector<double> middles(static_cast<std::size_t>(3 * count), 0.0);
+    for (int64_t i = 0; i < 4 * count; ++i)
+        for (int64_t axis = 0; axis < 3; ++axis)
+            middles[static_cast<std::size_t>(3 * (i / 4) + axis)] += points[3 * int64_t{tets[i]} + axis] / 4;
+    std::vector<int32_t> labels(static_cast<std::size_t>(count));
+    session.check(cleft_volume_sample(volume, middles.data(), count, labels.data()), EXIT_MESHING_FAILED);
+    const auto left_out =
+        std::count_if(labels.begin(), labels.end(), [&](int32_t label) { return arguments.left_out(label); });
+    return count > 0 ? 1 - static_cast<double>(left_out) / static_cast<double>(count) : 0;
+}
+
+Estimate estimated(const Session& session, const MeshArguments& arguments, const cleft_volume* volume,
+                   const cleft_sizing* sizing, const cleft_mesh* background)
+{
+    // Cleaving adds 10 to 20 percent on most volumes.
+    const double cleaved = 1.15;
+    Estimate estimate;
+    if (background != nullptr) {
+        estimate.whole_tets = cleaved * static_cast<double>(cleft_mesh_tet_count(background));
+        estimate.tets = estimate.whole_tets * kept_share(session, arguments, volume, background);
+    } else {
+        estimate.tets = cleaved * cleft_sizing_expected_tets(sizing);
+        for (const auto& [name, value] : session.metrics())
+            if (name == "sizing.expected_background_tets")
+                estimate.whole_tets = cleaved * value;
+    }
+    // What real volumes took, rounded up: for the program, a voxel and a tetrahedron.
+    const auto voxels = static_cast<double>(look_at_volume(session, volume).voxel_count());
+    estimate.bytes = 3e7 + 12.0 * voxels + 200.0 * estimate.whole_tets;
+    return estimate;
+}
+
 int tell_estimate(Session& session, const MeshArguments& arguments, const cleft_volume* volume, Sizing sizing,
                   const cleft_mesh* background, const cleft_options* options)
 {
@@ -103,30 +149,32 @@ int tell_estimate(Session& session, const MeshArguments& arguments, const cleft_
             });
         });
     const VolumeFindings found = look_at_volume(session, volume);
-    // Cleaving adds 10 to 20 percent on most volumes.
-    const double tets = 1.15 * (sizing ? cleft_sizing_expected_tets(sizing.get())
-                                       : static_cast<double>(cleft_mesh_tet_count(background)));
-    // What real volumes took, rounded up: for the program, a voxel and a tetrahedron.
-    const double bytes = 3e7 + 12.0 * static_cast<double>(found.voxel_count()) + 200.0 * tets;
+    const Estimate estimate = estimated(session, arguments, volume, sizing.get(), background);
     session.clear_progress();
-    if (arguments.run.prints())
-        std::cout << volume_line(found) << left("Estimate", 11) << grouped(std::llround(tets)) << " tetrahedra, about "
-                  << bytes_text(bytes) << " of memory\n";
+    if (arguments.run.prints()) {
+        std::cout << volume_line(found) << left("Estimate", 11) << grouped(std::llround(estimate.tets))
+                  << " tetrahedra, about " << bytes_text(estimate.bytes) << " of memory\n";
+        if (estimate.whole_tets > 1.01 * estimate.tets)
+            std::cout << left("", 11) << "of " << grouped(std::llround(estimate.whole_tets))
+                      << " with the labels that are left out\n";
+    }
     if (!arguments.run.json.empty()) {
         auto report = report_head("mesh");
         report["volume"] = volume_json(found);
-        report["estimate"] = {{"tets", tets}, {"peak_bytes", bytes}};
+        report["estimate"] = {
+            {"tets", estimate.tets}, {"whole_tets", estimate.whole_tets}, {"peak_bytes", estimate.bytes}};
         add_run(report, session);
         write_json(report, arguments.run.json);
     }
     return EXIT_OK;
 }
 
-void check_result(Session& session, const MeshArguments& arguments, const cleft_mesh* mesh)
+// The mesh fills its box unless a label of the volume was left out of it, or the background is the user's.
+void check_result(Session& session, const MeshArguments& arguments, const cleft_volume* volume, const cleft_mesh* mesh)
 {
     bool whole = arguments.background_file.empty();
-    for (int64_t i = 0; i < cleft_mesh_label_count(mesh); ++i)
-        whole = whole && !arguments.left_out(cleft_mesh_labels(mesh)[i]);
+    for (int64_t i = 0; i < cleft_volume_label_count(volume); ++i)
+        whole = whole && !arguments.left_out(cleft_volume_labels(volume)[i]);
     cleft_validation validation = {};
     validation.struct_size = sizeof validation;
     std::string fault;
@@ -140,9 +188,37 @@ void check_result(Session& session, const MeshArguments& arguments, const cleft_
                       "the mesh is not valid, and was not written: " + fault);
 }
 
+// The findings without the contacts of labels that are left out.
+ReportFindings kept_contacts(const MeshArguments& arguments, ReportFindings found)
+{
+    auto& contacts = found.contacts;
+    contacts.erase(std::remove_if(contacts.begin(), contacts.end(),
+                                  [&](const cleft_contact& contact) {
+                                      return arguments.left_out(contact.first) || arguments.left_out(contact.second);
+                                  }),
+                   contacts.end());
+    return found;
+}
+
+void warn_of_contacts(Session& session, const std::vector<cleft_contact>& contacts)
+{
+    constexpr std::size_t named = 5;
+    if (contacts.empty())
+        return;
+    std::string pairs;
+    for (std::size_t i = 0; i < std::min(contacts.size(), named); ++i)
+        pairs += (i == 0 ? "" : ", ") + std::to_string(contacts[i].first) + " and " +
+                 std::to_string(contacts[i].second) + " (" + plural(contacts[i].triangles, "triangle") + ")";
+    if (contacts.size() > named)
+        pairs += " and " + grouped(static_cast<int64_t>(contacts.size() - named)) + " more";
+    session.warn(plural(static_cast<int64_t>(contacts.size()), "pair") +
+                 " of labels meet in the mesh, though no two of their voxels touch: " + pairs +
+                 "; a smaller size opens the gap (--size-min, --label-size)");
+}
+
 void warn_of_lost_labels(Session& session, const MeshArguments& arguments, const Result& result)
 {
-    for (const LabelFindings& row : result.labels) {
+    for (const LabelFindings& row : result.report.labels) {
         if (arguments.left_out(row.label))
             continue;
         const std::string name = "label " + std::to_string(row.label);
@@ -160,10 +236,10 @@ void warn_of_lost_labels(Session& session, const MeshArguments& arguments, const
 void print_summary(const Session& session, const MeshArguments& arguments, const Result& result)
 {
     const auto left_out = [&](int32_t label) { return arguments.left_out(label); };
-    const std::size_t limit = arguments.run.verbose ? result.labels.size() : labels_shown;
+    const std::size_t limit = arguments.run.verbose ? result.report.labels.size() : labels_shown;
     std::cout << volume_line(result.volume) << mesh_lines(result.mesh) << "\n"
               << dihedral_histogram(result.mesh.quality) << "\n"
-              << label_report_table(result.labels, left_out, limit) << "\n";
+              << label_report_table(result.report.labels, left_out, limit) << "\n";
     if (arguments.run.verbose)
         std::cout << stages_table(session) << "\n";
     std::cout << time_line(session, result.mesh.tets);
@@ -187,7 +263,9 @@ void write_report(const Session& session, const MeshArguments& arguments, const 
     report["volume"] = volume_json(result.volume);
     report["mesh"] = mesh_json(result.mesh);
     report["quality"] = quality_json(result.mesh.quality);
-    report["labels"] = label_reports_json(result.labels, [&](int32_t label) { return arguments.left_out(label); });
+    report["labels"] =
+        label_reports_json(result.report.labels, [&](int32_t label) { return arguments.left_out(label); });
+    report["contacts"] = contacts_json(result.report.contacts);
     add_run(report, session);
     write_json(report, arguments.run.json);
 }
@@ -216,14 +294,15 @@ int run_mesh(MeshArguments& arguments)
     sizing.reset();
     background.reset();
     if (arguments.check)
-        check_result(session, arguments, mesh.get());
+        check_result(session, arguments, volume.get(), mesh.get());
     if (arguments.run.prints() || !arguments.run.json.empty()) {
         session.timed("report", "looking at the mesh", [&] {
             result.volume = look_at_volume(session, volume.get());
             result.mesh = look_at_mesh(session, mesh.get());
-            result.labels = label_reports(session, volume.get(), mesh.get());
+            result.report = kept_contacts(arguments, look_at_labels(session, volume.get(), mesh.get()));
         });
         warn_of_lost_labels(session, arguments, result);
+        warn_of_contacts(session, result.report.contacts);
     }
     volume.reset();
     session.timed("write", "writing", [&] { write_mesh(session, mesh.get(), result.outputs); });

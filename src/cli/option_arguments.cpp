@@ -121,8 +121,9 @@ void OptionArguments::add_to(CLI::App& app, const OptionFilter& wanted)
 
 void OptionArguments::add_label_sizes_to(CLI::App& app)
 {
-    app.add_option("--label-size", label_sizes_,
-                   "Greatest edge length inside label L; may be repeated:\n--label-size 3=0.5 --label-size 7=0.8")
+    app.add_option(
+           "--label-size", label_sizes_,
+           "Greatest wanted edge length inside label L; may be repeated:\n--label-size 3=0.5 --label-size 7=0.8")
         ->allow_extra_args(false)
         ->type_name("L=H")
         ->group(group_of(CLEFT_OPTION_SIZE));

@@ -78,7 +78,7 @@ StageFigures process_figures()
 }
 
 Session::Session(const RunArguments& arguments)
-    : quiet_(!arguments.prints()),
+    : quiet_(arguments.quiet),
       verbose_(arguments.verbose),
       bar_(!arguments.quiet && isatty(STDERR_FILENO) == 1),
       context_(make_context(arguments.threads)),

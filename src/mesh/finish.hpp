@@ -13,8 +13,19 @@ void order_spatially(LabelledMesh& mesh, const Run& run);
 // Keeps only tetrahedra with keep[material] != 0, and their points.
 void strip_materials(LabelledMesh& mesh, const std::vector<char>& keep);
 
-// The connected part, over shared faces, that each tetrahedron is in: named by its least tetrahedron.
-std::vector<int32_t> part_of_tets(const LabelledMesh& mesh, const Run& run);
+// Two materials, the lesser first, and the number of triangles between them.
+struct Border {
+    Material first, second;
+    int64_t triangles;
+};
+
+struct MeshParts {
+    std::vector<int32_t> of_tet;  // the connected part, over shared faces: named by its least tetrahedron
+    std::vector<Border> borders;  // of all materials that share triangles, ascending
+};
+
+// Both from one look at the faces.
+MeshParts mesh_parts(const LabelledMesh& mesh, const Run& run);
 
 // Volume of each material.
 std::vector<double> material_volumes(const LabelledMesh& mesh, Material material_count);

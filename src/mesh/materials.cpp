@@ -5,6 +5,8 @@
 #include "mesh/quality.hpp"
 #include "mesh/surface_points.hpp"
 
+#include <map>
+
 namespace cleft
 {
 
@@ -16,6 +18,31 @@ double tet_volume(const std::vector<Vec3>& points, const Tet& t)
     const auto corner = [&](size_t i) { return points[static_cast<size_t>(t[i])]; };
     return orient(corner(0), corner(1), corner(2), corner(3)) / 6;
 }
+
+// Counts triangles by the two materials at them. Faces next to each other mostly have the same two.
+class Borders
+{
+public:
+    void add(Material a, Material b)
+    {
+        const std::pair<Material, Material> both = std::minmax(a, b);
+        if (last_ == counts_.end() || last_->first != both)
+            last_ = counts_.try_emplace(both, 0).first;
+        ++last_->second;
+    }
+
+    std::vector<Border> ascending() const
+    {
+        std::vector<Border> all;
+        for (const auto& [both, triangles] : counts_)
+            all.push_back({both.first, both.second, triangles});
+        return all;
+    }
+
+private:
+    std::map<std::pair<Material, Material>, int64_t> counts_;
+    std::map<std::pair<Material, Material>, int64_t>::iterator last_ = counts_.end();
+};
 
 }  // namespace
 
@@ -36,7 +63,7 @@ std::vector<double> material_volumes(const LabelledMesh& mesh, Material material
 
 // The tetrahedra around a point off the surface have one material and hang together, over faces. So those are joined at
 // the point, and only faces with all corners on the surface have to be looked for.
-std::vector<int32_t> part_of_tets(const LabelledMesh& mesh, const Run& run)
+MeshParts mesh_parts(const LabelledMesh& mesh, const Run& run)
 {
     const auto material = [&](int32_t t) { return mesh.material[static_cast<size_t>(t)]; };
     const auto point_count = static_cast<int64_t>(mesh.points.size());
@@ -53,13 +80,18 @@ std::vector<int32_t> part_of_tets(const LabelledMesh& mesh, const Run& run)
                 sets.join(before, static_cast<int32_t>(t));
         }
     run.report(0.5, "finding parts");
+    Borders borders;
     const FaceBuckets buckets(mesh.tets, point_count, run, &surface);
     buckets.for_each_face(0, point_count, [&](const HalfFace* face, size_t count) {
-        for (size_t k = 1; k < count; ++k)
-            if (material(face[k].tet()) == material(face[k - 1].tet()))
+        for (size_t k = 1; k < count; ++k) {
+            const Material here = material(face[k].tet()), before = material(face[k - 1].tet());
+            if (here == before)
                 sets.join(face[k].tet(), face[k - 1].tet());
+            else
+                borders.add(here, before);
+        }
     });
-    return sets.take();
+    return {sets.take(), borders.ascending()};
 }
 
 void strip_materials(LabelledMesh& mesh, const std::vector<char>& keep)

@@ -292,6 +292,7 @@ Quality measure_quality(const std::vector<Vec3>& points, const std::vector<Tet>&
     q.min_dihedral = extreme_angles(corners(whole.sharpest))[0];
     q.max_dihedral = extreme_angles(corners(whole.bluntest))[1];
     add_radius_ratios(std::move(ratios), q);
+    run.report(1, "measuring quality");
     return q;
 }
 

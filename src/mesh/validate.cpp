@@ -139,6 +139,7 @@ Validation validate(const LabelledMesh& mesh, bool fills_box, const Run& run)
     out.first_fault = first_fault(mesh, points, tets, faces);
     if (out.first_fault.empty() && fills_box)
         out.first_fault = first_box_fault(mesh, faces, out);
+    run.report(1, "validating");
     return out;
 }
 

@@ -2,7 +2,9 @@
 
 #include "mesh/finish.hpp"
 #include "mesh/quality.hpp"
+#include "pipeline/pipeline.hpp"
 #include "volume/voxel_components.hpp"
+#include "volume/voxel_contacts.hpp"
 
 #include <algorithm>
 
@@ -72,16 +74,40 @@ std::vector<uint8_t> joined_components(std::vector<Shared> pairs, size_t compone
     return joined;
 }
 
+// Of the materials that meet in the mesh, those that do not in the voxels.
+std::vector<LabelContact> new_contacts(const Volume& volume, const VoxelComponents& components,
+                                       const std::vector<Border>& borders, const Run& run)
+{
+    const auto label = [&](Material m) { return volume.labels()[static_cast<size_t>(m)]; };
+    std::vector<std::array<Material, 2>> pairs;
+    for (const Border& border : borders)
+        pairs.push_back({border.first, border.second});
+    const std::vector<uint8_t> touch = voxels_touch(volume.grid(), components, pairs, run);
+    std::vector<LabelContact> contacts;
+    for (size_t i = 0; i < borders.size(); ++i) {
+        LabelContact contact{borders[i].first, borders[i].second, borders[i].triangles};
+        if (label(contact.first) > label(contact.second))
+            std::swap(contact.first, contact.second);
+        if (touch[i] == 0)
+            contacts.push_back(contact);
+    }
+    std::sort(contacts.begin(), contacts.end(), [&](const LabelContact& a, const LabelContact& b) {
+        return a.first != b.first ? label(a.first) < label(b.first) : label(a.second) < label(b.second);
+    });
+    return contacts;
+}
+
 }  // namespace
 
-std::vector<LabelRow> label_report(const Volume& volume, const LabelledMesh& mesh, const Run& run)
+LabelReport label_report(const Volume& volume, const LabelledMesh& mesh, const Run& run)
 {
     const Grid& grid = volume.grid();
     const Material count = volume.material_count();
     std::vector<LabelRow> rows(static_cast<size_t>(count));
     const std::vector<int64_t> voxels = volume.voxel_counts();
     const std::vector<double> volumes = material_volumes(mesh, count);
-    const std::vector<int32_t> part = part_of_tets(mesh, run);
+    const MeshParts parts = mesh_parts(mesh, part_of(run, 0, 0.3));
+    const std::vector<int32_t>& part = parts.of_tet;
     for (size_t m = 0; m < rows.size(); ++m) {
         rows[m].label = volume.labels()[m];
         rows[m].voxels = voxels[m];
@@ -89,7 +115,7 @@ std::vector<LabelRow> label_report(const Volume& volume, const LabelledMesh& mes
         rows[m].mesh_volume = volumes[m];
     }
 
-    const VoxelComponents components = voxel_components(volume, run);
+    const VoxelComponents components = voxel_components(volume, part_of(run, 0.3, 0.6));
     std::vector<uint8_t> is_met(components.voxels.size(), 0);  // by a tetrahedron in it
     std::vector<Shared> shared;
     for (size_t t = 0; t < mesh.tets.size(); ++t) {
@@ -120,7 +146,7 @@ std::vector<LabelRow> label_report(const Volume& volume, const LabelledMesh& mes
             row.large_components_joined += joined[c];
         }
     }
-    return rows;
+    return {std::move(rows), new_contacts(volume, components, parts.borders, part_of(run, 0.7, 1))};
 }
 
 }  // namespace cleft

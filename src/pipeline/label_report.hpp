@@ -20,10 +20,22 @@ struct LabelRow {
     int64_t large_components_joined = 0;  // those in a part of the mesh with another of them
 };
 
+// Two materials, that of the lesser label first, that share triangles in the mesh but of which no two voxels share a
+// face or an edge.
+struct LabelContact {
+    Material first, second;
+    int64_t triangles;
+};
+
+struct LabelReport {
+    std::vector<LabelRow> rows;          // by material
+    std::vector<LabelContact> contacts;  // by label, ascending
+};
+
 inline constexpr int64_t kLargeComponent = 30;
 inline constexpr double kLeastPart = 0.5;  // in voxels: what is smaller breaks nothing
 
 // `mesh` in the local frame of the volume.
-std::vector<LabelRow> label_report(const Volume& volume, const LabelledMesh& mesh, const Run& run);
+LabelReport label_report(const Volume& volume, const LabelledMesh& mesh, const Run& run);
 
 }  // namespace cleft

@@ -21,17 +21,21 @@ struct PipelineOptions {
     CleaveOptions cleave;
     ImproveOptions improve;
     double repair_angle = 30;  // degrees; 0: a user's background is cleaved as it is
-    int64_t tets = 0;          // wanted number of tetrahedra; 0: as the sizing field says
+    int64_t tets = 0;          // wanted number of tetrahedra of the kept materials; 0: as the sizing field says
+    double max_tets = 0;       // bounds all tetrahedra where `tets` counts some of them; 0: no limit
     bool strict = false;
+    std::vector<char> keep;  // by material: whether its tetrahedra are kept of the finished mesh; empty: all are
+
+    bool keeps(Material m) const { return keep.empty() || keep[static_cast<size_t>(m)] != 0; }
 };
 
 // The same run with its progress squeezed into [from, to].
 Run part_of(const Run& run, double from, double to);
 
-// Scales a sizing field so that about `tets` tetrahedra are to be expected of the finished mesh; 0: leaves it.
-void fit_to_number(SizingField& field, int64_t tets, const Run& run);
-
 TetMesh make_background(const SizingField& field, const PipelineOptions& options, const Run& run);
+
+// Warns if the one size of a lattice is coarser than the thinnest parts ask for.
+void warn_of_coarse_lattice(const SizingField& field, const Run& run);
 
 // Repairs poor tetrahedra of a user's own background, as the options say.
 void repair_background(TetMesh& background, const PipelineOptions& options, const Run& run);

@@ -76,6 +76,8 @@ SizingField sizing_from_values(const Grid& grid, const double* values);
 double sizing_charge(const SizingField& field);
 // Tetrahedra that the particle background would have.
 double expected_background_tets(const SizingField& field);
+// Those of them in the voxels of some materials; keep[material] != 0, all if it is empty.
+double expected_background_tets(const SizingField& field, const Volume& volume, const std::vector<char>& keep);
 // Every value times `factor`, and then as much less as the gradation asks for: sizes at the interfaces scale, their
 // growth away from them does not.
 void scale_sizing(SizingField& field, double factor, const Run& run);

@@ -78,6 +78,19 @@ double expected_background_tets(const SizingField& field)
     return tets_per_particle * particles_per_charge * sizing_charge(field);
 }
 
+double expected_background_tets(const SizingField& field, const Volume& volume, const std::vector<char>& keep)
+{
+    if (keep.empty())
+        return expected_background_tets(field);
+    double sum = 0;
+    for (size_t v = 0; v < field.h.size(); ++v) {
+        const double h = field.h[v];
+        if (keep[static_cast<size_t>(volume.voxel_material(static_cast<int64_t>(v)))] != 0)
+            sum += 1 / (h * h * h);
+    }
+    return tets_per_particle * particles_per_charge * sum * field.grid.spacing.prod();
+}
+
 void scale_sizing(SizingField& field, double factor, const Run& run)
 {
     if (!(factor > 0) || !std::isfinite(factor))

@@ -3,6 +3,7 @@
 #include "base/ordinal.hpp"
 #include "base/parallel.hpp"
 #include "volume/indicator_blocks.hpp"
+#include "volume/indicator_claims.hpp"
 #include "volume/position.hpp"
 
 #include <algorithm>
@@ -193,6 +194,7 @@ IndicatorField make_indicators(const std::vector<const Value*>& fields, const Gr
         run.report(0.5 * static_cast<double>(k) / static_cast<double>(fields.size()), "volume");
         out.field.push_back(finite_copy(fields[k], grid, k, run));
     }
+    check_claims(out.field, grid, run);
     if (!out.is_signed())
         out.rest = find_rest(out.field, run);
     find_single_blocks(out, run);

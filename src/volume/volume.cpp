@@ -167,6 +167,18 @@ const std::vector<int32_t>& Volume::labels() const { return data_->labels; }
 
 bool Volume::is_label_map() const { return !std::holds_alternative<IndicatorField>(data_->field); }
 
+int Volume::kernel_width() const
+{
+    return std::visit(
+        [](const auto& field) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(field)>, IndicatorField>)
+                return 0;
+            else
+                return field.kernel.width();
+        },
+        data_->field);
+}
+
 Material Volume::voxel_material(int64_t voxel) const
 {
     return std::visit([&](const auto& field) { return cleft::voxel_material(field, voxel); }, data_->field);

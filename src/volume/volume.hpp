@@ -65,6 +65,8 @@ public:
     const std::vector<int32_t>& labels() const;
     Material material_count() const { return static_cast<Material>(labels().size()); }
     bool is_label_map() const;
+    // The width in voxels of the kernel that smooths labels; 0 for indicator functions.
+    int kernel_width() const;
 
     // The material that holds at the centre of a voxel: its own label in a label map.
     Material voxel_material(int64_t voxel) const;

@@ -35,6 +35,10 @@ PLACE(cleft_label_report, label, 4);
 PLACE(cleft_label_report, voxel_volume, 16);
 PLACE(cleft_label_report, lost, 72);
 
+HOLDS(sizeof(cleft_contact) == 24);
+PLACE(cleft_contact, first, 4);
+PLACE(cleft_contact, triangles, 16);
+
 HOLDS(sizeof(cleft_io_reading) == 48);
 PLACE(cleft_io_reading, spacing, 16);
 PLACE(cleft_io_reading, scale, 40);

@@ -73,12 +73,17 @@ LabelVolume pairs()
     });
 }
 
+std::vector<LabelRow> rows_of(const Volume& volume, Snap rule)
+{
+    return label_report(volume, cleaved(volume, lattice(volume, 1, 3), rule), Run()).rows;
+}
+
 void labels_of_two_voxels_are_kept_by_cells_of_one(void**)
 {
     const Volume volume = volume_of(pairs());
     assert_int_equal(volume.material_count(), 65);
     for (const Snap rule : kRules)
-        for (const LabelRow& row : label_report(volume, cleaved(volume, lattice(volume, 1, 3), rule), Run())) {
+        for (const LabelRow& row : rows_of(volume, rule)) {
             assert_true(row.tets > 0);
             // A pair is two cells: corners are cut off, but most of it stays.
             assert_true(row.mesh_volume > 0.3 * row.voxel_volume);
@@ -95,7 +100,7 @@ void thin_parts_are_kept(void**)
     for (const LabelVolume& labels : {sheets({12, 12, 12}), rods({9, 9, 40}), checkerboard({12, 12, 12}, 4), hollow}) {
         const Volume volume = volume_of(labels);
         for (const Snap rule : kRules)
-            for (const LabelRow& row : label_report(volume, cleaved(volume, lattice(volume, 1, 3), rule), Run())) {
+            for (const LabelRow& row : rows_of(volume, rule)) {
                 assert_true(row.large_components > 0);
                 assert_int_equal(row.large_components_lost, 0);
                 assert_true(std::abs(row.mesh_volume / row.voxel_volume - 1) < 0.35);

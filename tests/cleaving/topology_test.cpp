@@ -124,13 +124,13 @@ static void half_a_voxel_keeps_what_is_one_thick(void**)
         PipelineOptions options;
         options.background = kind;
         options.sizing.size_min = 0.5;
-        const std::vector<LabelRow> rows = label_report(volume, meshed(labels, options), Run());
+        const std::vector<LabelRow> rows = label_report(volume, meshed(labels, options), Run()).rows;
         assert_true(rows[1].voxels > 30);
         assert_int_equal(rows[1].mesh_components, rows[1].voxel_components);
         assert_int_equal(rows[1].large_components_lost + rows[1].large_components_broken, 0);
         for (const double size : {2.5, 6.0}) {
             options.sizing.size_min = options.sizing.size = size;
-            const LabelRow coarse = label_report(volume, meshed(labels, options), Run())[1];
+            const LabelRow coarse = label_report(volume, meshed(labels, options), Run()).rows[1];
             assert_true(coarse.large_components_lost + coarse.large_components_broken > 0);
             PipelineOptions strict = options;
             strict.strict = true;

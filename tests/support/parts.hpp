@@ -13,7 +13,7 @@ namespace cleft_test
 // The volumes of the parts of each material, falling.
 inline std::vector<std::vector<double>> material_parts(const cleft::LabelledMesh& mesh, cleft::Material material_count)
 {
-    const std::vector<int32_t> part = cleft::part_of_tets(mesh, cleft::Run());
+    const std::vector<int32_t> part = cleft::mesh_parts(mesh, cleft::Run()).of_tet;
     std::vector<double> volume(part.size(), 0.0);  // of a part, at its least tetrahedron
     for (size_t t = 0; t < part.size(); ++t) {
         const auto corner = [&](size_t i) { return mesh.points[static_cast<size_t>(mesh.tets[t][i])]; };

@@ -43,7 +43,7 @@ namespace Cleft
             set { Set(CleftNative.CLEFT_OPTION_SIZE_MIN, value); }
         }
 
-        /// <summary>The greatest edge length; 0: a quarter of the longest side of the box.</summary>
+        /// <summary>The greatest wanted edge length; 0: a quarter of the longest side of the box.</summary>
         public double SizeMax
         {
             get { return Real(CleftNative.CLEFT_OPTION_SIZE_MAX); }
@@ -64,7 +64,7 @@ namespace Cleft
             set { Set(CleftNative.CLEFT_OPTION_GRADATION, value); }
         }
 
-        /// <summary>The greatest edge length at interfaces; 0: none.</summary>
+        /// <summary>The greatest wanted edge length at interfaces; 0: none.</summary>
         public double InterfaceSize
         {
             get { return Real(CleftNative.CLEFT_OPTION_INTERFACE_SIZE); }
@@ -166,7 +166,7 @@ namespace Cleft
             }
         }
 
-        /// <summary>Sets the greatest edge length inside one label, in world units; 0 takes the wish back.</summary>
+        /// <summary>Sets the greatest wanted edge length inside one label, in world units; 0 takes the wish back.</summary>
         public Options SetLabelSize(int label, double size)
         {
             Refused(CleftNative.cleft_options_set_label_size(Handle, label, size));

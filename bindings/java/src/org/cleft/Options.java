@@ -78,7 +78,7 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets the greatest edge length; 0: a quarter of the longest side of the box.
+     * Sets the greatest wanted edge length; 0: a quarter of the longest side of the box.
      *
      * @param value the new value
      * @return these options
@@ -88,7 +88,7 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * The greatest edge length; 0: a quarter of the longest side of the box.
+     * The greatest wanted edge length; 0: a quarter of the longest side of the box.
      *
      * @return the value
      */
@@ -135,7 +135,7 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets the greatest edge length at interfaces; 0: none.
+     * Sets the greatest wanted edge length at interfaces; 0: none.
      *
      * @param value the new value
      * @return these options
@@ -145,7 +145,7 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * The greatest edge length at interfaces; 0: none.
+     * The greatest wanted edge length at interfaces; 0: none.
      *
      * @return the value
      */
@@ -345,7 +345,7 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets the greatest edge length inside one label.
+     * Sets the greatest wanted edge length inside one label.
      *
      * @param label the label
      * @param size in world units; 0 takes the wish back

@@ -1,0 +1,97 @@
+#include "capi/kept_labels.hpp"
+
+#include "capi/mesh_frame.hpp"
+#include "mesh/finish.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace cleft::capi
+{
+
+namespace
+{
+
+bool contains(const std::vector<int32_t>& list, int32_t label)
+{
+    return std::find(list.begin(), list.end(), label) != list.end();
+}
+
+// "label 3", "labels 3 and 5", "labels 3, 5, 8 and 4 more".
+std::string named(std::vector<int32_t> labels)
+{
+    constexpr size_t kMost = 5;
+    std::sort(labels.begin(), labels.end());
+    labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+    const size_t more = labels.size() > kMost ? labels.size() - kMost : 0;
+    const size_t shown = labels.size() - more;
+    std::string text = labels.size() == 1 ? "label " : "labels ";
+    for (size_t i = 0; i < shown; ++i) {
+        const bool is_last = i + 1 == shown && more == 0;
+        text += (i == 0 ? "" : is_last ? " and " : ", ") + std::to_string(labels[i]);
+    }
+    return more > 0 ? text + " and " + std::to_string(more) + " more" : text;
+}
+
+std::string list_names(const cleft_options& options)
+{
+    return options.only.empty() ? "strip" : options.strip.empty() ? "only" : "strip and only";
+}
+
+}  // namespace
+
+std::vector<char> kept_labels(const std::vector<int32_t>& labels, const cleft_options* options, const char* whose)
+{
+    if (!options || (options->strip.empty() && options->only.empty()))
+        return {};
+    std::vector<char> keep;
+    for (const int32_t label : labels)
+        keep.push_back(!contains(options->strip, label) && (options->only.empty() || contains(options->only, label)));
+    const bool keeps_some = std::find(keep.begin(), keep.end(), 1) != keep.end();
+    if (!keeps_some && !keep.empty())
+        throw Error(CLEFT_ERROR_OPTION,
+                    list_names(*options) + " would leave nothing of the " + whose + ", which has " + named(labels));
+    const bool keeps_all = std::find(keep.begin(), keep.end(), 0) == keep.end();
+    return keeps_all ? std::vector<char>() : keep;
+}
+
+void warn_of_unknown_labels(const std::vector<int32_t>& labels, const cleft_options* options, const char* whose,
+                            const Run& run)
+{
+    if (!options)
+        return;
+    const auto warn = [&](const char* option, const std::vector<int32_t>& list) {
+        std::vector<int32_t> unknown;
+        for (const int32_t label : list)
+            if (!contains(labels, label))
+                unknown.push_back(label);
+        if (!unknown.empty())
+            run.say(CLEFT_LOG_WARNING,
+                    std::string(option) + " names " + named(unknown) + ", which the " + whose + " does not have");
+    };
+    warn("strip", options->strip);
+    warn("only", options->only);
+}
+
+void strip_labels(cleft_mesh& mesh, const cleft_options* options)
+{
+    const std::vector<char> keep = kept_labels(mesh.labels, options, "mesh");
+    if (keep.empty())
+        return;
+    // strip_materials numbers materials densely: labels become their place in the list, and back.
+    const auto place = [&](int32_t label) {
+        return static_cast<Material>(std::lower_bound(mesh.labels.begin(), mesh.labels.end(), label) -
+                                     mesh.labels.begin());
+    };
+    for (int32_t& label : mesh.mesh.material)
+        label = place(label);
+    strip_materials(mesh.mesh, keep);
+    for (int32_t& label : mesh.mesh.material)
+        label = mesh.labels[static_cast<size_t>(label)];
+    mesh.labels = distinct_labels(mesh.mesh.material);
+    const LabelNames all = std::exchange(mesh.names, {});
+    add_label_names(mesh.names, all, mesh.labels);
+}
+
+}  // namespace cleft::capi

@@ -1,0 +1,21 @@
+// Which labels the lists STRIP and ONLY of the options keep.
+#pragma once
+
+#include "base/run.hpp"
+#include "capi/handles.hpp"
+
+namespace cleft::capi
+{
+
+// By label: whether it is kept; empty if the options leave none of them out. An Error if they leave all of them out.
+// `whose` is what has the labels, in words: "volume" or "mesh".
+std::vector<char> kept_labels(const std::vector<int32_t>& labels, const cleft_options* options, const char* whose);
+
+// Warns of labels that the lists name and that are not among `labels`.
+void warn_of_unknown_labels(const std::vector<int32_t>& labels, const cleft_options* options, const char* whose,
+                            const Run& run);
+
+// Takes out of a mesh what the options leave out.
+void strip_labels(cleft_mesh& mesh, const cleft_options* options);
+
+}  // namespace cleft::capi

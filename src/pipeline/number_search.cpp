@@ -1,0 +1,165 @@
+#include "pipeline/number_search.hpp"
+
+#include "background/lattice.hpp"
+#include "base/stage_timer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace cleft
+{
+
+namespace
+{
+
+// A finished mesh has from 1.1 times the tetrahedra of its background (few interfaces) to 2.2 times (many).
+constexpr double kCleavedOverBackground = 1.3;
+
+double expected_kept(const SizingField& field, const Volume& volume, const PipelineOptions& options)
+{
+    return kCleavedOverBackground * expected_background_tets(field, volume, options.keep);
+}
+
+double expected_of_all(const SizingField& field, const PipelineOptions& options)
+{
+    if (options.background != BackgroundKind::lattice)
+        return kCleavedOverBackground * expected_background_tets(field);
+    const double size_of_one = lattice_size_for(field.grid, 1);
+    return kCleavedOverBackground * std::pow(size_of_one / field.least(), 3);
+}
+
+// The number of tetrahedra that no round may pass; 0: none. Without it, those of a label of a few voxels would have the
+// others fill the memory.
+double limit_of(const PipelineOptions& options)
+{
+    if (options.keep.empty() || options.max_tets <= 0)
+        return 0;
+    return std::max(options.max_tets, static_cast<double>(options.tets));
+}
+
+double kept_share(const Volume& volume, const PipelineOptions& options)
+{
+    const std::vector<int64_t> voxels = volume.voxel_counts();
+    double kept = 0;
+    for (size_t m = 0; m < voxels.size(); ++m)
+        kept += options.keeps(static_cast<Material>(m)) ? static_cast<double>(voxels[m]) : 0;
+    return std::max(kept, 1.0) / static_cast<double>(volume.grid().size());
+}
+
+// Where the search for a number begins: a lattice as fine as the field asks for could fill the memory.
+double first_factor(const SizingField& field, const Volume& volume, const PipelineOptions& options)
+{
+    if (options.background != BackgroundKind::lattice)
+        return 1;
+    const double wanted = static_cast<double>(options.tets) / kCleavedOverBackground / kept_share(volume, options);
+    return std::max(1.0, lattice_size_for(field.grid, wanted) / field.least());
+}
+
+int64_t kept_count(const LabelledMesh& mesh, const PipelineOptions& options)
+{
+    return std::count_if(mesh.material.begin(), mesh.material.end(), [&](Material m) { return options.keeps(m); });
+}
+
+// One run at one size, without the finishing.
+LabelledMesh attempt(const Volume& volume, const SizingField& field, const PipelineOptions& options, const Run& run)
+{
+    const TetMesh background = make_background(field, options, part_of(run, 0.0, 0.5));
+    return cleave_and_improve(volume, background, options, part_of(run, 0.5, 1.0));
+}
+
+// Finds the factor on the sizing field that gives the wanted number. The number falls with the factor by a power
+// between two (all tetrahedra at interfaces) and three; where a lattice has to fit the box it also jumps. So the search
+// is that of a bracket, interpolated in logarithms.
+class NumberSearch
+{
+public:
+    explicit NumberSearch(double wanted) : wanted_(std::log(wanted)) {}
+
+    // The next factor, after one has given a number of tetrahedra. Both stay logarithms inside.
+    double next(double factor, double count)
+    {
+        const Try tried{std::log(factor), std::log(std::max(count, 0.5))};
+        const bool many = tried.count > wanted_;
+        (many ? many_ : few_) = tried;
+        (many ? has_many_ : has_few_) = true;
+        if (!has_many_ || !has_few_)
+            return std::exp(tried.factor + (tried.count - wanted_) / kExponent);
+        const double share = (many_.count - wanted_) / (many_.count - few_.count);
+        return std::exp(many_.factor + std::clamp(share, 0.1, 0.9) * (few_.factor - many_.factor));
+    }
+
+private:
+    static constexpr double kExponent = 2.6;
+    struct Try {
+        double factor, count;
+    };
+    double wanted_;
+    bool has_many_ = false, has_few_ = false;
+    Try many_{}, few_{};  // the last that gave too many, and too few
+};
+
+// The least factor that keeps a mesh to the limit, where `all` tetrahedra came (or are expected) of `factor`.
+double least_factor(double factor, double all, double limit) { return limit > 0 ? factor * std::cbrt(all / limit) : 0; }
+
+void warn_of_number(const LabelledMesh& mesh, const PipelineOptions& options, bool is_limited, const Run& run)
+{
+    const int64_t kept = kept_count(mesh, options);
+    const double wanted = static_cast<double>(options.tets);
+    if (std::abs(static_cast<double>(kept) - wanted) <= 0.1 * wanted)
+        return;
+    std::string sentence =
+        "the wanted number of tetrahedra, " + std::to_string(options.tets) + ", was not met: " + std::to_string(kept);
+    if (is_limited)
+        sentence += ", since the whole mesh, from which labels are left out, keeps to max_tets, " +
+                    std::to_string(std::llround(options.max_tets));
+    run.say(CLEFT_LOG_WARNING, sentence);
+}
+
+}  // namespace
+
+void fit_to_number(SizingField& field, const Volume& volume, const PipelineOptions& options, const Run& run)
+{
+    constexpr int kRounds = 4;  // the gradation limit bends the power law
+    for (int round = 0; options.tets > 0 && round < kRounds; ++round) {
+        const double ratio = expected_kept(field, volume, options) / static_cast<double>(options.tets);
+        if (std::abs(ratio - 1) < 0.05)
+            return;
+        scale_sizing(field, std::cbrt(ratio), part_of(run, 1, 1));
+    }
+}
+
+LabelledMesh mesh_of_number(const Volume& volume, SizingField& field, const PipelineOptions& options, const Run& run)
+{
+    constexpr int kRounds = 8;
+    constexpr double kTolerance = 0.08, kNearLimit = 0.9;
+    const StageTimer timer(run, "pipeline.rounds");  // of all; the stages note their last round
+    const double wanted = static_cast<double>(options.tets), limit = limit_of(options);
+    NumberSearch search(wanted);
+    Run silent = run;  // warnings are of the mesh that is kept
+    silent.log = nullptr;
+    const double first = std::max(1.0, least_factor(1, expected_of_all(field, options), limit));
+    double factor = 1, next = std::max(first, first_factor(field, volume, options));
+    bool is_limited = false;
+    LabelledMesh mesh;
+    for (int round = 0; round < kRounds && !is_limited; ++round) {
+        // Most searches end in the second or third round: progress goes by halves of what is left.
+        const double begin = 1 - std::ldexp(1.0, -round), end = 1 - std::ldexp(1.0, -round - 1);
+        if (next != factor)
+            scale_sizing(field, next / factor, part_of(run, begin, begin));
+        factor = next;
+        mesh = LabelledMesh();
+        mesh = attempt(volume, field, options, part_of(silent, begin, end));
+        const double all = static_cast<double>(mesh.tets.size());
+        const double count = static_cast<double>(kept_count(mesh, options));
+        run.note("pipeline.rounds.count", round + 1);
+        if (std::abs(count - wanted) <= kTolerance * wanted)
+            return mesh;
+        next = std::max(search.next(factor, count), least_factor(factor, all, limit));
+        is_limited = limit > 0 && all >= kNearLimit * limit && count < wanted;
+    }
+    warn_of_number(mesh, options, is_limited, run);
+    return mesh;
+}
+
+}  // namespace cleft

@@ -1,0 +1,79 @@
+#include "pipeline/volume_differences.hpp"
+
+#include "mesh/finish.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+#include <string>
+
+namespace cleft
+{
+
+namespace
+{
+
+constexpr int64_t kLeastVoxels = 100;  // the volume of fewer is not known to a few percent
+constexpr double kMostDifference = 0.05;
+
+struct Difference {
+    int32_t label;
+    double share;  // of the volume of the voxels
+};
+
+// "label 3 (+12 %)"
+std::string text(const Difference& difference)
+{
+    char percent[32];
+    std::snprintf(percent, sizeof percent, "%+.3g %%", 100 * difference.share);
+    return "label " + std::to_string(difference.label) + " (" + percent + ")";
+}
+
+bool fills_box(const Volume& volume, const std::vector<double>& volumes)
+{
+    const double box = volume.grid().extent().prod();
+    return std::abs(std::accumulate(volumes.begin(), volumes.end(), 0.0) - box) < 1e-6 * box;
+}
+
+// Those that differ too much, the greatest difference first.
+std::vector<Difference> differences(const Volume& volume, const std::vector<double>& volumes,
+                                    const std::vector<char>& keep)
+{
+    const std::vector<int64_t> voxels = volume.voxel_counts();
+    std::vector<Difference> all;
+    for (size_t m = 0; m < voxels.size(); ++m) {
+        if (voxels[m] < kLeastVoxels || (!keep.empty() && keep[m] == 0))
+            continue;
+        const double share = volumes[m] / (static_cast<double>(voxels[m]) * volume.grid().spacing.prod()) - 1;
+        if (std::abs(share) > kMostDifference)
+            all.push_back({volume.labels()[m], share});
+    }
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Difference& a, const Difference& b) { return std::abs(a.share) > std::abs(b.share); });
+    return all;
+}
+
+}  // namespace
+
+void warn_of_volume_differences(const Volume& volume, const LabelledMesh& mesh, const std::vector<char>& keep,
+                                const Run& run)
+{
+    constexpr size_t kNamed = 5;
+    const std::vector<double> volumes = material_volumes(mesh, volume.material_count());
+    if (!run.log || !fills_box(volume, volumes))
+        return;
+    const std::vector<Difference> all = differences(volume, volumes, keep);
+    if (all.empty())
+        return;
+    std::string names;
+    for (size_t i = 0; i < std::min(all.size(), kNamed); ++i)
+        names += (i == 0 ? "" : ", ") + text(all[i]);
+    if (all.size() > kNamed)
+        names += " and " + std::to_string(all.size() - kNamed) + " more";
+    run.say(CLEFT_LOG_WARNING, (all.size() == 1 ? std::string("the volume of one label differs")
+                                                : "the volumes of " + std::to_string(all.size()) + " labels differ") +
+                                   " by more than 5 % from that of the voxels: " + names);
+}
+
+}  // namespace cleft

@@ -1,0 +1,122 @@
+#include "volume/indicator_claims.hpp"
+
+#include "base/parallel.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+namespace cleft
+{
+
+namespace
+{
+
+constexpr int64_t kGrain = int64_t{1} << 16;
+
+using Fields = std::vector<std::vector<float>>;
+
+// Has every function no values but `low` and one other of its own?
+bool are_masks(const Fields& fields, float low)
+{
+    return std::all_of(fields.begin(), fields.end(), [&](const std::vector<float>& field) {
+        const auto other = std::find_if(field.begin(), field.end(), [&](float f) { return f != low; });
+        return std::all_of(other, field.end(), [&](float f) { return f == low || f == *other; });
+    });
+}
+
+float least(const Fields& fields)
+{
+    float low = fields[0][0];
+    for (const std::vector<float>& field : fields)
+        low = std::min(low, *std::min_element(field.begin(), field.end()));
+    return low;
+}
+
+// The number of voxels at which holds(voxel).
+template <class Holds>
+int64_t count_voxels(int64_t voxels, const Run& run, const Holds& holds)
+{
+    std::vector<int64_t> counts(static_cast<size_t>(chunk_count(voxels, kGrain)), 0);
+    parallel_chunks(run, voxels, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
+        for (int64_t v = begin; v < end; ++v)
+            counts[static_cast<size_t>(chunk)] += holds(static_cast<size_t>(v));
+    });
+    return std::accumulate(counts.begin(), counts.end(), int64_t{0});
+}
+
+void check_masks(const Fields& fields, float low, int64_t voxels, const Run& run)
+{
+    const auto claims = [&](size_t v) {
+        return std::count_if(fields.begin(), fields.end(), [&](const auto& field) { return field[v] != low; });
+    };
+    const std::string of_all = " of " + std::to_string(voxels) + " voxels are in ";
+    const int64_t unclaimed = count_voxels(voxels, run, [&](size_t v) { return claims(v) == 0; });
+    if (unclaimed > 0)
+        throw Error(CLEFT_ERROR_ARGUMENT,
+                    std::to_string(unclaimed) + of_all + "none of the " + std::to_string(fields.size()) +
+                        " masks that are given as indicator functions: give the outside a mask of its own, or make one "
+                        "label map of them");
+    const int64_t shared = count_voxels(voxels, run, [&](size_t v) { return claims(v) > 1; });
+    if (shared > 0)
+        run.say(CLEFT_LOG_WARNING,
+                std::to_string(shared) + of_all +
+                    "several of the masks: that of the greatest value has them, the first of equals");
+}
+
+// By voxel: whether several functions are the greatest.
+std::vector<uint8_t> ties(const Fields& fields, int64_t voxels, const Run& run)
+{
+    std::vector<uint8_t> tied(static_cast<size_t>(voxels), 0);
+    parallel_for(run, voxels, kGrain, [&](int64_t begin, int64_t end) {
+        for (auto v = static_cast<size_t>(begin); v < static_cast<size_t>(end); ++v) {
+            float most = fields[0][v];
+            for (size_t k = 1; k < fields.size(); ++k) {
+                tied[v] = fields[k][v] > most ? 0 : fields[k][v] == most ? 1 : tied[v];
+                most = std::max(most, fields[k][v]);
+            }
+        }
+    });
+    return tied;
+}
+
+// Are the voxels before and after it along each axis tied too?
+bool is_inner(const std::vector<uint8_t>& tied, const Grid& grid, int64_t voxel)
+{
+    int64_t stride = 1, rest = voxel;
+    for (const int32_t n : grid.dims) {
+        const int64_t at = rest % n;
+        if ((at > 0 && tied[static_cast<size_t>(voxel - stride)] == 0) ||
+            (at + 1 < n && tied[static_cast<size_t>(voxel + stride)] == 0))
+            return false;
+        rest /= n;
+        stride *= n;
+    }
+    return true;
+}
+
+void check_ties(const Fields& fields, const Grid& grid, const Run& run)
+{
+    const std::vector<uint8_t> tied = ties(fields, grid.size(), run);
+    const auto is_in_region = [&](size_t v) { return tied[v] != 0 && is_inner(tied, grid, static_cast<int64_t>(v)); };
+    if (count_voxels(grid.size(), run, is_in_region) == 0)
+        return;
+    const int64_t all = std::count(tied.begin(), tied.end(), 1);
+    run.say(CLEFT_LOG_WARNING, "several indicator functions are the greatest at " + std::to_string(all) + " of " +
+                                   std::to_string(grid.size()) + " voxels: the first of them holds there");
+}
+
+}  // namespace
+
+void check_claims(const std::vector<std::vector<float>>& fields, const Grid& grid, const Run& run)
+{
+    if (fields.size() < 2)
+        return;
+    const float low = least(fields);
+    if (are_masks(fields, low))
+        check_masks(fields, low, grid.size(), run);
+    else
+        check_ties(fields, grid, run);
+}
+
+}  // namespace cleft

@@ -1,0 +1,87 @@
+#include "volume/voxel_contacts.hpp"
+
+#include <algorithm>
+
+namespace cleft
+{
+
+namespace
+{
+
+// The pairs that were asked for, and which of them were seen. There can be 65,535 materials: no table of all pairs.
+class Seen
+{
+public:
+    explicit Seen(const std::vector<std::array<Material, 2>>& pairs) : pairs_(pairs), seen_(pairs.size(), 0) {}
+
+    void add(Material a, Material b)
+    {
+        // Few different pairs follow one another: most are among the last ones met.
+        const std::array<Material, 2> pair{std::min(a, b), std::max(a, b)};
+        std::array<Material, 2>& recent =
+            recent_[(static_cast<uint32_t>(pair[0]) * 31u + static_cast<uint32_t>(pair[1])) % recent_.size()];
+        if (recent == pair)
+            return;
+        recent = pair;
+        const auto at = std::lower_bound(pairs_.begin(), pairs_.end(), pair);
+        if (at != pairs_.end() && *at == pair)
+            seen_[static_cast<size_t>(at - pairs_.begin())] = 1;
+    }
+
+    std::vector<uint8_t> take() { return std::move(seen_); }
+
+private:
+    const std::vector<std::array<Material, 2>>& pairs_;
+    std::vector<uint8_t> seen_;
+    std::array<std::array<Material, 2>, 1024> recent_{};  // two times material 0: no pair
+};
+
+// The voxels of one row against those of another, `step` farther along x.
+void add_rows(const VoxelComponents& components, int64_t row, int64_t other, int64_t count, int64_t step, Seen& seen)
+{
+    const int32_t* here = components.of_voxel.data() + row;
+    const int32_t* there = components.of_voxel.data() + other + step;
+    int32_t last_here = -1, last_there = -1;
+    for (int64_t i = std::max<int64_t>(0, -step); i < std::min(count, count - step); ++i) {
+        if (here[i] == there[i] || (here[i] == last_here && there[i] == last_there))
+            continue;
+        last_here = here[i];
+        last_there = there[i];
+        const Material a = components.material[static_cast<size_t>(last_here)];
+        const Material b = components.material[static_cast<size_t>(last_there)];
+        if (a != b)
+            seen.add(a, b);
+    }
+}
+
+}  // namespace
+
+std::vector<uint8_t> voxels_touch(const Grid& grid, const VoxelComponents& components,
+                                  const std::vector<std::array<Material, 2>>& pairs, const Run& run)
+{
+    Seen seen(pairs);
+    const int32_t nx = grid.dims[0], ny = grid.dims[1], nz = grid.dims[2];
+    // The nine neighbours over faces and edges that come after a voxel: one in its row, three in each of two rows next
+    // to it, and one in each of two rows across.
+    constexpr int32_t kBeside[2][2] = {{1, 0}, {0, 1}}, kAcross[2][2] = {{-1, 1}, {1, 1}};
+    for (int32_t k = 0; k < nz; ++k) {
+        run.report(static_cast<double>(k) / nz, "looking for contacts");
+        for (int32_t j = 0; j < ny; ++j) {
+            const int64_t row = grid.index(0, j, k);
+            const auto add_beside = [&](const int32_t(&by)[2], int64_t reach) {
+                if (j + by[0] < 0 || j + by[0] >= ny || k + by[1] >= nz)
+                    return;
+                for (int64_t step = -reach; step <= reach; ++step)
+                    add_rows(components, row, grid.index(0, j + by[0], k + by[1]), nx, step, seen);
+            };
+            add_rows(components, row, row, nx, 1, seen);
+            for (size_t i = 0; i < 2; ++i) {
+                add_beside(kBeside[i], 1);
+                add_beside(kAcross[i], 0);
+            }
+        }
+    }
+    return seen.take();
+}
+
+}  // namespace cleft

@@ -1,0 +1,261 @@
+/* What is told in a sentence, and what is not: volumes that differ, masks, ties, options without an effect. */
+#include "support/warnings.h"
+
+#include <math.h>
+
+enum { N = 20, VOXELS = N * N * N };
+
+static cleft_options* plain(void)
+{
+    cleft_options* options = NULL;
+    assert_int_equal(cleft_options_create(&options), CLEFT_OK);
+    return options;
+}
+
+static void assert_mesh_tells(cleft_context* context, const cleft_volume* volume, const cleft_options* options,
+                              warnings* told, const char* words)
+{
+    cleft_mesh* mesh = NULL;
+    assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, options, &mesh));
+    assert_told(told, words);
+    cleft_mesh_destroy(mesh);
+}
+
+static void volumes_that_differ_are_told_in_one_sentence(void** state)
+{
+    const int64_t dims[3] = {24, 24, 24};
+    const int32_t sheet = 1;
+    warnings told;
+    cleft_context* context = listening_context(&told);
+    uint8_t* voxels = (uint8_t*)calloc(24 * 24 * 24, 1);
+    cleft_volume *volume = NULL, *ball = ball_volume(context, N);
+    cleft_options *coarse = plain(), *fine = plain();
+    (void)state;
+    /* sheets of one voxel among tetrahedra six times as large, and a label of fewer than 100 voxels */
+    for (int v = 0; v < 24 * 24 * 24; ++v)
+        voxels[v] = v / 576 == 7 ? 1 : v / 576 == 16 ? 2 : v == 12 * 577 || v == 12 * 577 + 1 ? 3 : 0;
+    assert_ok(context, cleft_volume_create_labels(context, CLEFT_TYPE_UINT8, voxels, dims, NULL, NULL, &volume));
+    assert_int_equal(cleft_options_set_real(coarse, CLEFT_OPTION_SIZE, 6), CLEFT_OK);
+    cleft_mesh* mesh = NULL;
+    assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, coarse, &mesh));
+    assert_non_null(strstr(told.all, "differ"));
+    assert_non_null(strstr(told.all, "label 1 ("));
+    assert_null(strstr(told.all, "label 3 ("));
+    assert_told(&told, "by more than 5 % from that of the voxels: label ");
+    cleft_mesh_destroy(mesh);
+    mesh = NULL;
+    assert_int_equal(cleft_options_set_strip(coarse, &sheet, 1), CLEFT_OK);
+    assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, coarse, &mesh));
+    assert_null(strstr(told.all, "label 1 ("));
+    assert_told(&told, "label 2 (");
+    cleft_mesh_destroy(mesh);
+    assert_mesh_tells(context, ball, fine, &told, NULL);
+    free(voxels);
+    cleft_options_destroy(fine);
+    cleft_options_destroy(coarse);
+    cleft_volume_destroy(ball);
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
+/* Functions at the voxels, each made by value(function, voxel). */
+static void fill(float* field[3], float (*value)(int, int))
+{
+    for (int f = 0; f < 3; ++f)
+        for (int v = 0; v < VOXELS; ++v)
+            field[f][v] = value(f, v);
+}
+
+static double distance(int voxel, double cx)
+{
+    const double x = voxel % N + 0.5 - cx, y = voxel / N % N + 0.5 - N / 2.0, z = voxel / N / N + 0.5 - N / 2.0;
+    return sqrt(x * x + y * y + z * z);
+}
+
+/* Two balls and nothing outside them; function 2 is empty. */
+static float masks(int f, int v) { return f < 2 && distance(v, f == 0 ? 6 : 14) < 3.5; }
+static float masks_of_255(int f, int v) { return (f == 1 ? 255 : 1) * masks(f, v); }
+static float signs(int f, int v) { return 2 * masks(f, v) - 1; }
+static float whole_masks(int f, int v) { return f < 2 ? masks(f, v) : masks(0, v) + masks(1, v) == 0; }
+static float overlapping(int f, int v) { return f == 2 ? distance(v, 6) >= 3.5F : distance(v, 6) < 3.5F; }
+static float shares(int f, int v)
+{
+    const double outside = distance(v, 10) < 6 ? 0.1 : 0.8;
+    return f == 2 ? (float)outside : (float)((1 - outside) * (f == 0 ? 0.7 : 0.3));
+}
+static float distances(int f, int v)
+{
+    const double a = 5 - distance(v, 5.5), b = 5 - distance(v, 14.5);
+    return (float)(f == 0 ? a : f == 1 ? b : -fmax(a, b));
+}
+/* The middle plane of the first two lies on voxel centres. */
+static float halves(int f, int v) { return f == 2 ? -50.0F : (float)(f == 0 ? v % N - 9 : 9 - v % N); }
+static float clipped(int f, int v) { return fmaxf(distances(f, v), f == 2 ? -9.0F : -2.0F); }
+static float equal_inside(int f, int v)
+{
+    return f == 2 ? 0.4F : distance(v, 10) < 5 ? 0.5F : 0.1F * (float)(f + v % 7);
+}
+
+static void masks_that_leave_voxels_to_nobody_are_refused_and_ties_told(void** state)
+{
+    static const struct {
+        float (*value)(int, int);
+        cleft_status status;
+        const char* words; /* of the warning or of the failure */
+    } cases[] = {
+        {masks, CLEFT_ERROR_ARGUMENT, "of 8000 voxels are in none of the 3 masks"},
+        {masks_of_255, CLEFT_ERROR_ARGUMENT, "of 8000 voxels are in none of the 3 masks"},
+        {signs, CLEFT_ERROR_ARGUMENT, "of 8000 voxels are in none of the 3 masks"},
+        {whole_masks, CLEFT_OK, NULL},
+        {overlapping, CLEFT_OK, "voxels are in several of the masks"},
+        {shares, CLEFT_OK, NULL},
+        {distances, CLEFT_OK, NULL},
+        {halves, CLEFT_OK, NULL},
+        {equal_inside, CLEFT_OK, "several indicator functions are the greatest at"},
+    };
+    const int64_t dims[3] = {N, N, N};
+    float* field[3];
+    warnings told;
+    cleft_context* context = listening_context(&told);
+    (void)state;
+    for (int f = 0; f < 3; ++f)
+        field[f] = (float*)malloc(sizeof(float) * VOXELS);
+    for (size_t c = 0; c < sizeof cases / sizeof cases[0]; ++c) {
+        cleft_volume* volume = NULL;
+        fill(field, cases[c].value);
+        const cleft_status status = cleft_volume_create_indicators(
+            context, CLEFT_TYPE_FLOAT32, (const void* const*)field, 3, dims, NULL, NULL, &volume);
+        if (status != cases[c].status)
+            fail_msg("case %d: status %d: %s", (int)c, (int)status, cleft_context_last_error(context));
+        assert_told(&told, status == CLEFT_OK ? cases[c].words : NULL);
+        if (status != CLEFT_OK) {
+            assert_null(volume);
+            assert_non_null(strstr(cleft_context_last_error(context), cases[c].words));
+        }
+        cleft_volume_destroy(volume);
+    }
+    /* the number of voxels that nobody claims, exactly; and one function alone is signed and no mask */
+    int64_t unclaimed = 0;
+    char sentence[64];
+    cleft_volume* volume = NULL;
+    fill(field, masks);
+    for (int v = 0; v < VOXELS; ++v)
+        unclaimed += field[0][v] + field[1][v] == 0;
+    assert_fails(context, CLEFT_ERROR_ARGUMENT,
+                 cleft_volume_create_indicators(context, CLEFT_TYPE_FLOAT32, (const void* const*)field, 3, dims, NULL,
+                                                NULL, &volume));
+    snprintf(sentence, sizeof sentence, "%d of 8000 voxels", (int)unclaimed);
+    assert_non_null(strstr(cleft_context_last_error(context), sentence));
+    assert_ok(context, cleft_volume_create_indicators(context, CLEFT_TYPE_FLOAT32, (const void* const*)field, 1, dims,
+                                                      NULL, NULL, &volume));
+    assert_told(&told, NULL);
+    cleft_volume_destroy(volume);
+    volume = NULL;
+    fill(field, clipped);
+    assert_ok(context, cleft_volume_create_indicators(context, CLEFT_TYPE_FLOAT32, (const void* const*)field, 2, dims,
+                                                      NULL, NULL, &volume));
+    assert_told(&told, "several indicator functions are the greatest at");
+    cleft_volume_destroy(volume);
+    for (int f = 0; f < 3; ++f)
+        free(field[f]);
+    cleft_context_destroy(context);
+}
+
+/* Every call that takes options and a volume tells that the width of the kernel is another one, or none. */
+static void assert_smooth_is_told(cleft_context* context, const cleft_volume* volume, const cleft_options* options,
+                                  warnings* told, const char* words)
+{
+    cleft_sizing *sizing = NULL, *own = NULL;
+    cleft_mesh *background = NULL, *cleaved = NULL, *improved = NULL;
+    float* values = (float*)malloc(sizeof(float) * VOXELS);
+    for (int v = 0; v < VOXELS; ++v)
+        values[v] = 3;
+    assert_ok(context, cleft_sizing_create(context, volume, options, &sizing));
+    assert_told(told, words);
+    assert_ok(context, cleft_sizing_create_values(context, volume, CLEFT_TYPE_FLOAT32, values, 1, options, &own));
+    assert_told(told, words);
+    assert_ok(context, cleft_background_create(context, own, options, &background));
+    assert_told(told, NULL);
+    assert_ok(context, cleft_mesh_cleave(context, volume, background, options, &cleaved));
+    assert_told(told, words);
+    assert_ok(context, cleft_mesh_improve(context, volume, cleaved, options, &improved));
+    assert_told(told, words);
+    assert_mesh_tells(context, volume, options, told, words);
+    free(values);
+    cleft_mesh_destroy(improved);
+    cleft_mesh_destroy(cleaved);
+    cleft_mesh_destroy(background);
+    cleft_sizing_destroy(own);
+    cleft_sizing_destroy(sizing);
+}
+
+static void smooth_that_has_no_effect_is_told(void** state)
+{
+    const int64_t dims[3] = {N, N, N};
+    warnings told;
+    cleft_context* context = listening_context(&told);
+    int32_t* labels = ball_labels(N);
+    float* function = (float*)malloc(sizeof(float) * VOXELS);
+    cleft_options *three = plain(), *five = plain(), *none = plain();
+    cleft_volume *by_three = NULL, *by_default = NULL, *signed_function = NULL;
+    (void)state;
+    assert_int_equal(cleft_options_set_integer(three, CLEFT_OPTION_SMOOTH, 3), CLEFT_OK);
+    assert_int_equal(cleft_options_set_text(five, "smooth", "5"), CLEFT_OK);
+    for (int v = 0; v < VOXELS; ++v)
+        function[v] = (float)(6 - distance(v, N / 2.0));
+    assert_ok(context, cleft_volume_create_labels(context, CLEFT_TYPE_INT32, labels, dims, NULL, three, &by_three));
+    assert_ok(context, cleft_volume_create_labels(context, CLEFT_TYPE_INT32, labels, dims, NULL, NULL, &by_default));
+    assert_ok(context, cleft_volume_create_indicators(context, CLEFT_TYPE_FLOAT32, (const void* const*)&function, 1,
+                                                      dims, NULL, NULL, &signed_function));
+    assert_told(&told, NULL);
+    assert_smooth_is_told(context, by_three, three, &told, NULL);
+    assert_smooth_is_told(context, by_three, none, &told, NULL);
+    assert_mesh_tells(context, by_three, NULL, &told, NULL);
+    assert_smooth_is_told(context, by_three, five, &told, "smooth is 5, but the volume was made with 3, which holds");
+    assert_mesh_tells(context, by_default, five, &told, NULL);
+    assert_mesh_tells(context, by_default, three, &told, "smooth is 3, but the volume was made with 5, which holds");
+    assert_mesh_tells(context, signed_function, none, &told, NULL);
+    assert_smooth_is_told(context, signed_function, five, &told, "smooth has no effect on a volume of indicator");
+    free(labels);
+    free(function);
+    cleft_volume_destroy(signed_function);
+    cleft_volume_destroy(by_default);
+    cleft_volume_destroy(by_three);
+    cleft_options_destroy(none);
+    cleft_options_destroy(five);
+    cleft_options_destroy(three);
+    cleft_context_destroy(context);
+}
+
+static void a_number_for_a_background_that_is_given_is_told(void** state)
+{
+    warnings told;
+    cleft_context* context = listening_context(&told);
+    cleft_volume* volume = ball_volume(context, N);
+    cleft_options* options = plain();
+    cleft_sizing* sizing = NULL;
+    cleft_mesh *background = NULL, *mesh = NULL;
+    (void)state;
+    assert_ok(context, cleft_sizing_create_constant(context, volume, 3, &sizing));
+    assert_ok(context, cleft_background_create(context, sizing, NULL, &background));
+    assert_int_equal(cleft_options_set_integer(options, CLEFT_OPTION_TETS, 500000), CLEFT_OK);
+    assert_ok(context, cleft_mesh_volume(context, volume, NULL, background, options, &mesh));
+    assert_told(&told, "tets has no effect on a background that is given");
+    cleft_mesh_destroy(mesh);
+    cleft_mesh_destroy(background);
+    cleft_sizing_destroy(sizing);
+    cleft_options_destroy(options);
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(volumes_that_differ_are_told_in_one_sentence),
+        cmocka_unit_test(masks_that_leave_voxels_to_nobody_are_refused_and_ties_told),
+        cmocka_unit_test(smooth_that_has_no_effect_is_told),
+        cmocka_unit_test(a_number_for_a_background_that_is_given_is_told),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
