@@ -3,7 +3,7 @@
 build_packages="
     cmake ninja-build g++ pkg-config
     libeigen3-dev libboost-dev libtet1.5-dev
-    libinsighttoolkit5-dev libdeflate-dev zlib1g-dev
+    libinsighttoolkit5-dev libdeflate-dev zlib1g-dev libtiff-dev libpng-dev libjpeg-dev
     libcli11-dev nlohmann-json3-dev"
 
 binding_packages="
@@ -16,7 +16,8 @@ test_packages="
     clang clang-format libcmocka-dev python3 mypy
     gmsh calculix-ccx openfoam getdp python3-dolfinx-real python3-gmsh
     gfortran make abigail-tools freefem++ man-db lintian
-    python3-numpy python3-meshio python3-vtk9 python3-nibabel python3-pydicom"
+    python3-numpy python3-meshio python3-vtk9 python3-nibabel python3-pydicom
+    python3-pil python3-skimage python3-tifffile"
 
 say() { printf '\n== %s\n' "$*"; }
 fail() { printf '%s: %s\n' "$(basename "$0")" "$*" >&2; exit 1; }

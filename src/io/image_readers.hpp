@@ -1,4 +1,4 @@
-// The readers of single files, one for each format (or, by ITK, for several). `is` knows a format by the first bytes
+// The readers of single files, one for each format. `is` knows a format by the first bytes
 // of the file; `read` throws Errors that do not name the file.
 #pragma once
 
@@ -18,12 +18,18 @@ bool is_gipl(const FileHead& head);
 Image read_gipl(const std::string& path, const FileHead& head);
 bool is_mrc(const FileHead& head);
 Image read_mrc(const std::string& path, const FileHead& head);
+bool is_nifti(const FileHead& head);
+Image read_nifti(const std::string& path, const FileHead& head);
+bool is_tiff(const FileHead& head);
+Image read_tiff(const std::string& path, const FileHead& head);
+bool is_png(const FileHead& head);
+Image read_png(const std::string& path, const FileHead& head);
+bool is_jpeg(const FileHead& head);
+Image read_jpeg(const std::string& path, const FileHead& head);
+bool is_bmp(const FileHead& head);
+Image read_bmp(const std::string& path, const FileHead& head);
 // Formats that are known by name, and which programs turn into others. Always throws.
 bool is_foreign_format(const FileHead& head);
 Image refuse_foreign_format(const std::string& path, const FileHead& head);
-bool is_itk_format(const FileHead& head);
-Image read_itk_image(const std::string& path, const FileHead& head);
-// Writes a volume of float as NIfTI.
-void write_itk_image(const std::string& path, const Image& image);
 
 }  // namespace cleft::io

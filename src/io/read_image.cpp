@@ -26,8 +26,12 @@ constexpr Reader readers[] = {
     {"VTK legacy", is_vtk_volume, read_vtk_volume},
     {"GIPL", is_gipl, read_gipl},
     {"MRC", is_mrc, read_mrc},
+    {"TIFF", is_tiff, read_tiff},
+    {"PNG", is_png, read_png},
+    {"JPEG", is_jpeg, read_jpeg},
+    {"BMP", is_bmp, read_bmp},
+    {"NIfTI or Analyze", is_nifti, read_nifti},
     {"known, but not read", is_foreign_format, refuse_foreign_format},
-    {"by ITK", is_itk_format, read_itk_image},
 };
 
 // How many bytes of a character of UTF-8 stand there; 0 if none does, or one that controls a terminal.

@@ -1,9 +1,11 @@
-// Writes fields of float as volumes: NRRD, MetaImage, legacy VTK. What a format cannot hold is refused.
+// Writes fields of float as volumes: NRRD, MetaImage, legacy VTK; NIfTI has a file of its own. What a format cannot
+// hold is refused.
 #include "base/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/file_name.hpp"
 #include "io/image_readers.hpp"
 #include "io/voxel_data.hpp"
+#include "io/write_nifti.hpp"
 
 #include <libdeflate.h>
 #include <algorithm>
@@ -118,7 +120,7 @@ void write_image(const std::string& path, const Image& image)
 {
     const std::string extension = extension_of(path);
     if (extension == ".nii" || extension == ".nii.gz") {
-        write_itk_image(path, image);
+        write_nifti(path, image);
         return;
     }
     const bool is_nrrd = extension == ".nrrd";

@@ -88,45 +88,6 @@ def test_indicators():
     refused(ARGUMENT, '5 x 5 x 4', names[0], smaller)
 
 
-def test_nifti():
-    voxels = random_labels((4, 3, 5), 'i2', (-3, 0, 7, 999))
-    c, s = np.cos(0.3), np.sin(0.3)
-    rotated = np.array([[c * 0.5, -s * 2, 0, 5], [s * 0.5, c * 2, 0, -7], [0, 0, 3, 11], [0, 0, 0, 1]])
-    flipped = np.array([[-1.5, 0, 0, 90], [0, 0, 2, -126], [0, 1, 0, -72], [0, 0, 0, 1.0]])
-    for affine in (np.eye(4), rotated, flipped):
-        for name in ('v.nii', 'v.nii.gz', 'v.img'):
-            for sform, qform in ((1, 1), (0, 1), (2, 0)):
-                kind = nibabel.Nifti1Pair if name == 'v.img' else nibabel.Nifti1Image
-                image = kind(voxels, affine)
-                image.set_sform(affine if sform else None, sform)
-                image.set_qform(affine if qform else None, qform)
-                nibabel.save(image, path(name))
-                check(voxels, affine[:3], path(name), world=RAS)
-                check(voxels, FLIP @ affine[:3], path(name))
-    image = nibabel.Nifti1Image(voxels, np.eye(4))  # the two disagree: ITK's choice is the qform
-    image.set_sform(flipped, 1)
-    image.set_qform(rotated, 1)
-    nibabel.save(image, path('both.nii'))
-    check(voxels, rotated[:3], path('both.nii'), world=RAS)
-    sheared = rotated.copy()
-    sheared[0, 2] = 1
-    image.set_sform(sheared, 1)
-    image.set_qform(None, 0)
-    nibabel.save(image, path('sheared.nii'))
-    refused(FILE, 'orthonormal', path('sheared.nii'))
-
-
-def test_nifti_scaled():
-    image = nibabel.Nifti1Image(random_labels((4, 3, 5), 'u1', (0, 3, 9)), np.eye(4))
-    image.header.set_slope_inter(2, 1)
-    nibabel.save(image, path('scaled.nii'))
-    data = bytearray(open(path('scaled.nii'), 'rb').read())
-    data[112:120] = struct.pack('<2f', 2, 1)
-    open(path('scaled.nii'), 'wb').write(data)
-    stored = np.frombuffer(bytes(data[352:]), 'u1').reshape((4, 3, 5), order='F')
-    check(2 * stored.astype(int) + 1, np.eye(3, 4), path('scaled.nii'), world=RAS)
-
-
 def test_metaimage():
     voxels = random_labels((4, 3, 5), '<u2', (0, 1, 500))
     header = ('ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = False\n'

@@ -230,6 +230,40 @@ static void test_sizing_comes_back(void** state)
     cleft_volume_destroy(volume);
 }
 
+/* A NIfTI file has the place of its voxels twice; here the second one, the qform, is read. Each of these turns makes
+ * another component of the quaternion the largest. */
+static void test_qform_of_sizing(void** state)
+{
+    static const double turns[][9] = {{1, 0, 0, 0, 1, 0, 0, 0, 1},         {1, 0, 0, 0, -1, 0, 0, 0, -1},
+                                      {-1, 0, 0, 0, 1, 0, 0, 0, -1},       {-1, 0, 0, 0, -1, 0, 0, 0, 1},
+                                      {0, 1, 0, 0, 0, 1, 1, 0, 0},         {0, -0.8, 0.6, 0, 0.6, 0.8, -1, 0, 0},
+                                      {0.8, 0.6, 0, 0.6, -0.8, 0, 0, 0, 1}};
+    fixture* f = *state;
+    for (size_t t = 0; t < sizeof turns / sizeof *turns; ++t) {
+        double affine[12] = {0};
+        for (int row = 0; row < 3; ++row) {
+            for (int axis = 0; axis < 3; ++axis)
+                affine[4 * row + axis] = turns[t][3 * row + axis] * (axis + 1);
+            affine[4 * row + 3] = 10 * row - 5;
+        }
+        cleft_volume* volume = make_volume(f, affine);
+        cleft_sizing* sizing = make_sizing(f, volume);
+        assert_int_equal(cleft_io_write_sizing(f->context, sizing, path_of(f, "a.nii"), 0), CLEFT_OK);
+        FILE* file = fopen(f->path, "r+b");
+        assert_int_equal(fseek(file, 254, SEEK_SET), 0); /* sform_code */
+        fwrite("\0\0", 1, 2, file);
+        fclose(file);
+        double read_affine[12];
+        double* values = NULL;
+        assert_int_equal(cleft_io_read_field(f->context, f->path, NULL, NULL, read_affine, &values), CLEFT_OK);
+        for (int a = 0; a < 12; ++a)
+            assert_true(fabs(read_affine[a] - affine[a]) < 2e-3);
+        cleft_io_free(values);
+        cleft_sizing_destroy(sizing);
+        cleft_volume_destroy(volume);
+    }
+}
+
 static void test_sizing_of_sheared_grids(void** state)
 {
     fixture* f = *state;
@@ -238,10 +272,13 @@ static void test_sizing_of_sheared_grids(void** state)
     cleft_volume* volume = make_volume(f, affine);
     cleft_sizing* sizing = make_sizing(f, volume);
     cleft_sizing* read = NULL;
-    assert_int_equal(cleft_io_write_sizing(f->context, sizing, path_of(f, "a.nrrd"), 0), CLEFT_OK);
-    assert_int_equal(cleft_io_read_sizing(f->context, volume, f->path, NULL, 0, NULL, &read), CLEFT_OK);
-    cleft_sizing_destroy(read);
-    assert_refused(f, cleft_io_write_sizing(f->context, sizing, path_of(f, "a.nii"), 0), CLEFT_ERROR_UNSUPPORTED,
+    const char* const names[] = {"a.nrrd", "a.nii"};
+    for (int i = 0; i < 2; ++i) {
+        assert_int_equal(cleft_io_write_sizing(f->context, sizing, path_of(f, names[i]), 0), CLEFT_OK);
+        assert_int_equal(cleft_io_read_sizing(f->context, volume, f->path, NULL, 0, NULL, &read), CLEFT_OK);
+        cleft_sizing_destroy(read);
+    }
+    assert_refused(f, cleft_io_write_sizing(f->context, sizing, path_of(f, "a.mha"), 0), CLEFT_ERROR_UNSUPPORTED,
                    "sheared");
     assert_refused(f, cleft_io_write_sizing(f->context, sizing, path_of(f, "a.vtk"), 0), CLEFT_ERROR_UNSUPPORTED,
                    "sheared");
@@ -426,6 +463,7 @@ int main(void)
         TEST(test_raw_indicators),
         TEST(test_raw_refusals),
         TEST(test_sizing_comes_back),
+        TEST(test_qform_of_sizing),
         TEST(test_sizing_of_sheared_grids),
         TEST(test_sizing_comes_back_from_vtk),
         TEST(test_sizing_of_another_grid_is_refused),

@@ -1,0 +1,45 @@
+// The header of a NIfTI-1, NIfTI-2 or Analyze 7.5 file as a plain value, in the numbers of the file.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace cleft::io
+{
+
+enum class NiftiKind { analyze, nifti1, nifti2 };
+
+constexpr size_t nifti1_header_bytes = 348;
+constexpr size_t nifti2_header_bytes = 540;
+constexpr size_t nifti_extension_mark = 4;  // bytes behind the header
+
+struct NiftiHeader {
+    NiftiKind kind = NiftiKind::analyze;
+    bool single_file = false;  // the voxels follow the header
+    bool swapped = false;      // is the order of bytes not that of this machine?
+    std::array<int64_t, 8> dim{};
+    int datatype = 0;
+    int bitpix = 0;
+    std::array<double, 8> pixdim{};
+    double vox_offset = 0;
+    double slope = 0;
+    double intercept = 0;
+    int intent = 0;
+    int units = 0;
+    int qform_code = 0;
+    int sform_code = 0;
+    std::array<double, 3> quaternion{};  // b, c, d
+    std::array<double, 3> q_offset{};
+    std::array<double, 12> s_rows{};
+    std::array<int, 3> spm_origin{};  // of Analyze: the voxel, from 1, at the origin; 0: not said
+
+    size_t bytes() const { return kind == NiftiKind::nifti2 ? nifti2_header_bytes : nifti1_header_bytes; }
+};
+
+// Are these the first bytes of such a header? Analyze has no mark of its own but its length.
+bool is_nifti_header(const unsigned char* bytes, size_t count);
+// Of bytes for which that is so.
+NiftiHeader parse_nifti_header(const unsigned char* bytes, size_t count);
+
+}  // namespace cleft::io

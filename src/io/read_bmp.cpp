@@ -1,0 +1,112 @@
+// Reads uncompressed BMP pictures with a palette: the number in the palette is the label.
+#include "base/error.hpp"
+#include "io/byte_source.hpp"
+#include "io/image_readers.hpp"
+#include "io/packed_bits.hpp"
+
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
+namespace cleft::io
+{
+
+namespace
+{
+
+constexpr size_t file_header_bytes = 14;
+constexpr uint32_t oldest_header = 12;  // of OS/2, whose sizes are of 16 bits
+constexpr uint32_t common_header = 40;
+
+struct Header {
+    uint32_t offset = 0;  // of the voxels
+    int64_t width = 0;
+    int64_t height = 0;  // negative: the first row is the uppermost
+    unsigned bits = 0;
+    uint32_t compression = 0;
+};
+
+class Fields
+{
+public:
+    explicit Fields(const std::vector<unsigned char>& bytes) : bytes_(bytes) {}
+
+    // Little-endian.
+    uint32_t get(size_t offset, size_t size) const
+    {
+        if (offset + size > bytes_.size())
+            throw Error(CLEFT_ERROR_FORMAT, "its header is cut short");
+        uint32_t value = 0;
+        for (size_t i = size; i-- > 0;)
+            value = value << 8 | bytes_[offset + i];
+        return value;
+    }
+
+private:
+    const std::vector<unsigned char>& bytes_;
+};
+
+Header parse(const FileHead& head)
+{
+    const Fields fields(head.bytes);
+    const uint32_t header_bytes = fields.get(file_header_bytes, 4);
+    Header header;
+    header.offset = fields.get(10, 4);
+    if (header_bytes == oldest_header) {
+        header.width = fields.get(18, 2);
+        header.height = fields.get(20, 2);
+        header.bits = fields.get(24, 2);
+    } else if (header_bytes >= common_header) {
+        header.width = static_cast<int32_t>(fields.get(18, 4));
+        header.height = static_cast<int32_t>(fields.get(22, 4));
+        header.bits = fields.get(28, 2);
+        header.compression = fields.get(30, 4);
+    } else {
+        throw Error(CLEFT_ERROR_FORMAT, "its header has " + std::to_string(header_bytes) + " bytes, which no BMP has");
+    }
+    return header;
+}
+
+void check(const Header& header)
+{
+    if (header.bits == 16 || header.bits == 24 || header.bits == 32)
+        throw Error(CLEFT_ERROR_FORMAT, "it has colours (" + std::to_string(header.bits) +
+                                            " bits a voxel); a palette of at most 8 bits is wanted");
+    if (header.bits != 1 && header.bits != 2 && header.bits != 4 && header.bits != 8)
+        throw Error(CLEFT_ERROR_FORMAT, "it has " + std::to_string(header.bits) + " bits a voxel, which no BMP has");
+    if (header.compression != 0)
+        throw Error(CLEFT_ERROR_FORMAT, "it is compressed (number " + std::to_string(header.compression) +
+                                            "): save it uncompressed, or as PNG");
+    if (header.width < 1 || header.height == 0)
+        throw Error(CLEFT_ERROR_FORMAT, "it has no voxels");
+}
+
+}  // namespace
+
+bool is_bmp(const FileHead& head) { return !head.gzip && head.begins_with("BM"); }
+
+Image read_bmp(const std::string& path, const FileHead& head)
+{
+    const Header header = parse(head);
+    check(header);
+    Image image;
+    image.dims = {header.width, std::abs(header.height), 1};
+    const auto row_bytes = static_cast<uint64_t>((header.width * header.bits + 31) / 32 * 4);
+    ByteSource source(path, Coding::plain);
+    source.skip(header.offset);
+    source.expect(row_bytes * static_cast<uint64_t>(image.dims[1]));
+    allocate_voxels(image);
+    std::vector<unsigned char> row(row_bytes);
+    for (int64_t r = 0; r < image.dims[1]; ++r) {
+        source.read(row.data(), row.size());
+        const int64_t place = header.height > 0 ? image.dims[1] - 1 - r : r;
+        std::byte* to = image.voxels.get() + place * image.dims[0];
+        if (header.bits < 8)
+            unpack_bits(row.data(), header.bits, image.dims[0], to);
+        else
+            std::memcpy(to, row.data(), static_cast<size_t>(image.dims[0]));
+    }
+    return image;
+}
+
+}  // namespace cleft::io

@@ -1,0 +1,287 @@
+// Reads NIfTI-1, NIfTI-2 and Analyze 7.5: one file, or a header and its voxels in two.
+#include "base/error.hpp"
+#include "io/byte_source.hpp"
+#include "io/image_readers.hpp"
+#include "io/nifti_geometry.hpp"
+#include "io/nifti_header.hpp"
+#include "io/nifti_scaling.hpp"
+#include "io/text_scanner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <vector>
+
+namespace cleft::io
+{
+
+namespace
+{
+
+// A file's own name and those of the two that belong together, "a.hdr" and "a.img", each of them perhaps compressed.
+struct Names {
+    std::string header;
+    std::string voxels;
+};
+
+bool ends_with(const std::string& text, const std::string& end)
+{
+    return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+bool is_gzip(const std::string& path)
+{
+    ByteSource source(path, Coding::plain);
+    unsigned char mark[2] = {};
+    return source.read_some(mark, 2) == 2 && mark[0] == 0x1f && mark[1] == 0x8b;
+}
+
+Coding coding_of(const std::string& path) { return is_gzip(path) ? Coding::deflated : Coding::plain; }
+
+std::string without_extension(const std::string& path)
+{
+    const std::string stem = ends_with(path, ".gz") ? path.substr(0, path.size() - 3) : path;
+    return stem.substr(0, stem.find_last_of('.'));
+}
+
+// The first that is there of STEM.extension, in small and capital letters and compressed.
+std::string partner(const std::string& path, const std::string& small, const std::string& capital)
+{
+    const std::string stem = without_extension(path);
+    for (const std::string& end : {small, small + ".gz", capital, capital + ".GZ"})
+        if (std::filesystem::exists(stem + end))
+            return stem + end;
+    throw Error(CLEFT_ERROR_FILE,
+                "there is no file '" + stem.substr(stem.find_last_of('/') + 1) + small + "' beside it");
+}
+
+bool is_voxels_of_pair(const std::string& extension) { return extension == ".img" || extension == ".img.gz"; }
+
+NiftiHeader read_header(const std::string& path)
+{
+    ByteSource source(path, coding_of(path));
+    std::vector<unsigned char> bytes(nifti2_header_bytes);
+    bytes.resize(source.read_some(bytes.data(), bytes.size()));
+    if (bytes.size() < nifti1_header_bytes)
+        throw Error(CLEFT_ERROR_FORMAT, "it has " + std::to_string(bytes.size()) + " bytes; a header of NIfTI has " +
+                                            std::to_string(nifti1_header_bytes));
+    if (!is_nifti_header(bytes.data(), bytes.size()))
+        throw Error(CLEFT_ERROR_FORMAT, "it has no header of NIfTI or Analyze, or it is damaged");
+    return parse_nifti_header(bytes.data(), bytes.size());
+}
+
+struct Type {
+    int code;
+    int bits;
+    Component component;
+};
+
+constexpr Type types[] = {
+    {2, 8, Component::uint8},      {4, 16, Component::int16},    {8, 32, Component::int32},
+    {16, 32, Component::float32},  {64, 64, Component::float64}, {256, 8, Component::int8},
+    {512, 16, Component::uint16},  {768, 32, Component::uint32}, {1024, 64, Component::int64},
+    {1280, 64, Component::uint64},
+};
+
+const char* refused_type(int code)
+{
+    switch (code) {
+        case 1:
+            return "single bits";
+        case 32:
+        case 1792:
+        case 2048:
+            return "complex numbers";
+        case 128:
+            return "colours (RGB)";
+        case 2304:
+            return "colours (RGBA)";
+        case 1536:
+            return "floating-point numbers of 128 bits";
+        default:
+            return "of no type of NIfTI";
+    }
+}
+
+Component component_of(const NiftiHeader& header)
+{
+    for (const Type& type : types) {
+        if (type.code != header.datatype)
+            continue;
+        if (type.bits != header.bitpix)
+            throw Error(CLEFT_ERROR_FORMAT, "its datatype, " + std::to_string(header.datatype) + ", has " +
+                                                std::to_string(type.bits) + " bits, but its bitpix is " +
+                                                std::to_string(header.bitpix));
+        return type.component;
+    }
+    throw Error(CLEFT_ERROR_FORMAT, "its voxels are " + std::string(refused_type(header.datatype)) + " (datatype " +
+                                        std::to_string(header.datatype) + ")");
+}
+
+// What is no volume of numbers, whatever its dimensions are.
+void check_intent(int intent)
+{
+    const auto refuse = [&](const char* what) {
+        throw Error(CLEFT_ERROR_FORMAT, "it holds " + std::string(what) + " (intent " + std::to_string(intent) +
+                                            "), not labels or a function");
+    };
+    if (intent >= 3000 && intent < 3100)
+        refuse("CIFTI data");
+    if (intent == 2001)
+        refuse("points in time");
+    if (intent == 2003 || intent == 2004)
+        refuse("colours");
+    if (intent == 1004 || intent == 1005)
+        refuse("matrices");
+    if (intent == 1006 || intent == 1007 || intent == 1010)
+        refuse("vectors");
+    if (intent == 1008 || intent == 1009 || intent == 2002 || intent == 2005)
+        refuse("a surface");
+}
+
+// Makes those that are not used 1.
+void check_dimensions(NiftiHeader& header)
+{
+    const int64_t axes = header.dim[0];
+    if (axes < 1 || axes > 7)
+        throw Error(CLEFT_ERROR_FORMAT, "its number of dimensions, dim[0], is " + std::to_string(axes));
+    for (size_t axis = 1; axis < 8; ++axis) {
+        if (static_cast<int64_t>(axis) > axes)
+            header.dim[axis] = 1;
+        if (header.dim[axis] < 1)
+            throw Error(CLEFT_ERROR_FORMAT, "dim[" + std::to_string(axis) + "] is " + std::to_string(header.dim[axis]) +
+                                                ": it has no voxels");
+    }
+    if (header.dim[5] > 1)
+        throw Error(CLEFT_ERROR_FORMAT, "it has " + std::to_string(header.dim[5]) +
+                                            " numbers a voxel (its fifth dimension); one is wanted");
+    if (header.dim[6] > 1 || header.dim[7] > 1)
+        throw Error(CLEFT_ERROR_FORMAT, "it has " + std::to_string(axes) + " dimensions; at most four are wanted");
+}
+
+uintmax_t voxel_offset(const NiftiHeader& header)
+{
+    const double least = header.single_file ? static_cast<double>(header.bytes() + nifti_extension_mark) : 0;
+    const double offset = header.vox_offset;
+    if (!(offset >= least) || offset != std::floor(offset) || offset > 0x1p53)
+        throw Error(CLEFT_ERROR_FORMAT, "its vox_offset is " + std::to_string(offset) + "; " +
+                                            std::to_string(static_cast<int>(least)) + " or more is wanted");
+    return static_cast<uintmax_t>(offset);
+}
+
+int32_t number_at(const unsigned char* at, bool swapped)
+{
+    unsigned char raw[4];
+    std::memcpy(raw, at, sizeof raw);
+    if (swapped)
+        std::reverse(raw, raw + 4);
+    int32_t value = 0;
+    std::memcpy(&value, raw, sizeof value);
+    return value;
+}
+
+// From behind the header to the voxels; extensions on the way are passed over by the sizes they tell.
+void skip_extensions(ByteSource& source, const NiftiHeader& header, uintmax_t offset)
+{
+    constexpr size_t size_and_code = 8;
+    unsigned char mark[nifti_extension_mark];
+    source.read(mark, sizeof mark);
+    uintmax_t left = offset - header.bytes() - sizeof mark;
+    while (mark[0] != 0 && left >= size_and_code) {
+        unsigned char head[size_and_code];
+        source.read(head, sizeof head);
+        left -= size_and_code;
+        const int64_t size = number_at(head, header.swapped);
+        if (size < static_cast<int64_t>(size_and_code))  // filled up with zeros
+            break;
+        if (static_cast<uintmax_t>(size) - size_and_code > left)
+            throw Error(CLEFT_ERROR_FORMAT,
+                        "an extension of its header, of " + std::to_string(size) + " bytes, runs into its voxels");
+        source.skip(static_cast<uintmax_t>(size) - size_and_code);
+        left -= static_cast<uintmax_t>(size) - size_and_code;
+    }
+    source.skip(left);
+}
+
+void swap_bytes(Image& image)
+{
+    const size_t size = size_of(image.component);
+    for (std::byte* at = image.voxels.get(); size > 1 && at < image.voxels.get() + image.bytes(); at += size)
+        std::reverse(at, at + size);
+}
+
+void read_voxels(const std::string& path, const NiftiHeader& header, Image& image)
+{
+    const uintmax_t offset = voxel_offset(header);
+    ByteSource source(path, coding_of(path));
+    if (header.single_file) {
+        source.skip(header.bytes());
+        skip_extensions(source, header, offset);
+    } else {
+        source.skip(offset);
+    }
+    uintmax_t bytes = size_of(image.component);
+    for (const int64_t count : {image.dims[0], image.dims[1], image.dims[2], image.fields})
+        if (__builtin_mul_overflow(bytes, static_cast<uintmax_t>(count), &bytes))
+            throw Error(CLEFT_ERROR_TOO_LARGE, "it has too many voxels");
+    source.expect(bytes);
+    allocate_voxels(image);
+    source.read(image.voxels.get(), image.bytes());
+    char more = 0;
+    if (source.read_some(&more, 1) != 0)
+        image.notes.emplace_back("there are more bytes behind its voxels, which are not read");
+    if (header.swapped)
+        swap_bytes(image);
+}
+
+// SPM keeps the place of Analyze's voxels in a file of Matlab's.
+void note_spm_file(const std::string& path, Image& image)
+{
+    const std::string name = without_extension(path) + ".mat";
+    if (std::filesystem::exists(name))
+        image.notes.push_back("the place of its voxels in '" + name.substr(name.find_last_of('/') + 1) +
+                              "' beside it is not read");
+}
+
+Names names_of(const std::string& path, const FileHead& head)
+{
+    if (is_voxels_of_pair(head.extension))
+        return {partner(path, ".hdr", ".HDR"), path};
+    return {path, path};
+}
+
+}  // namespace
+
+bool is_nifti(const FileHead& head)
+{
+    return head.extension == ".nii" || head.extension == ".nii.gz" || is_voxels_of_pair(head.extension) ||
+           is_nifti_header(head.content.data(), head.content.size());
+}
+
+Image read_nifti(const std::string& path, const FileHead& head)
+{
+    Names names = names_of(path, head);
+    NiftiHeader header = read_header(names.header);
+    if (header.single_file)
+        names.voxels = names.header;
+    else if (names.voxels == names.header)
+        names.voxels = partner(path, ".img", ".IMG");
+    check_intent(header.intent);
+    check_dimensions(header);
+    Image image;
+    image.dims = {header.dim[1], header.dim[2], header.dim[3]};
+    image.fields = header.dim[4];
+    image.component = component_of(header);
+    set_nifti_geometry(header, image);
+    if (header.kind == NiftiKind::analyze)
+        note_spm_file(path, image);
+    if (names.voxels == path)
+        read_voxels(path, header, image);
+    else
+        naming_file(names.voxels, [&] { read_voxels(names.voxels, header, image); });
+    scale_values(header.slope, header.intercept, image);
+    return image;
+}
+
+}  // namespace cleft::io

@@ -1,0 +1,165 @@
+// Walks the chain of directories of a TIFF file. libtiff follows what a file says: chains that run in a circle, tables
+// that lie behind its end, tens of thousands of unknown tags. What would keep it busy for ever is refused here.
+#include "io/tiff_directories.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <set>
+#include <unordered_set>
+
+namespace cleft::io
+{
+
+namespace
+{
+
+constexpr size_t most_pages = 65535;
+constexpr size_t most_tags = 1000;  // different ones in a file
+
+class Walker
+{
+public:
+    explicit Walker(const std::string& path) : file_(std::fopen(path.c_str(), "rb"), std::fclose)
+    {
+        if (!file_ || fseeko(file_.get(), 0, SEEK_END) != 0)
+            throw Error(CLEFT_ERROR_FILE, "it cannot be opened");
+        found_.file_bytes = static_cast<uint64_t>(ftello(file_.get()));
+    }
+
+    TiffDirectories walk()
+    {
+        std::unordered_set<uint64_t> seen;
+        for (uint64_t offset = first_directory(); offset != 0;) {
+            const std::string page = "page " + std::to_string(found_.list.size() + 1);
+            if (!seen.insert(offset).second)
+                throw Error(CLEFT_ERROR_FORMAT, "its pages run in a circle: the file is damaged");
+            if (found_.list.size() == most_pages)
+                throw Error(CLEFT_ERROR_UNSUPPORTED, "it has more than " + std::to_string(most_pages) + " pages");
+            offset = directory(offset, page);
+        }
+        if (found_.list.empty())
+            throw Error(CLEFT_ERROR_FORMAT, "it has no pages");
+        return std::move(found_);
+    }
+
+private:
+    uint64_t number(const unsigned char* bytes, size_t size) const
+    {
+        uint64_t value = 0;
+        for (size_t i = 0; i < size; ++i)
+            value = value << 8 | bytes[found_.big_endian ? i : size - 1 - i];
+        return value;
+    }
+
+    std::vector<unsigned char> read(uint64_t offset, uint64_t bytes, const std::string& what)
+    {
+        if (offset > found_.file_bytes || bytes > found_.file_bytes - offset)
+            throw Error(CLEFT_ERROR_FORMAT,
+                        what + " lies behind the end of the file: the file is cut short or damaged");
+        std::vector<unsigned char> data(bytes);
+        if (fseeko(file_.get(), static_cast<off_t>(offset), SEEK_SET) != 0 ||
+            std::fread(data.data(), 1, bytes, file_.get()) != bytes)
+            throw Error(CLEFT_ERROR_FILE, what + " cannot be read");
+        return data;
+    }
+
+    uint64_t first_directory()
+    {
+        const std::vector<unsigned char> head = read(0, 8, "its header");
+        found_.big_endian = head[0] == 'M';
+        big_ = number(&head[2], 2) == 43;
+        if (!big_)
+            return number(&head[4], 4);
+        if (number(&head[4], 2) != 8 || number(&head[6], 2) != 0)
+            throw Error(CLEFT_ERROR_FORMAT, "its BigTIFF header is damaged");
+        return number(read(8, 8, "its header").data(), 8);
+    }
+
+    // Returns where the next one begins.
+    uint64_t directory(uint64_t offset, const std::string& page)
+    {
+        const size_t count_bytes = big_ ? 8 : 2;
+        const size_t entry_bytes = big_ ? 20 : 12;
+        const uint64_t entries = number(read(offset, count_bytes, page).data(), count_bytes);
+        if (entries == 0 || entries > most_tags)
+            throw Error(CLEFT_ERROR_FORMAT, page + " has " + std::to_string(entries) + " tags: the file is damaged");
+        const uint64_t table_bytes = entries * entry_bytes;
+        const std::vector<unsigned char> table = read(offset + count_bytes, table_bytes + (big_ ? 8 : 4), page);
+        TiffDirectory made;
+        for (uint64_t e = 0; e < entries; ++e)
+            made.entries.push_back(entry(&table[e * entry_bytes], page));
+        found_.list.push_back(std::move(made));
+        return number(&table[table_bytes], big_ ? 8 : 4);
+    }
+
+    TiffEntry entry(const unsigned char* at, const std::string& page)
+    {
+        constexpr std::array<uint8_t, 19> sizes{0, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8, 4, 0, 0, 8, 8, 8};
+        const size_t inline_bytes = big_ ? 8 : 4;
+        const uint64_t type = number(at + 2, 2);
+        const uint64_t size = type < sizes.size() ? sizes[type] : 0;
+        TiffEntry made;
+        made.tag = static_cast<uint16_t>(number(at, 2));
+        made.count = number(at + 4, inline_bytes);
+        const unsigned char* place = at + 4 + inline_bytes;
+        const bool whole = type == 1 || type == 3 || type == 4 || type == 16;
+        made.value = number(place, made.count == 1 && whole && size <= inline_bytes ? size : inline_bytes);
+        if (size != 0 && made.count > inline_bytes / size)
+            check_data(made, size, page);
+        tags_.insert(made.tag);
+        if (tags_.size() > most_tags)
+            throw Error(CLEFT_ERROR_FORMAT,
+                        "it has more than " + std::to_string(most_tags) + " kinds of tags: the file is damaged");
+        return made;
+    }
+
+    // Data of tags may be shared by pages, but not so often that reading them takes for ever.
+    void check_data(const TiffEntry& entry, uint64_t size, const std::string& page)
+    {
+        constexpr uint64_t most_shares = 16;
+        constexpr uint64_t slack = uint64_t{1} << 20;
+        if (entry.value > found_.file_bytes || entry.count > (found_.file_bytes - entry.value) / size)
+            throw Error(CLEFT_ERROR_FORMAT, "tag " + std::to_string(entry.tag) + " of " + page +
+                                                " lies behind the end of the file: the file is cut short or damaged");
+        tag_bytes_ += entry.count * size;
+        if (tag_bytes_ > most_shares * found_.file_bytes + slack)
+            throw Error(CLEFT_ERROR_FORMAT, "the tags of its pages lie over each other: the file is damaged");
+    }
+
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+    TiffDirectories found_;
+    bool big_ = false;
+    std::set<uint16_t> tags_;
+    uint64_t tag_bytes_ = 0;
+};
+
+}  // namespace
+
+bool TiffDirectory::has(uint16_t tag) const { return count(tag) != 0; }
+
+uint64_t TiffDirectory::count(uint16_t tag) const
+{
+    const auto found =
+        std::find_if(entries.begin(), entries.end(), [&](const TiffEntry& entry) { return entry.tag == tag; });
+    return found == entries.end() ? 0 : found->count;
+}
+
+uint64_t TiffDirectory::value(uint16_t tag, uint64_t otherwise) const
+{
+    const auto found =
+        std::find_if(entries.begin(), entries.end(), [&](const TiffEntry& entry) { return entry.tag == tag; });
+    return found == entries.end() || found->count != 1 ? otherwise : found->value;
+}
+
+// Tag 254 has bits, its forerunner 255 has numbers.
+bool TiffDirectory::is_thumbnail() const { return (value(254, 0) & 1) != 0 || value(255, 1) == 2; }
+
+bool TiffDirectory::is_mask() const { return (value(254, 0) & 4) != 0; }
+
+TiffDirectories tiff_directories(const std::string& path) { return Walker(path).walk(); }
+
+}  // namespace cleft::io
