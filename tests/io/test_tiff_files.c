@@ -160,7 +160,7 @@ static void check_stack(fixture* f, const kind* k)
             for (int x = 0; x < WIDTH; ++x) {
                 const double centre[3] = {x, y, z};
                 int32_t label = 0;
-                cleft_volume_sample(volume, centre, 1, &label);
+                assert_int_equal(cleft_volume_sample(volume, centre, 1, &label), CLEFT_OK);
                 if (label != value_of(k, x, y, z))
                     fail_msg("%d bits, format %d, compression %d, predictor %d, mode %s: %d at (%d, %d, %d)", k->bits,
                              k->format, k->compression, k->predictor, k->mode, (int)label, x, y, z);
@@ -494,10 +494,10 @@ static void test_hostile(void** state)
             refuse(f, CLEFT_ERROR_FORMAT, "behind the end");
         } else { /* a wrong count of bytes, where all voxels are there, is told */
             int told = 0;
-            cleft_context_set_log(f->context, count_libtiff, &told);
+            assert_int_equal(cleft_context_set_log(f->context, count_libtiff, &told), CLEFT_OK);
             assert_int_equal(read_stack(f, &volume), CLEFT_OK);
             assert_int_equal(told, 1);
-            cleft_context_set_log(f->context, NULL, NULL);
+            assert_int_equal(cleft_context_set_log(f->context, NULL, NULL), CLEFT_OK);
             cleft_volume_destroy(volume);
         }
     }
