@@ -1,0 +1,33 @@
+// A random small volume with random options: the same for the same seed on every machine.
+#pragma once
+
+#include "cleft/cleft.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace storm
+{
+
+struct Case {
+    std::array<int64_t, 3> dims{};
+    std::array<double, 12> affine{};
+    // A label map, or indicator functions if there are any.
+    cleft_type type = CLEFT_TYPE_INT32;
+    std::vector<int32_t> labels;
+    std::vector<std::vector<float>> functions;
+    // Options by name.
+    std::vector<std::pair<std::string, std::string>> options;
+    std::vector<std::pair<int32_t, double>> label_sizes;
+    std::vector<int32_t> strip;
+    std::string text;  // what it is, in a line
+
+    int64_t voxel_count() const { return dims[0] * dims[1] * dims[2]; }
+};
+
+Case random_case(uint64_t seed);
+
+}  // namespace storm
