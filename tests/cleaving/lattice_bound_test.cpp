@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <stdexcept>
 #include <vector>
 
 using cleft_test::Random;
@@ -87,6 +88,12 @@ LevelSet random_level_set(Random& random, int kind)
 }
 
 // Two indicators, f and -f.
+void must(cleft_status status)
+{
+    if (status != CLEFT_OK)
+        throw std::runtime_error(cleft_status_string(status));
+}
+
 cleft_volume* volume_of(cleft_context* context, const LevelSet& f)
 {
     std::vector<float> inside, outside;
@@ -99,7 +106,7 @@ cleft_volume* volume_of(cleft_context* context, const LevelSet& f)
     const void* fields[2] = {outside.data(), inside.data()};
     const int64_t dims[3] = {kVoxels, kVoxels, kVoxels};
     cleft_volume* volume = nullptr;
-    cleft_volume_create_indicators(context, CLEFT_TYPE_FLOAT32, fields, 2, dims, nullptr, nullptr, &volume);
+    must(cleft_volume_create_indicators(context, CLEFT_TYPE_FLOAT32, fields, 2, dims, nullptr, nullptr, &volume));
     return volume;
 }
 
@@ -148,12 +155,12 @@ bool add_angles(const LevelSet& level_set, double size, int snap, Angles& angles
     cleft_context* context = nullptr;
     cleft_options* options = nullptr;
     cleft_mesh* mesh = nullptr;
-    cleft_context_create(&context);
-    cleft_options_create(&options);
-    cleft_options_set_integer(options, CLEFT_OPTION_BACKGROUND, CLEFT_BACKGROUND_LATTICE);
-    cleft_options_set_integer(options, CLEFT_OPTION_SNAP, snap);
-    cleft_options_set_integer(options, CLEFT_OPTION_IMPROVE, CLEFT_IMPROVE_OFF);
-    cleft_options_set_real(options, CLEFT_OPTION_SIZE, size);
+    must(cleft_context_create(&context));
+    must(cleft_options_create(&options));
+    must(cleft_options_set_integer(options, CLEFT_OPTION_BACKGROUND, CLEFT_BACKGROUND_LATTICE));
+    must(cleft_options_set_integer(options, CLEFT_OPTION_SNAP, snap));
+    must(cleft_options_set_integer(options, CLEFT_OPTION_IMPROVE, CLEFT_IMPROVE_OFF));
+    must(cleft_options_set_real(options, CLEFT_OPTION_SIZE, size));
     cleft_volume* volume = volume_of(context, level_set);
     const bool ok = cleft_mesh_volume(context, volume, nullptr, nullptr, options, &mesh) == CLEFT_OK;
     if (ok)
