@@ -51,20 +51,6 @@ void unify(std::vector<Source>& sources)
             widen(source.image);
 }
 
-template <class T>
-int64_t count_ties(const std::vector<const void*>& fields, int64_t voxels)
-{
-    int64_t ties = 0;
-    for (int64_t v = 0; v < voxels; ++v) {
-        const T first = static_cast<const T*>(fields.front())[v];
-        ties += std::all_of(fields.begin(), fields.end(),
-                            [&](const void* field) { return static_cast<const T*>(field)[v] == first; })
-                    ? 1
-                    : 0;
-    }
-    return ties;
-}
-
 void create_functions(cleft_context* context, std::vector<Source>& sources, const Affine& affine, cleft_volume** out)
 {
     unify(sources);
@@ -75,13 +61,6 @@ void create_functions(cleft_context* context, std::vector<Source>& sources, cons
                              static_cast<size_t>(f * source.image.field_size()) * size_of(source.image.component));
     const Image& first = sources.front().image;
     const std::string who = "'" + sources.front().path + (sources.size() > 1 ? "' and others: " : "': ");
-    const int64_t ties = fields.size() == 1                      ? 0
-                         : first.component == Component::float64 ? count_ties<double>(fields, first.field_size())
-                                                                 : count_ties<float>(fields, first.field_size());
-    if (ties > 0)
-        tell(context, who + voxels_text(ties) + (ties == 1 ? " has" : " have") +
-                          " the same value in all functions, and the first takes them: give the background a function "
-                          "of its own");
     check(context,
           cleft_volume_create_indicators(context, type_of(first.component), fields.data(),
                                          static_cast<int64_t>(fields.size()), first.dims.data(), affine.data(), nullptr,

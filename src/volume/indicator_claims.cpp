@@ -103,7 +103,9 @@ void check_ties(const Fields& fields, const Grid& grid, const Run& run)
         return;
     const int64_t all = std::count(tied.begin(), tied.end(), 1);
     run.say(CLEFT_LOG_WARNING, "several indicator functions are the greatest at " + std::to_string(all) + " of " +
-                                   std::to_string(grid.size()) + " voxels: the first of them holds there");
+                                   std::to_string(grid.size()) +
+                                   " voxels, where the first of them holds: give the background a function of "
+                                   "its own");
 }
 
 }  // namespace

@@ -185,7 +185,7 @@ class Functions(MeaningTest):
         ties = sum(a == b for a, b in zip(soft, other))
         files = self.write("a.nrrd", soft), self.write("b.nrrd", other)
         _, warnings = self.info(*files)
-        self.assert_told(warnings, "%s voxels" % format(ties, ","), "background", "a.nrrd")
+        self.assert_told(warnings, "%d of %d voxels" % (ties, N ** 3), "background")
         background = self.write("c.nrrd", [0.01] * N ** 3)
         labels, warnings = self.info(*files, background)
         self.assertEqual(set(labels), {0, 1, 2})

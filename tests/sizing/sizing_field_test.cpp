@@ -165,7 +165,7 @@ void a_users_field_is_combined_by_minimum(void**)
         } catch (const Error& error) {
             sentence = error.what();
         }
-        assert_true(sentence.find(" 77 ") != std::string::npos);
+        assert_true(sentence.find("38th along x, the 2nd along y and the 1st along z") != std::string::npos);
     }
 }
 
@@ -283,7 +283,7 @@ void values_are_taken_as_they_are(void**)
     } catch (const Error& error) {
         sentence = error.what();
     }
-    assert_true(sentence.find(" 3 ") != std::string::npos);
+    assert_true(sentence.find("2nd along x, the 2nd along y and the 1st along z") != std::string::npos);
 }
 
 void does_not_depend_on_threads(void**)

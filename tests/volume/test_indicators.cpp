@@ -259,7 +259,7 @@ static void bad_values_are_refused_by_place(void**)
         fields.values[2][15000] = bad;
         const Refusal r = refusal_of(fields);
         assert_int_equal(r.status, CLEFT_ERROR_NOT_FINITE);
-        assert_true(r.names("function 2") && r.names("1234"));
+        assert_true(r.names("3rd indicator function") && r.names("19th along x, the 15th along y and the 2nd along z"));
     }
 }
 
