@@ -92,7 +92,7 @@ void halves_of_a_ball_keep_their_volumes(void**)
     const std::vector<double> before = material_volumes(mesh, 3);
     fit_volumes(mesh, volume, 20, Run());
     const std::vector<double> after = material_volumes(mesh, 3);
-    for (const size_t half : {1, 2}) {
+    for (const size_t half : {size_t{1}, size_t{2}}) {
         assert_true(before[half] < 0.98 * exact);
         assert_true(std::abs(after[half] - exact) < 0.4 * std::abs(before[half] - exact));
     }
