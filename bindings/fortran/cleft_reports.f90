@@ -18,6 +18,8 @@ module cleft_reports
     procedure :: count => row_count
     procedure :: label
     procedure :: joined
+    procedure :: contact_count
+    procedure :: contact
     procedure :: adopt
   end type
 
@@ -63,6 +65,25 @@ contains
     integer, intent(in) :: index
     integer :: count
     count = int(cleft_report_joined(self%c_handle(), int(index - 1, c_int64_t)))
+  end function
+
+  ! Number of pairs of labels that share triangles, but of which no two voxels share a face, an edge or a corner.
+  function contact_count(self) result(count)
+    class(cleft_report), intent(in) :: self
+    integer :: count
+    count = int(cleft_report_contact_count(self%c_handle()))
+  end function
+
+  ! Pair `index`, counted from 1: the labels pair%first and pair%second share pair%triangles triangles.
+  function contact(self, index, stat, errmsg) result(pair)
+    class(cleft_report), intent(in) :: self
+    integer, intent(in) :: index
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    type(cleft_contact) :: pair
+    pair%struct_size = int(c_sizeof(pair), c_int32_t)
+    call conclude(cleft_report_contact(self%c_handle(), int(index - 1, c_int64_t), pair), &
+      'the report is not there, or has no such contact', stat, errmsg)
   end function
 
   ! Takes over a handle that cleft_c gave.

@@ -35,6 +35,7 @@ program test_meshing
   call surface_belongs_to_mesh()
   call report_agrees()
   call indicators_are_taken()
+  call contacts_are_told()
   call labels_have_names()
   call figures_are_noted()
   call finish()
@@ -161,6 +162,41 @@ contains
     call check(report%count() == 3, 'the report has a row for each label')
     row = report%label(2)
     call check(row%label == 5 .and. row%tets == count(mesh%tet_labels() == 5), 'its rows are counted from 1')
+  end subroutine
+
+  ! A ball in a socket, the gap between them narrower than the tetrahedra.
+  subroutine contacts_are_told()
+    type(cleft_options) :: coarse
+    type(cleft_volume) :: joint
+    type(cleft_mesh) :: made
+    type(cleft_report) :: report
+    type(cleft_contact) :: pair
+    integer(c_int32_t) :: voxels(24, 24, 24)
+    real(c_double) :: r
+    integer :: i, j, k, stat
+
+    voxels = 0
+    do k = 1, 24
+      do j = 1, 24
+        do i = 1, 24
+          r = norm2([i - 12.5d0, j - 12.5d0, k - 12.5d0])
+          if (r < 6) voxels(i, j, k) = 7
+          if (r > 7.6d0 .and. r < 10.5d0 .and. k < 15) voxels(i, j, k) = -1
+        end do
+      end do
+    end do
+    call joint%create(context, voxels)
+    call coarse%set('size', 3.5)
+    call coarse%set('background', 'lattice')
+    call made%create(context, joint, coarse)
+    call report%create(context, joint, made)
+    call check(report%contact_count() == 1, 'the ball touches its socket')
+    pair = report%contact(1)
+    call check(pair%first == -1 .and. pair%second == 7 .and. pair%triangles > 0, 'both are named')
+    pair = report%contact(2, stat)
+    call check(stat == CLEFT_ERROR_ARGUMENT, 'there is no second contact')
+    call report%create(context, volume, mesh)
+    call check(report%contact_count() == 0, 'a fine mesh has none')
   end subroutine
 
   subroutine labels_have_names()

@@ -161,6 +161,13 @@ class Arrays(unittest.TestCase):
         with self.assertRaisesRegex(cleft.NotFinite, "2nd indicator function .* 3rd along x, the 4th along y and the 11th"):
             cleft.Volume.from_indicators([distance, bad])
 
+    def test_masks_that_leave_voxels_to_nobody(self):
+        masks = [self.labels == 1, self.labels == 7]
+        nobody = int((self.labels == 0).sum())
+        for of_type in (bool, np.uint8, float):
+            with self.assertRaisesRegex(ValueError, f"^{nobody} of {self.labels.size} voxels.*label map"):
+                cleft.Volume.from_indicators([mask.astype(of_type) for mask in masks])
+
     def test_functions_come_as_a_list(self):
         masks = np.stack([self.labels == label for label in (0, 1, 7)])
         volume = cleft.Volume.from_indicators(list(masks), [0, 1, 7])

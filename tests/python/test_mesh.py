@@ -61,6 +61,19 @@ class Meshes(unittest.TestCase):
         self.assertAlmostEqual(sum(row.mesh_volume for row in rows), 12 * 13 * 14)
         self.assertFalse(any(row.lost for row in rows))
 
+    def test_contacts(self):
+        i, j, k = np.ogrid[:24, :24, :24]
+        radius = np.sqrt((i - 11.5)**2 + (j - 11.5)**2 + (k - 11.5)**2)
+        labels = np.where(radius < 6, 7, 0)
+        labels[(radius > 7.6) & (radius < 10.5) & (k < 14)] = -1  # a socket, which the ball does not touch
+        volume = cleft.Volume(labels)
+        coarse, fine = (cleft.mesh(volume, background="lattice", size=size) for size in (3.5, 0.8))
+        contact, = coarse.report(volume).contacts
+        both = coarse.surface().interface_labels
+        self.assertEqual((contact.first, contact.second), (-1, 7))
+        self.assertEqual(contact.triangles, (both == (-1, 7)).all(1).sum())
+        self.assertEqual(fine.report(volume).contacts, [])
+
     def test_names_of_labels(self):
         volume = ball_volume()
         self.assertEqual(volume.label_names, {})

@@ -125,6 +125,10 @@ class Mesh(Named):
             raise_for(native.cleft_report_label(handle, index, struct), "no such row")
             joined = native.cleft_report_joined(handle, index)
             report.append(from_struct(LabelReport, struct, large_components_joined=joined))
+        for index in range(native.cleft_report_contact_count(handle)):
+            struct = native.NativeContact()
+            raise_for(native.cleft_report_contact(handle, index, struct), "no such contact")
+            report.contacts.append(from_struct(Contact, struct))
         return report
 
     def write(self, path: str | os.PathLike[str], format: str | None = None, *, mesher: Mesher | None = None) -> None:
