@@ -58,6 +58,20 @@ sealed class CallbacksTest
         Checks.Thrown<OwnException>(() => mesher.Mesh(volume, tooFew));
     }
 
+    /// <summary>Smoothing is of the volume: given to a later call alone, it changes nothing, and that is told.</summary>
+    void TestSmoothWithoutEffect()
+    {
+        var warnings = new List<string>();
+        mesher.Log = (level, sentence) => {
+            if (level == LogLevel.Warning)
+                warnings.Add(sentence);
+        };
+        Options options = Checks.Quick();
+        options.Smooth = 3;
+        mesher.Mesh(Checks.BallVolume(mesher), options);
+        Checks.Check(warnings.Count == 1 && warnings[0].StartsWith("Smooth is 3"), string.Join("; ", warnings));
+    }
+
     static string StandardErrorOf(Action body)
     {
         TextWriter old = Console.Error;

@@ -239,4 +239,24 @@ sealed class MeshingTest
             }
         }
     }
+
+    void TestContacts()
+    {
+        mesher.Log = null;
+        foreach (int[] names in new[] { new[] { 1, 0, 2 }, new[] { -2, 5, int.MaxValue }, new[] { int.MinValue, 0, 9 } }) {
+            int[] labels = Enumerable.Range(0, 20 * 20 * 20)
+                .Select(v => v % 20 < 10 ? names[0] : v % 20 == 10 ? names[1] : names[2]).ToArray();
+            Volume volume = mesher.Labels(labels, new Grid(20, 20, 20));
+            Mesh coarse = mesher.Mesh(volume, new Options { Background = Background.Lattice, Size = 6 });
+            int[] pairs = mesher.Surface(coarse).InterfaceLabels.ToArray();
+            long triangles = Enumerable.Range(0, pairs.Length / 2)
+                .LongCount(i => pairs[2 * i] == names[0] && pairs[2 * i + 1] == names[2]);
+            Report report = mesher.Report(volume, coarse);
+            Checks.Check(triangles > 0 && report.Contacts.Count == 1 && report.Count == 3, report.ToString());
+            Contact contact = report.Contacts[0];
+            Checks.Check(contact.First == names[0] && contact.Second == names[2] && contact.Triangles == triangles, contact.ToString());
+            Mesh fine = mesher.Mesh(volume, new Options { Background = Background.Lattice, Size = 1 });
+            Checks.Equal(0, mesher.Report(volume, fine).Contacts.Count);
+        }
+    }
 }

@@ -66,6 +66,18 @@ final class CallbacksTest {
         mesher.log(null).mesh(volume, tooFew);
     }
 
+    /** Smoothing is of the volume: given to a later call alone, it changes nothing, and that is told. */
+    void testSmoothWithoutEffect() {
+        List<String> warnings = new ArrayList<>();
+        mesher.log((level, sentence) -> {
+            if (level == Log.Level.WARNING)
+                warnings.add(sentence);
+        });
+        Volume volume = Checks.ballVolume(mesher);
+        mesher.mesh(volume, Checks.quick().smooth(3));
+        Checks.check(warnings.size() == 1 && warnings.get(0).startsWith("smooth is 3"), warnings.toString());
+    }
+
     private static String standardErrorOf(Runnable body) {
         var old = System.err;
         var bytes = new java.io.ByteArrayOutputStream();

@@ -241,4 +241,29 @@ final class MeshingTest {
             }
         }
     }
+
+    /** Two labels with a gap of one voxel of a third between them. */
+    private static int[] gapped(int first, int gap, int second) {
+        int[] labels = new int[20 * 20 * 20];
+        for (int v = 0; v < labels.length; ++v)
+            labels[v] = v % 20 < 10 ? first : v % 20 == 10 ? gap : second;
+        return labels;
+    }
+
+    void testContacts() {
+        for (int[] names : new int[][] {{1, 0, 2}, {-2, 5, Integer.MAX_VALUE}, {Integer.MIN_VALUE, 0, 9}}) {
+            Volume volume = mesher.log(null).labels(gapped(names[0], names[1], names[2]), new Grid(20, 20, 20), null);
+            Mesh coarse = mesher.mesh(volume, new Options().background(Background.LATTICE).size(6));
+            int[] pairs = mesher.surface(coarse).interfaceLabels();
+            long triangles = 0;
+            for (int i = 0; i < pairs.length; i += 2)
+                triangles += pairs[i] == names[0] && pairs[i + 1] == names[2] ? 1 : 0;
+            Checks.check(triangles > 0, "the gap is still there");
+            Report report = mesher.report(volume, coarse);
+            Checks.equal(List.of(new Contact(names[0], names[2], triangles)), report.contacts());
+            Checks.equal(3, report.size());
+            Mesh fine = mesher.mesh(volume, new Options().background(Background.LATTICE).size(1));
+            Checks.equal(List.of(), mesher.report(volume, fine).contacts());
+        }
+    }
 }

@@ -318,21 +318,17 @@ namespace Cleft
                 CleftNative.cleft_surface_create(context, of, out made)));
         }
 
-        /// <summary>What became of each label, for a mesh that was not stripped; in the order of Volume.Labels.</summary>
-        public IReadOnlyList<LabelReport> Report(Volume volume, Mesh mesh)
+        /// <summary>
+        /// What became of each label, for a mesh that was not stripped, in the order of Volume.Labels; and which labels touch in the
+        /// mesh alone.
+        /// </summary>
+        public Report Report(Volume volume, Mesh mesh)
         {
             NativeHandle before = Required(volume, nameof(volume)), after = Required(mesh, nameof(mesh));
             IntPtr address = Make((NativeHandle context, out IntPtr made) =>
                 CleftNative.cleft_report_create(context, before, after, out made));
-            using (var report = new NativeHandle(address, CleftNative.cleft_report_destroy)) {
-                var rows = new List<LabelReport>();
-                for (long index = 0; index < CleftNative.cleft_report_count(report); ++index)
-                    using (var row = new NativeLabelReport()) {
-                        CleftException.Check(CleftNative.cleft_report_label(report, index, row));
-                        rows.Add(new LabelReport(row, CleftNative.cleft_report_joined(report, index)));
-                    }
-                return rows;
-            }
+            using (var report = new NativeHandle(address, CleftNative.cleft_report_destroy))
+                return new Report(report);
         }
 
         // ------------------------------------------------------------------------------------------------ calls

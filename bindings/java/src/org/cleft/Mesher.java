@@ -2,9 +2,7 @@ package org.cleft;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 
@@ -455,27 +453,20 @@ public final class Mesher extends NativeObject {
     }
 
     /**
-     * What became of each label.
+     * What became of each label, and which labels touch in the mesh alone.
      *
      * @param volume the volume
      * @param mesh its mesh, not stripped
-     * @return a row a label, in the order of {@link Volume#labels}
+     * @return a list with a row a label, in the order of {@link Volume#labels}
      */
-    public List<LabelReport> report(Volume volume, Mesh mesh) {
+    public Report report(Volume volume, Mesh mesh) {
         Objects.requireNonNull(volume, "volume");
         Objects.requireNonNull(mesh, "mesh");
         long report = make((context, arguments, out) ->
                 CleftNative.cleft_report_create(context, arguments[0], arguments[1], out), volume, mesh);
-        NativeLabelReport row = new NativeLabelReport();
         try {
-            List<LabelReport> rows = new ArrayList<>();
-            for (long index = 0; index < CleftNative.cleft_report_count(report); ++index) {
-                CleftException.check(CleftNative.cleft_report_label(report, index, row));
-                rows.add(LabelReport.of(row, CleftNative.cleft_report_joined(report, index)));
-            }
-            return List.copyOf(rows);
+            return new Report(report);
         } finally {
-            row.delete();
             CleftNative.cleft_report_destroy(report);
         }
     }

@@ -1,0 +1,72 @@
+using System;
+using System.Collections;
+using System.Collections.Generic;
+
+namespace Cleft
+{
+    /// <summary>What became of each label, in the order of Volume.Labels; and the labels that came to touch.</summary>
+    public sealed class Report : IReadOnlyList<LabelReport>
+    {
+        private readonly List<LabelReport> rows = new List<LabelReport>();
+
+        internal Report(NativeHandle report)
+        {
+            for (long index = 0; index < CleftNative.cleft_report_count(report); ++index)
+                using (var row = new NativeLabelReport()) {
+                    CleftException.Check(CleftNative.cleft_report_label(report, index, row));
+                    rows.Add(new LabelReport(row, CleftNative.cleft_report_joined(report, index)));
+                }
+            var contacts = new List<Contact>();
+            for (long index = 0; index < CleftNative.cleft_report_contact_count(report); ++index)
+                using (var row = new NativeContact()) {
+                    CleftException.Check(CleftNative.cleft_report_contact(report, index, row));
+                    contacts.Add(new Contact(row));
+                }
+            Contacts = contacts;
+        }
+
+        /// <summary>Pairs of labels that touch in the mesh, but not in the volume, ascending; empty if all is well.</summary>
+        public IReadOnlyList<Contact> Contacts { get; }
+
+        /// <summary>Row <paramref name="index"/>.</summary>
+        public LabelReport this[int index] => rows[index];
+
+        /// <summary>How many labels there are.</summary>
+        public int Count => rows.Count;
+
+        /// <inheritdoc/>
+        public IEnumerator<LabelReport> GetEnumerator() { return rows.GetEnumerator(); }
+
+        IEnumerator IEnumerable.GetEnumerator() { return GetEnumerator(); }
+
+        /// <summary>What this is, in a few words.</summary>
+        public override string ToString() { return "Report of " + Count + " labels, " + Contacts.Count + " contacts"; }
+    }
+
+    /// <summary>
+    /// Two labels that share triangles in the mesh, but of which no two voxels share a face or an edge. The gap between them is
+    /// narrower than the tetrahedra there, and a smaller size opens it.
+    /// </summary>
+    public sealed class Contact
+    {
+        internal Contact(NativeContact row)
+        {
+            First = row.first;
+            Second = row.second;
+            Triangles = row.triangles;
+        }
+
+        /// <summary>The lower of the two labels.</summary>
+        public int First { get; }
+        /// <summary>The other.</summary>
+        public int Second { get; }
+        /// <summary>How many triangles they share.</summary>
+        public long Triangles { get; }
+
+        /// <summary>What this is, in a few words.</summary>
+        public override string ToString()
+        {
+            return FormattableString.Invariant($"Contact of {First} and {Second}: {Triangles} triangles");
+        }
+    }
+}
