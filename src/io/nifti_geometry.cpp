@@ -3,6 +3,7 @@
 #include "io/nifti_geometry.hpp"
 
 #include "base/error.hpp"
+#include "base/ordinal.hpp"
 #include "io/voxels.hpp"
 
 #include <algorithm>
@@ -189,8 +190,9 @@ void compare_sizes(const NiftiHeader& header, Notes& notes)
         const auto voxels = static_cast<double>(header.dim[axis + 1]);
         if (size == 0 || voxels == 1 || std::abs(size - step) * voxels <= 0.5 * step)
             continue;
-        notes.push_back("its voxels are " + number_text(step) + " wide along axis " + std::to_string(axis) +
-                        " by its sform, which is used, but " + number_text(size) + " by its pixdim");
+        notes.push_back("its voxels are " + number_text(step) + " wide along the " +
+                        ordinal(static_cast<int64_t>(axis)) + " axis by its sform, which is used, but " +
+                        number_text(size) + " by its pixdim");
         return;
     }
 }

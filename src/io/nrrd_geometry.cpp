@@ -2,6 +2,7 @@
 #include "io/nrrd_geometry.hpp"
 
 #include "base/error.hpp"
+#include "base/ordinal.hpp"
 #include "io/header_values.hpp"
 
 #include <algorithm>
@@ -118,13 +119,14 @@ void set_axis(const NrrdHeader& header, size_t axis, size_t a, Image& image)
     if (!std::isnan(low) && !std::isnan(high) && steps > 0) {
         const double derived = (high - low) / steps;
         if (!std::isnan(spacing) && std::abs(spacing - derived) > voxel_tolerance * std::abs(spacing))
-            throw Error(CLEFT_ERROR_FORMAT, "its spacing along axis " + std::to_string(axis) + " is " +
-                                                std::to_string(spacing) + ", but its minimum and maximum tell of " +
-                                                std::to_string(derived));
+            throw Error(CLEFT_ERROR_FORMAT, "its spacing along the " + ordinal(static_cast<int64_t>(axis)) +
+                                                " axis is " + std::to_string(spacing) +
+                                                ", but its minimum and maximum tell of " + std::to_string(derived));
         spacing = derived;
     }
     if (std::isnan(spacing) && (!header.spacings.empty() || !std::isnan(low)))
-        image.notes.emplace_back("it gives no spacing along axis " + std::to_string(axis) + ", which is taken for 1");
+        image.notes.emplace_back("it gives no spacing along the " + ordinal(static_cast<int64_t>(axis)) +
+                                 " axis, which is taken for 1");
     Vector3 step{0, 0, 0};
     step[a] = std::isnan(spacing) ? 1 : spacing;
     set_step(a, step, image);

@@ -1,4 +1,5 @@
 // MRC, of electron microscopy: 1024 bytes of header in either order of bytes, an extension, then the voxels.
+#include "base/ordinal.hpp"
 #include "io/binary_header.hpp"
 #include "io/header_values.hpp"
 #include "io/image_readers.hpp"
@@ -65,15 +66,15 @@ void set_place(const BinaryHeader& header, Image& image)
         const auto extent = static_cast<double>(header.at<float>(40 + 4 * axis));
         image.spacing[axis] = steps > 0 && extent != 0 ? extent / steps : 1;
         if (steps <= 0 || extent == 0)
-            image.notes.push_back("it gives no size of voxels along axis " + std::to_string(axis) +
-                                  ", which is taken for 1");
+            image.notes.push_back("it gives no size of voxels along the " + ordinal(static_cast<int64_t>(axis)) +
+                                  " axis, which is taken for 1");
         if (image.spacing[axis] < 0)
             refuse_field("CELLA", std::to_string(extent), "it must be positive");
         image.origin[axis] = static_cast<double>(header.at<float>(196 + 4 * axis));
         if (header.at<int32_t>(16 + 4 * axis) != 0 && image.origin[axis] == 0)
             image.notes.push_back("its first voxel has the number " +
-                                  std::to_string(header.at<int32_t>(16 + 4 * axis)) + " along axis " +
-                                  std::to_string(axis) + ", which is not used");
+                                  std::to_string(header.at<int32_t>(16 + 4 * axis)) + " along the " +
+                                  ordinal(static_cast<int64_t>(axis)) + " axis, which is not used");
     }
 }
 

@@ -1,6 +1,7 @@
 #include "io/voxels.hpp"
 
 #include "base/error.hpp"
+#include "base/ordinal.hpp"
 #include "io/voxel_access.hpp"
 
 #include <algorithm>
@@ -65,7 +66,7 @@ double spacing_along(size_t axis, const Image& image, const cleft_io_reading& re
         throw Error(CLEFT_ERROR_ARGUMENT, "the spacing that replaces the file's must be positive");
     const double spacing = wanted > 0 ? wanted : reading.scale * image.spacing[axis];
     if (spacing == 0 || !std::isfinite(spacing))
-        throw Error(CLEFT_ERROR_FORMAT, "its spacing along axis " + std::to_string(axis) + " is " +
+        throw Error(CLEFT_ERROR_FORMAT, "its spacing along the " + ordinal(static_cast<int64_t>(axis)) + " axis is " +
                                             std::to_string(spacing) + ": give the spacing yourself");
     return spacing;
 }

@@ -70,6 +70,17 @@ sealed class FailuresTest
             Checks.Thrown<ArgumentException>(body);
     }
 
+    void TestAnAffineStandsAlone()
+    {
+        double[] affine = { 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0 };
+        Grid grid = new Grid(2, 2, 2);
+        foreach (Action body in new Action[] {
+            () => grid.WithSpacing(1, 1, 1).WithAffine(affine), () => grid.WithOrigin(0, 0, 0).WithAffine(affine),
+            () => grid.WithAffine(affine).WithSpacing(1, 1, 1), () => grid.WithAffine(affine).WithOrigin(0, 0, 0)
+        })
+            Checks.Thrown<InvalidOperationException>(body);
+    }
+
     void TestWrongNumbers()
     {
         Volume volume = Checks.BallVolume(mesher);

@@ -95,7 +95,7 @@ def test_forms():
     reads_quietly(name)
     patch(name, 252, '<2h', 0, 1)
     patch(name, 80, '<3f', 1, 3, 4)
-    warned('its voxels are 2 wide along axis 0 by its sform, which is used, but 1 by its pixdim', name)
+    warned('its voxels are 2 wide along the 1st axis by its sform, which is used, but 1 by its pixdim', name)
 
 
 def test_numbers_of_forms():
@@ -117,7 +117,7 @@ def test_numbers_of_forms():
     check(labels(), ROTATED[:3], name, world=RAS)
     warned('without their signs', name)
     name = patch(only_q(), 88, '<f', 0)
-    refused(FORMAT, 'spacing along axis 2 is 0', name)
+    refused(FORMAT, 'spacing along the 3rd axis is 0', name)
     check(labels(), ROTATED[:3], name, world=RAS, spacing=(0, 0, 3))
     refused(FORMAT, 'negative', patch(only_q(), 254, '<h', -1))
     flat = ROTATED.copy()

@@ -56,7 +56,7 @@ def test_nrrd_axes():
     ends = 'axis mins: 10 20 30\naxis maxs: 16 24 34\n'  # from centre to centre
     check(VOXELS, affine([2, 2, 1], [10, 20, 30]), nrrd('a.nrrd', ends + 'centerings: node node node\n'))
     warned('taken for sides', nrrd('a.nrrd', 'axis mins: 0 0 0\naxis maxs: 4 3 5\n'))
-    refused(FORMAT, 'along axis 0 is', nrrd('a.nrrd', 'spacings: 1 1 1\naxis mins: 0 0 0\naxis maxs: 9 3 5\n'))
+    refused(FORMAT, 'along the 1st axis is', nrrd('a.nrrd', 'spacings: 1 1 1\naxis mins: 0 0 0\naxis maxs: 9 3 5\n'))
     refused(FORMAT, 'both a spacing and a direction', nrrd(
         'a.nrrd', 'spacings: 1 1 1\nspace: LPS\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n'))
     plane = VOXELS[:, :, :1]

@@ -75,6 +75,16 @@ final class FailuresTest {
             Checks.thrown(IllegalArgumentException.class, body);
     }
 
+    void testAnAffineStandsAlone() {
+        double[] affine = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0};
+        Grid grid = new Grid(2, 2, 2);
+        for (Checks.Body body : new Checks.Body[] {
+            () -> grid.spacing(1, 1, 1).affine(affine), () -> grid.origin(0, 0, 0).affine(affine),
+            () -> grid.affine(affine).spacing(1, 1, 1), () -> grid.affine(affine).origin(0, 0, 0)
+        })
+            Checks.thrown(IllegalStateException.class, body);
+    }
+
     void testWrongNumbers() {
         Volume volume = Checks.ballVolume(mesher);
         double[] points = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};

@@ -9,12 +9,12 @@ namespace Cleft
     public sealed class Grid
     {
         private readonly long[] dims;
-        private readonly double[] spacing;
+        private readonly double[] spacing; // null: 1
         private readonly double[] origin;
         private readonly double[] affine;
 
         /// <summary>A grid of cubes of side 1; the corner of its box is at zero.</summary>
-        public Grid(long nx, long ny, long nz) : this(new[] { nx, ny, nz }, new double[] { 1, 1, 1 }, null, null)
+        public Grid(long nx, long ny, long nz) : this(new[] { nx, ny, nz }, null, null, null)
         {
             Arguments.AtLeastOne(nx, nameof(nx));
             Arguments.AtLeastOne(ny, nameof(ny));
@@ -39,6 +39,7 @@ namespace Cleft
             Arguments.Positive(x, nameof(x));
             Arguments.Positive(y, nameof(y));
             Arguments.Positive(z, nameof(z));
+            CheckNoAffine();
             return new Grid(dims, new[] { x, y, z }, origin, null);
         }
 
@@ -50,18 +51,23 @@ namespace Cleft
             Arguments.Finite(x, nameof(x));
             Arguments.Finite(y, nameof(y));
             Arguments.Finite(z, nameof(z));
+            CheckNoAffine();
             return new Grid(dims, spacing, new[] { x, y, z }, null);
         }
 
         /// <summary>
-        /// The grid with this matrix from voxel indices to the world, 3 rows of 4 numbers, instead of spacing and origin.
+        /// The grid with this matrix from voxel indices to the world, 3 rows of 4 numbers. A grid has either a matrix or
+        /// spacing and origin: one beside the other is an InvalidOperationException.
         /// </summary>
         public Grid WithAffine(params double[] rows)
         {
             Arguments.Length(rows, 12, nameof(rows));
             foreach (double number in rows)
                 Arguments.Finite(number, nameof(rows));
-            return new Grid(dims, spacing, origin, (double[])rows.Clone());
+            if (spacing != null || origin != null)
+                throw new InvalidOperationException(
+                    "an affine is given beside spacing or origin: a grid has one or the other");
+            return new Grid(dims, null, null, (double[])rows.Clone());
         }
 
         /// <summary>The numbers of voxels along x, y and z.</summary>
@@ -78,8 +84,8 @@ namespace Cleft
                     return (double[])affine.Clone();
                 double[] rows = new double[12];
                 for (int axis = 0; axis < 3; ++axis) {
-                    rows[5 * axis] = spacing[axis];
-                    rows[4 * axis + 3] = origin == null ? spacing[axis] / 2 : origin[axis];
+                    rows[5 * axis] = spacing == null ? 1 : spacing[axis];
+                    rows[4 * axis + 3] = origin == null ? rows[5 * axis] / 2 : origin[axis];
                 }
                 return rows;
             }
@@ -89,6 +95,13 @@ namespace Cleft
         public override string ToString() { return "Grid of " + Size + " voxels"; }
 
         internal string Size => string.Join(" x ", dims);
+
+        private void CheckNoAffine()
+        {
+            if (affine != null)
+                throw new InvalidOperationException(
+                    "spacing or origin is given beside an affine: a grid has one or the other");
+        }
 
         /// <summary>Throws unless an argument of this name has an element a voxel; <paramref name="part"/>: which of it.</summary>
         internal void CheckLength(Array array, string name, string part = "")

@@ -10,7 +10,7 @@ import java.util.Objects;
  */
 public final class Grid {
     private final long[] dims;
-    private final double[] spacing;
+    private final double[] spacing; // null: 1
     private final double[] origin;
     private final double[] affine;
 
@@ -22,7 +22,7 @@ public final class Grid {
      * @param nz voxels along z
      */
     public Grid(long nx, long ny, long nz) {
-        this(new long[] {nx, ny, nz}, new double[] {1, 1, 1}, null, null);
+        this(new long[] {nx, ny, nz}, null, null, null);
         Arguments.atLeastOne("nx", nx);
         Arguments.atLeastOne("ny", ny);
         Arguments.atLeastOne("nz", nz);
@@ -48,6 +48,7 @@ public final class Grid {
         Arguments.positive("x", x);
         Arguments.positive("y", y);
         Arguments.positive("z", z);
+        checkNoAffine();
         return new Grid(dims, new double[] {x, y, z}, origin, null);
     }
 
@@ -63,11 +64,13 @@ public final class Grid {
         Arguments.finite("x", x);
         Arguments.finite("y", y);
         Arguments.finite("z", z);
+        checkNoAffine();
         return new Grid(dims, spacing, new double[] {x, y, z}, null);
     }
 
     /**
-     * The grid with this matrix from voxel indices to the world, instead of spacing and origin.
+     * The grid with this matrix from voxel indices to the world. A grid has either a matrix or spacing and origin:
+     * one beside the other is an IllegalStateException.
      *
      * @param rows 3 rows of 4 numbers; voxel centres are at whole indices
      * @return a new grid
@@ -75,7 +78,9 @@ public final class Grid {
     public Grid affine(double... rows) {
         Arguments.length("rows", rows.length, 12);
         Arguments.finite("rows", rows);
-        return new Grid(dims, spacing, origin, rows.clone());
+        if (spacing != null || origin != null)
+            throw new IllegalStateException("affine is given beside spacing or origin: a grid has one or the other");
+        return new Grid(dims, null, null, rows.clone());
     }
 
     /**
@@ -97,8 +102,8 @@ public final class Grid {
             return affine.clone();
         double[] rows = new double[12];
         for (int axis = 0; axis < 3; ++axis) {
-            rows[5 * axis] = spacing[axis];
-            rows[4 * axis + 3] = origin == null ? spacing[axis] / 2 : origin[axis];
+            rows[5 * axis] = spacing == null ? 1 : spacing[axis];
+            rows[4 * axis + 3] = origin == null ? rows[5 * axis] / 2 : origin[axis];
         }
         return rows;
     }
@@ -110,6 +115,11 @@ public final class Grid {
      */
     public long voxels() {
         return Arguments.product("nx, ny, nz", dims);
+    }
+
+    private void checkNoAffine() {
+        if (affine != null)
+            throw new IllegalStateException("spacing or origin is given beside affine: a grid has one or the other");
     }
 
     /** Throws unless an argument of this name has an element a voxel. */
