@@ -3,7 +3,7 @@
 build_packages="
     cmake ninja-build g++ pkg-config
     libeigen3-dev libboost-dev libtet1.5-dev
-    libinsighttoolkit5-dev libdeflate-dev zlib1g-dev libtiff-dev libpng-dev libjpeg-dev
+    libdeflate-dev zlib1g-dev libtiff-dev libpng-dev libjpeg-dev libgdcm-dev
     libcli11-dev nlohmann-json3-dev"
 
 binding_packages="

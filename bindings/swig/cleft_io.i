@@ -1,5 +1,5 @@
 // The low level of the Java, C# and Python bindings: cleft_io.h. A module of its own, loaded when a file is first read
-// or written, since it brings ITK with it.
+// or written, since it brings GDCM and others with it.
 #if defined(SWIGPYTHON)
 %module(package="cleft") native_io
 #else

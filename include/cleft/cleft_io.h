@@ -1,5 +1,5 @@
 /*
- * libcleft_io: the file component of libcleft. Volumes are read by ITK; meshes are written and read here.
+ * libcleft_io: the file component of libcleft. It reads volumes, and writes and reads meshes.
  *
  * The component builds on cleft.h alone and keeps its conventions: every fallible function returns a cleft_status, the
  * sentence about a failure is in cleft_context_last_error(), outputs come last and are NULL or untouched on failure.

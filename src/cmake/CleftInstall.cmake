@@ -98,7 +98,7 @@ function(cleft_install_io)
     cleft_install_pkgconfig(cleft-io io_development)
 
     string(REPLACE " " ";" io_libraries "${cleft_io_private_libs}")
-    # The flags and not ITK's own CMake package, which refuses projects without C++.
+    # Flags, not CMake packages, of which not every library has one.
     set(dependencies ${PROJECT_BINARY_DIR}/install/Cleft-io-static-dependencies.cmake)
     configure_file(${PROJECT_SOURCE_DIR}/src/cmake/CleftIoStaticDependencies.cmake.in ${dependencies} @ONLY)
     install(FILES ${dependencies} DESTINATION ${CLEFT_INSTALL_CMAKEDIR} COMPONENT io_development)

@@ -36,7 +36,10 @@ function(cleft_package component name section text)
 endfunction()
 
 # What the static libraries need is recommended, for few link them.
-set(static_io libdeflate-dev zlib1g-dev libtiff-dev libpng-dev libjpeg-dev libinsighttoolkit5-dev)
+set(static_io libdeflate-dev zlib1g-dev libtiff-dev libpng-dev libjpeg-dev)
+if(CLEFT_WITH_GDCM)
+    list(APPEND static_io libgdcm-dev)
+endif()
 if(CLEFT_WITH_TETGEN)
     set(static libtet1.5-dev)
 endif()

@@ -1,29 +1,29 @@
-// Compressed DICOM pixels, by ITK in a child process. Its library ends the process on some damaged files, and a library
-// in the process of a solver must not do that.
+// Compressed DICOM pixels, by GDCM in a child process. It ends the process on some damaged files, and a library in the
+// process of a solver must not do that.
 #include "io/dicom_pixels.hpp"
 
 #include "base/error.hpp"
 
-#include <itkGDCMImageIO.h>
+#ifdef CLEFT_WITH_GDCM
+#include <gdcmImageReader.h>
 #include <poll.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <cerrno>
 #include <csignal>
+#include <vector>
+#endif
 
 namespace cleft::io
 {
+
+#ifdef CLEFT_WITH_GDCM
 
 namespace
 {
 
 constexpr int patience_ms = 60000;  // for the next piece of the pixels
-
-struct Message {
-    int32_t component = -1;  // of the pixels; -1: failed
-    std::array<int64_t, 3> dims{1, 1, 1};
-};
 
 bool write_all(int pipe, const void* data, size_t size)
 {
@@ -59,31 +59,6 @@ bool read_all(int pipe, void* data, size_t size)
     return true;
 }
 
-Component component_of(itk::IOComponentEnum type)
-{
-    using Type = itk::IOComponentEnum;
-    switch (type) {
-        case Type::UCHAR:
-            return Component::uint8;
-        case Type::CHAR:
-            return Component::int8;
-        case Type::USHORT:
-            return Component::uint16;
-        case Type::SHORT:
-            return Component::int16;
-        case Type::UINT:
-            return Component::uint32;
-        case Type::INT:
-            return Component::int32;
-        case Type::FLOAT:
-            return Component::float32;
-        case Type::DOUBLE:
-            return Component::float64;
-        default:
-            throw Error(CLEFT_ERROR_FORMAT, "no type of ours");
-    }
-}
-
 // In the child: whatever happens ends here.
 [[noreturn]] void decode_and_exit(const std::string& path, int pipe)
 {
@@ -95,27 +70,15 @@ Component component_of(itk::IOComponentEnum type)
     if (!freopen("/dev/null", "w", stderr) || !freopen("/dev/null", "w", stdout))
         _exit(1);
     try {
-        itk::Object::GlobalWarningDisplayOff();
-        const auto reader = itk::GDCMImageIO::New();
-        reader->SetFileName(path);
-        reader->ReadImageInformation();
-        if (reader->GetNumberOfComponents() != 1)
+        gdcm::ImageReader reader;
+        reader.SetFileName(path.c_str());
+        if (!reader.Read())
             _exit(1);
-        Image image;
-        Message message;
-        image.component = component_of(reader->GetComponentType());
-        message.component = static_cast<int32_t>(image.component);
-        itk::ImageIORegion region(reader->GetNumberOfDimensions());
-        for (unsigned axis = 0; axis < reader->GetNumberOfDimensions() && axis < 3; ++axis) {
-            image.dims[axis] = static_cast<int64_t>(reader->GetDimensions(axis));
-            region.SetSize(axis, reader->GetDimensions(axis));
-        }
-        reader->SetIORegion(region);
-        allocate_voxels(image);
-        reader->Read(image.voxels.get());
-        message.dims = image.dims;
-        const bool written =
-            write_all(pipe, &message, sizeof message) && write_all(pipe, image.voxels.get(), image.bytes());
+        const gdcm::Image& image = reader.GetImage();
+        const auto size = static_cast<int64_t>(image.GetBufferLength());
+        std::vector<char> values(static_cast<size_t>(size));
+        const bool written = image.GetBuffer(values.data()) && write_all(pipe, &size, sizeof size) &&
+                             write_all(pipe, values.data(), values.size());
         _exit(written ? 0 : 1);
     } catch (...) {
         _exit(1);
@@ -159,22 +122,29 @@ private:
 
 }  // namespace
 
-Image compressed_pixels(const std::string& path)
+void read_compressed_pixels(const std::string& path, Image& image)
 {
     const Decoder decoder(path);
-    Message message;
-    bool whole = read_all(decoder.pipe(), &message, sizeof message) && message.component >= 0 &&
-                 message.component <= static_cast<int32_t>(Component::float64);
-    Image image;
+    int64_t size = 0;
+    const int64_t wanted = image.field_size() * static_cast<int64_t>(size_of(image.component));
+    bool whole = read_all(decoder.pipe(), &size, sizeof size) && size == wanted;
     if (whole) {
-        image.component = static_cast<Component>(message.component);
-        image.dims = message.dims;
         allocate_voxels(image);
         whole = read_all(decoder.pipe(), image.voxels.get(), image.bytes());
     }
     if (!whole)
         throw Error(CLEFT_ERROR_FORMAT, "its compressed pixels are damaged or packed in a way that cannot be read");
-    return image;
 }
+
+#else
+
+void read_compressed_pixels(const std::string&, Image&)
+{
+    throw Error(CLEFT_ERROR_UNSUPPORTED,
+                "its pixels are compressed, and this build of libcleft_io has no GDCM to read them: write them "
+                "uncompressed, by 'gdcmconv --raw' or 'dcmdjpeg'");
+}
+
+#endif
 
 }  // namespace cleft::io

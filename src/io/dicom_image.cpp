@@ -75,15 +75,7 @@ Image read_dicom_frames(const DicomFile& file, std::vector<DicomPlane>& planes)
     check_dicom_is_image(file);
     const DicomPixelFormat format = pixel_format_of(file);
     planes = planes_of(file, format.frames);
-    bool rescaled = false;
-    Image image = pixels_of(file, format, rescaled);
-    if (image.dims != std::array<int64_t, 3>{format.columns, format.rows, format.frames})
-        throw Error(CLEFT_ERROR_FORMAT, "the DICOM file is damaged: its compressed pixels have another size");
-    for (DicomPlane& plane : planes)
-        if (rescaled) {
-            plane.slope = 1;
-            plane.intercept = 0;
-        }
+    Image image = pixels_of(file, format);
     if (!planes.front().sized)
         image.notes.push_back("it does not tell the size of a pixel: 1 x 1 is taken");
     return image;

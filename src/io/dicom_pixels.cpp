@@ -139,16 +139,13 @@ DicomPixelFormat pixel_format_of(const DicomFile& file)
     return format;
 }
 
-Image pixels_of(const DicomFile& file, const DicomPixelFormat& format, bool& rescaled)
+Image pixels_of(const DicomFile& file, const DicomPixelFormat& format)
 {
     const DicomTag tag = file.data.has(float_pixels_tag)    ? float_pixels_tag
                          : file.data.has(double_pixels_tag) ? double_pixels_tag
                                                             : pixels_tag;
     const DicomElement& element = *file.data.find(tag);
     const bool packed = file.transfer_syntax == "1.2.840.10008.1.2.5";
-    rescaled = element.encapsulated && !packed;
-    if (rescaled)
-        return compressed_pixels(file.path);
     Image image;
     image.component = component_of(file, format);
     image.dims = {format.columns, format.rows, format.frames};
@@ -158,8 +155,12 @@ Image pixels_of(const DicomFile& file, const DicomPixelFormat& format, bool& res
     if (!element.encapsulated && there < wanted)
         refuse("the DICOM file is damaged: its pixels have " + std::to_string(there) + " bytes, and not " +
                std::to_string(wanted));
-    allocate_voxels(image);
-    if (element.encapsulated)
+    const bool compressed = element.encapsulated && !packed;
+    if (!compressed)
+        allocate_voxels(image);
+    if (compressed)
+        read_compressed_pixels(file.path, image);
+    else if (element.encapsulated)
         unpack_frames(element.fragments, format, image);
     else if (format.bits_allocated == 1)
         unpack_bits(element.bytes, image);

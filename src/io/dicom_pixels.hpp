@@ -22,11 +22,11 @@ struct DicomPixelFormat {
 DicomPixelFormat pixel_format_of(const DicomFile& file);
 
 // All frames, one behind the other along z; numbers of one bit become bytes. The file's geometry is not in it.
-// `rescaled`: were the slope and the intercept of the file applied already? Throws if the pixels are damaged.
-Image pixels_of(const DicomFile& file, const DicomPixelFormat& format, bool& rescaled);
+// Throws if the pixels are damaged.
+Image pixels_of(const DicomFile& file, const DicomPixelFormat& format);
 
-// Pixels that are compressed by JPEG and its kin, by ITK. In a process of its own: the library for it ends the process
-// that uses it when a file is damaged.
-Image compressed_pixels(const std::string& path);
+// The stored values of an image of known type and dims that are compressed by JPEG and its kin. GDCM reads them, in a
+// process of its own: it ends the process that uses it when a file is damaged.
+void read_compressed_pixels(const std::string& path, Image& image);
 
 }  // namespace cleft::io

@@ -144,8 +144,7 @@ Image read_dicom_segmentation(const DicomFile& file)
     if (type != "BINARY" && !fractional && type != "LABELMAP")
         refuse("it is a DICOM segmentation of the type '" + printable(type) + "', which cannot be read");
     const DicomPixelFormat format = pixel_format_of(file);
-    bool rescaled = false;
-    Image frames = pixels_of(file, format, rescaled);
+    Image frames = pixels_of(file, format);
     const std::vector<DicomPlane> planes = planes_of(file, format.frames);
     const DicomStack stack = loose_stack_of(planes, frame_names(format.frames));
     const std::map<int32_t, std::string> segments = segments_of(file);

@@ -1,4 +1,4 @@
-// The few vector operations of the file component. Not Eigen: ITK brings another version of it.
+// The few vector operations of the file component, which does without Eigen.
 #pragma once
 
 #include <array>

@@ -28,7 +28,7 @@ field() { dpkg-deb -f "$folder"/packages/"$1"_*.deb "$2"; }
 expect() { case "$2" in *"$1"*) ;; *) echo "\"$1\" is not in \"$2\""; exit 1 ;; esac; }
 refuse() { case "$2" in *"$1"*) echo "\"$1\" is in \"$2\""; exit 1 ;; esac; }
 expect libc6 "$(field libcleft0 Depends)"
-refuse itk "$(field libcleft0 Depends)"
+refuse gdcm "$(field libcleft0 Depends)"
 expect "libcleft0 (= " "$(field libcleft-dev Depends)"
 expect "activate-noawait ldconfig" "$(dpkg-deb -I "$folder"/packages/libcleft0_*.deb triggers)"
 expect "libcleft 0 libcleft0 (>= " "$(dpkg-deb -I "$folder"/packages/libcleft0_*.deb shlibs)"

@@ -133,7 +133,7 @@ namespace Cleft
         public bool WritesSizing { get; }
     }
 
-    /// <summary>Reads and writes files. The native part is loaded when it is first used; it needs ITK.</summary>
+    /// <summary>Reads and writes files. The native part is loaded when it is first used; it needs GDCM and libraries of pictures.</summary>
     public static class MeshFiles
     {
         /// <summary>The formats that are read and written.</summary>
