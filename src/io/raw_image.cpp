@@ -2,6 +2,7 @@
 
 #include "base/struct_size.hpp"
 #include "io/meaning.hpp"
+#include "io/voxel_data.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,13 +35,6 @@ Component component_of(cleft_type type)
         default:
             throw Error(CLEFT_ERROR_ARGUMENT, "there is no type of voxels " + std::to_string(type));
     }
-}
-
-void swap_bytes(Image& image)
-{
-    const size_t size = size_of(image.component);
-    for (std::byte* at = image.voxels.get(); size > 1 && at < image.voxels.get() + image.bytes(); at += size)
-        std::reverse(at, at + size);
 }
 
 }  // namespace

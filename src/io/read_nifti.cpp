@@ -6,6 +6,7 @@
 #include "io/nifti_header.hpp"
 #include "io/nifti_scaling.hpp"
 #include "io/text_scanner.hpp"
+#include "io/voxel_data.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -202,13 +203,6 @@ void skip_extensions(ByteSource& source, const NiftiHeader& header, uintmax_t of
         left -= static_cast<uintmax_t>(size) - size_and_code;
     }
     source.skip(left);
-}
-
-void swap_bytes(Image& image)
-{
-    const size_t size = size_of(image.component);
-    for (std::byte* at = image.voxels.get(); size > 1 && at < image.voxels.get() + image.bytes(); at += size)
-        std::reverse(at, at + size);
 }
 
 void read_voxels(const std::string& path, const NiftiHeader& header, Image& image)

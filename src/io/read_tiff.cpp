@@ -5,6 +5,7 @@
 #include "io/packed_bits.hpp"
 #include "io/tiff_description.hpp"
 #include "io/tiff_page.hpp"
+#include "io/voxel_data.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -204,14 +205,6 @@ void set_spacing(const Stack& stack, Image& image)
     if (image.spacing != Vector3{1, 1, 1})
         image.notes.push_back(said.who + "'s size of voxels, " + text_of(image.spacing) +
                               (said.unit.empty() ? "" : " " + said.unit) + guess + ", is used");
-}
-
-// The bytes of a number in the order of this machine.
-void swap_bytes(Image& image)
-{
-    const size_t size = size_of(image.component);
-    for (std::byte* at = image.voxels.get(); size > 1 && at < image.voxels.get() + image.bytes(); at += size)
-        std::reverse(at, at + size);
 }
 
 void read_raw_slices(const std::string& path, const Stack& stack, Image& image)

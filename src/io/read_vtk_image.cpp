@@ -271,7 +271,7 @@ void read_values(const std::string& path, const Grid& grid, const VtkArray& arra
     } else {
         source.read(image.voxels.get(), image.bytes());
         if (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__)
-            swap_bytes(image.voxels.get(), static_cast<size_t>(image.field_size()), size_of(image.component));
+            swap_bytes(image);
     }
 }
 

@@ -184,6 +184,12 @@ void swap_bytes(std::byte* values, size_t count, size_t size)
             std::reverse(at, at + size);
 }
 
+void swap_bytes(Image& image)
+{
+    const size_t size = size_of(image.component);
+    swap_bytes(image.voxels.get(), image.bytes() / size, size);
+}
+
 std::string beside(const std::string& header, const std::string& name)
 {
     return (std::filesystem::path(header).parent_path() / name).string();

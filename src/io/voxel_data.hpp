@@ -38,6 +38,8 @@ void store_text_voxel(std::string_view word, Image& image, int64_t voxel);
 
 // From big-endian to the order of this machine, or back.
 void swap_bytes(std::byte* values, size_t count, size_t size);
+// Of all voxels.
+void swap_bytes(Image& image);
 
 // The file that a header names, beside the header unless the name is absolute.
 std::string beside(const std::string& header, const std::string& name);
