@@ -52,10 +52,10 @@ void keep_permissions(int descriptor, const std::string& old)
 }
 
 // Makes an empty file in the folder of `path`, under a name that nothing has, and opens it.
-int create_temporary(const std::string& path, const std::string& extension, std::string& name)
+int create_temporary(const std::string& path, std::string& name)
 {
     for (int i = 0;; ++i) {
-        name = path + ".part" + std::to_string(getpid()) + "-" + std::to_string(i) + extension;
+        name = path + ".part" + std::to_string(getpid()) + "-" + std::to_string(i);
         const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (descriptor >= 0)
             return descriptor;
@@ -115,7 +115,7 @@ void flush_folder(const std::string& path)
 
 AtomicFile::AtomicFile(const std::string& path) : path_(target_of(path)), buffer_(std::make_unique<char[]>(capacity))
 {
-    descriptor_ = create_temporary(path_, "", temporary_);
+    descriptor_ = create_temporary(path_, temporary_);
     keep_permissions(descriptor_, path_);
 }
 
@@ -191,33 +191,6 @@ void AtomicFile::commit_all(const std::initializer_list<AtomicFile*>& files)
         throw;
     }
     flush_folder((*files.begin())->path_);
-}
-
-AtomicPath::AtomicPath(const std::string& target, const std::string& extension) : target_(target_of(target))
-{
-    close(create_temporary(target_, extension, temporary_));
-}
-
-AtomicPath::~AtomicPath()
-{
-    if (!temporary_.empty())
-        unlink(temporary_.c_str());
-}
-
-void AtomicPath::commit()
-{
-    const int descriptor = open(temporary_.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor < 0)
-        cannot_write(target_, errno);
-    keep_permissions(descriptor, target_);
-    const int error = fsync(descriptor) == 0 ? 0 : errno;
-    close(descriptor);
-    if (error != 0)
-        cannot_write(target_, error);
-    if (std::rename(temporary_.c_str(), target_.c_str()) != 0)
-        cannot_write(target_, errno);
-    temporary_.clear();
-    flush_folder(target_);
 }
 
 }  // namespace cleft::io

@@ -76,21 +76,4 @@ private:
     int descriptor_ = -1;
 };
 
-// For libraries that write to a path themselves, and go by its extension: they write to path(), then it is committed.
-class AtomicPath
-{
-public:
-    AtomicPath(const std::string& target, const std::string& extension);
-    ~AtomicPath();
-    AtomicPath(const AtomicPath&) = delete;
-    AtomicPath& operator=(const AtomicPath&) = delete;
-
-    const std::string& path() const { return temporary_; }
-    void commit();
-
-private:
-    std::string target_;
-    std::string temporary_;
-};
-
 }  // namespace cleft::io
