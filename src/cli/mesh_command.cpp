@@ -118,7 +118,7 @@ double kept_share(const Session& session, const MeshArguments& arguments, const 
     return count > 0 ? 1 - static_cast<double>(left_out) / static_cast<double>(count) : 0;
 }
 
-Estimate estimated(const Session& session, const MeshArguments& arguments, const cleft_volume* volume,
+Estimate estimated(const Session& session, const MeshArguments& arguments, const cleft_volume* volume, int64_t voxels,
                    const cleft_sizing* sizing, const cleft_mesh* background)
 {
     // Cleaving adds 10 to 20 percent on most volumes.
@@ -134,8 +134,7 @@ Estimate estimated(const Session& session, const MeshArguments& arguments, const
                 estimate.whole_tets = cleaved * value;
     }
     // What real volumes took, rounded up: for the program, a voxel and a tetrahedron.
-    const auto voxels = static_cast<double>(look_at_volume(session, volume).voxel_count());
-    estimate.bytes = 3e7 + 12.0 * voxels + 200.0 * estimate.whole_tets;
+    estimate.bytes = 3e7 + 12.0 * static_cast<double>(voxels) + 200.0 * estimate.whole_tets;
     return estimate;
 }
 
@@ -149,7 +148,7 @@ int tell_estimate(Session& session, const MeshArguments& arguments, const cleft_
             });
         });
     const VolumeFindings found = look_at_volume(session, volume);
-    const Estimate estimate = estimated(session, arguments, volume, sizing.get(), background);
+    const Estimate estimate = estimated(session, arguments, volume, found.voxel_count(), sizing.get(), background);
     session.clear_progress();
     if (arguments.run.prints()) {
         std::cout << volume_line(found) << left("Estimate", 11) << grouped(std::llround(estimate.tets))
@@ -169,23 +168,31 @@ int tell_estimate(Session& session, const MeshArguments& arguments, const cleft_
     return EXIT_OK;
 }
 
-// The mesh fills its box unless a label of the volume was left out of it, or the background is the user's.
-void check_result(Session& session, const MeshArguments& arguments, const cleft_volume* volume, const cleft_mesh* mesh)
+// Looks at the mesh for what it finds, and validates it. It fills its box unless a label of the volume was left out of
+// it, or the background is the user's.
+MeshFindings checked_findings(Session& session, const MeshArguments& arguments, const cleft_volume* volume,
+                              const cleft_mesh* mesh)
 {
     bool whole = arguments.background_file.empty();
     for (int64_t i = 0; i < cleft_volume_label_count(volume); ++i)
         whole = whole && !arguments.left_out(cleft_volume_labels(volume)[i]);
     cleft_validation validation = {};
     validation.struct_size = sizeof validation;
+    MeshFindings found;
     std::string fault;
     session.timed("check", "checking the mesh", [&] {
         session.check(cleft_mesh_validate(session.context(), mesh, whole ? 1 : 0, &validation), EXIT_MESHING_FAILED);
-        fault = validation.valid == 0 ? cleft_context_last_error(session.context())
-                                      : surface_fault(validation, look_at_mesh(session, mesh));
+        if (validation.valid == 0) {
+            fault = cleft_context_last_error(session.context());
+        } else {
+            found = look_at_mesh(session, mesh);
+            fault = surface_fault(validation, found);
+        }
     });
     if (!fault.empty())
         throw Failure(EXIT_CHECK_FAILED, CLEFT_ERROR_INVALID_MESH,
                       "the mesh is not valid, and was not written: " + fault);
+    return found;
 }
 
 // The findings without the contacts of labels that are left out.
@@ -294,11 +301,12 @@ int run_mesh(MeshArguments& arguments)
     sizing.reset();
     background.reset();
     if (arguments.check)
-        check_result(session, arguments, volume.get(), mesh.get());
+        result.mesh = checked_findings(session, arguments, volume.get(), mesh.get());
     if (arguments.run.prints() || !arguments.run.json.empty()) {
         session.timed("report", "looking at the mesh", [&] {
             result.volume = look_at_volume(session, volume.get());
-            result.mesh = look_at_mesh(session, mesh.get());
+            if (!arguments.check)
+                result.mesh = look_at_mesh(session, mesh.get());
             result.report = kept_contacts(arguments, look_at_labels(session, volume.get(), mesh.get()));
         });
         warn_of_lost_labels(session, arguments, result);

@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstring>
 #include <vector>
@@ -14,25 +15,41 @@ namespace cleft::io
 class BinaryHeader
 {
 public:
-    BinaryHeader(const std::vector<unsigned char>& bytes, bool big_endian) : bytes_(bytes), big_endian_(big_endian) {}
+    BinaryHeader(const std::vector<unsigned char>& bytes, bool big_endian)
+        : BinaryHeader(bytes.data(), bytes.size(), big_endian)
+    {
+    }
+    BinaryHeader(const unsigned char* bytes, size_t count, bool big_endian)
+        : bytes_(bytes), count_(count), swapped_(big_endian != (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__))
+    {
+    }
 
     template <class T>
     T at(size_t offset) const
     {
-        if (offset + sizeof(T) > bytes_.size())
+        if (offset + sizeof(T) > count_)
             throw Error(CLEFT_ERROR_FORMAT, "its header is cut short");
         unsigned char raw[sizeof(T)];
-        std::copy_n(bytes_.begin() + static_cast<std::ptrdiff_t>(offset), sizeof(T), raw);
-        if (big_endian_ != (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__))
+        std::copy_n(bytes_ + offset, sizeof(T), raw);
+        if (swapped_)
             std::reverse(raw, raw + sizeof(T));
         T value;
         std::memcpy(&value, raw, sizeof value);
         return value;
     }
 
+    // As many numbers of type T as `to` has places.
+    template <class T, class To, size_t N>
+    void at(size_t offset, std::array<To, N>& to) const
+    {
+        for (size_t i = 0; i < N; ++i)
+            to[i] = static_cast<To>(at<T>(offset + i * sizeof(T)));
+    }
+
 private:
-    const std::vector<unsigned char>& bytes_;
-    bool big_endian_;
+    const unsigned char* bytes_;
+    size_t count_;
+    bool swapped_;
 };
 
 }  // namespace cleft::io

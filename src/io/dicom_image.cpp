@@ -2,6 +2,7 @@
 #include "io/dicom_image.hpp"
 
 #include "base/error.hpp"
+#include "base/ordinal.hpp"
 #include "io/dicom_pixels.hpp"
 #include "io/dicom_planes.hpp"
 #include "io/dicom_segmentation.hpp"
@@ -20,25 +21,13 @@ void sort_frames(const std::vector<DicomPlane>& planes, Image& image)
 {
     std::vector<std::string> who;
     for (size_t f = 0; f < planes.size(); ++f) {
-        who.push_back("frame " + std::to_string(f));
+        who.push_back("the " + ordinal(f) + " frame");
         if (!planes[f].placed)
             throw Error(CLEFT_ERROR_FORMAT, "it has " + std::to_string(planes.size()) +
                                                 " frames and does not tell where they lie: a series over time, or "
                                                 "views, is no volume");
     }
-    const DicomStack stack = stack_of(planes, who);
-    Image sorted;
-    sorted.dims = image.dims;
-    sorted.component = image.component;
-    allocate_voxels(sorted);
-    const size_t slice = image.bytes() / planes.size();
-    for (size_t f = 0; f < planes.size(); ++f)
-        std::memcpy(sorted.voxels.get() + static_cast<size_t>(stack.slots[f]) * slice, image.voxels.get() + f * slice,
-                    slice);
-    image.voxels = std::move(sorted.voxels);
-    image.directions = stack.geometry.directions;
-    image.spacing = stack.geometry.spacing;
-    image.origin = stack.geometry.origin;
+    put_in_slots(stack_of(planes, who), image);
 }
 
 }  // namespace

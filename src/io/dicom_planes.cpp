@@ -206,6 +206,22 @@ void set_plane(const DicomPlane& plane, Image& image)
     image.origin = plane.position;
 }
 
+void put_in_slots(const DicomStack& stack, Image& volume)
+{
+    Image sorted;
+    sorted.dims = volume.dims;
+    sorted.component = volume.component;
+    allocate_voxels(sorted);
+    const size_t bytes = volume.bytes() / stack.slots.size();
+    for (size_t i = 0; i < stack.slots.size(); ++i)
+        std::memcpy(sorted.voxels.get() + static_cast<size_t>(stack.slots[i]) * bytes, volume.voxels.get() + i * bytes,
+                    bytes);
+    volume.voxels = std::move(sorted.voxels);
+    volume.directions = stack.geometry.directions;
+    volume.spacing = stack.geometry.spacing;
+    volume.origin = stack.geometry.origin;
+}
+
 void rescale(const std::vector<DicomPlane>& planes, Image& image)
 {
     constexpr double greatest_factor = 1000;

@@ -38,6 +38,9 @@ DicomStack loose_stack_of(const std::vector<DicomPlane>& planes, const std::vect
 // Sets directions and spacing, and the place of the first voxel.
 void set_plane(const DicomPlane& plane, Image& image);
 
+// Moves slice i of a volume to slot i of the stack, and gives the volume the place of the stack.
+void put_in_slots(const DicomStack& stack, Image& volume);
+
 // Applies slope and intercept of each plane to its slice of the image, slice i being plane i. Nothing happens if all
 // are 1 and 0.
 void rescale(const std::vector<DicomPlane>& planes, Image& image);

@@ -139,22 +139,6 @@ void add_slice(const Image& slice, size_t number, const std::string& path, const
     std::memcpy(volume.voxels.get() + number * slice.bytes(), slice.voxels.get(), slice.bytes());
 }
 
-void sort_slices(const DicomStack& stack, Image& volume)
-{
-    Image sorted;
-    sorted.dims = volume.dims;
-    sorted.component = volume.component;
-    allocate_voxels(sorted);
-    const size_t bytes = volume.bytes() / stack.slots.size();
-    for (size_t i = 0; i < stack.slots.size(); ++i)
-        std::memcpy(sorted.voxels.get() + static_cast<size_t>(stack.slots[i]) * bytes, volume.voxels.get() + i * bytes,
-                    bytes);
-    volume.voxels = std::move(sorted.voxels);
-    volume.directions = stack.geometry.directions;
-    volume.spacing = stack.geometry.spacing;
-    volume.origin = stack.geometry.origin;
-}
-
 Image read_series(const Series& series)
 {
     Image volume;
@@ -173,7 +157,7 @@ Image read_series(const Series& series)
     }
     rescale(planes, volume);
     const bool placed = std::any_of(planes.begin(), planes.end(), [](const DicomPlane& p) { return p.placed; });
-    sort_slices(placed ? stack_of(planes, who) : stack_by_number(series, planes, volume), volume);
+    put_in_slots(placed ? stack_of(planes, who) : stack_by_number(series, planes, volume), volume);
     return volume;
 }
 

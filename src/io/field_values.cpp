@@ -2,12 +2,14 @@
 #include "io/field_values.hpp"
 
 #include "base/error.hpp"
+#include "base/ordinal.hpp"
 #include "io/voxel_access.hpp"
 
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace cleft::io
 {
@@ -70,40 +72,35 @@ private:
     int64_t* last_count_ = nullptr;
 };
 
+// Of whole numbers of at most 16 bits, which are most label maps: by a table, several times faster than one by one.
+template <class T>
+FieldValues values_by_table(const Image& image, int64_t field)
+{
+    constexpr int64_t lowest = std::numeric_limits<T>::min();
+    std::vector<int64_t> counts(size_t{1} << 8 * sizeof(T));
+    const std::byte* voxels = image.voxels.get() + static_cast<size_t>(field * image.field_size()) * sizeof(T);
+    for (int64_t v = 0; v < image.field_size(); ++v)
+        ++counts[static_cast<size_t>(load<T>(voxels, v) - lowest)];
+    FieldValues values;
+    values.voxels = image.field_size();
+    for (size_t i = 0; i < counts.size(); ++i)
+        if (counts[i] > 0)
+            values.snapped_counts.emplace_back(static_cast<double>(static_cast<int64_t>(i) + lowest), counts[i]);
+    values.least = values.snapped_counts.front().first;
+    values.greatest = values.snapped_counts.back().first;
+    values.different = std::min(static_cast<int64_t>(values.snapped_counts.size()), FieldValues::many + 1);
+    if (values.different > FieldValues::many)
+        values.snapped_counts.clear();
+    return values;
+}
+
 std::string place_of(const Image& image, int64_t field, int64_t voxel)
 {
-    const auto text = [](int64_t number) { return std::to_string(number); };
-    return "voxel (" + text(voxel % image.dims[0]) + ", " + text(voxel / image.dims[0] % image.dims[1]) + ", " +
-           text(voxel / (image.dims[0] * image.dims[1])) + ")" +
-           (image.fields > 1 ? " of frame " + text(field) : std::string());
+    return voxel_in_words(voxel, image.dims) +
+           (image.fields > 1 ? " in the " + ordinal(field) + " frame" : std::string());
 }
 
-double most_frequent(const FieldValues& values)
-{
-    const auto less = [](const auto& a, const auto& b) { return a.second < b.second; };
-    const auto& counts = values.snapped_counts;
-    return counts.empty() ? values.least : std::max_element(counts.begin(), counts.end(), less)->first;
-}
-
-}  // namespace
-
-double snapped(double value)
-{
-    constexpr double rounding = 1.0 / 50;
-    constexpr double precision = 4 * static_cast<double>(FLT_EPSILON);
-    const double whole = std::round(value);
-    const double allowed = std::min(0.25, std::max(rounding, precision * std::abs(value)));
-    return std::abs(value - whole) <= allowed ? whole + 0.0 : value;  // no -0
-}
-
-bool FieldValues::is_mask() const
-{
-    if (!is_whole() || snapped_counts.empty() || snapped_counts.size() > 2)
-        return false;
-    return snapped_counts.front().first == 0 || (snapped_counts.size() == 1 && snapped_counts.front().first > 0);
-}
-
-FieldValues values_of(const Image& image, int64_t field)
+FieldValues values_one_by_one(const Image& image, int64_t field)
 {
     FieldValues values;
     values.voxels = image.field_size();
@@ -131,39 +128,110 @@ FieldValues values_of(const Image& image, int64_t field)
     return values;
 }
 
+double most_frequent(const FieldValues& values)
+{
+    const auto less = [](const auto& a, const auto& b) { return a.second < b.second; };
+    const auto& counts = values.snapped_counts;
+    return counts.empty() ? values.least : std::max_element(counts.begin(), counts.end(), less)->first;
+}
+
+// Pairs of neighbours that are not both of the background, and how many of them differ.
+template <class T>
+class NeighbourPairs
+{
+public:
+    NeighbourPairs(const std::byte* voxels, double background, bool rounding)
+        : voxels_(voxels), background_(static_cast<Value>(background)), rounding_(rounding)
+    {
+    }
+
+    // The pairs of `count` voxels from `start` on, each with the one `step` voxels behind it.
+    void add(int64_t start, int64_t count, int64_t step)
+    {
+        int64_t pairs = 0;
+        int64_t differing = 0;
+        for (int64_t v = start; v < start + count; ++v) {
+            const Value value = value_at(v);
+            const Value neighbour = value_at(v + step);
+            const bool differ = value != neighbour;
+            pairs += differ | (value != background_) ? 1 : 0;
+            differing += differ ? 1 : 0;
+        }
+        pairs_ += pairs;
+        differing_ += differing;
+    }
+
+    double share_of_differing() const
+    {
+        return pairs_ > 0 ? static_cast<double>(differing_) / static_cast<double>(pairs_) : 0;
+    }
+
+private:
+    // Whole numbers are compared as they are, many at a time; a background taken from doubles fits up to 32 bits.
+    static constexpr bool as_they_are = std::is_integral_v<T> && sizeof(T) <= 4;
+    using Value = std::conditional_t<as_they_are, T, double>;
+
+    Value value_at(int64_t voxel) const
+    {
+        const T value = load<T>(voxels_, voxel);
+        if constexpr (as_they_are)
+            return value;
+        else
+            return rounding_ ? snapped(static_cast<double>(value)) : static_cast<double>(value);
+    }
+
+    const std::byte* voxels_;
+    Value background_;
+    bool rounding_;
+    int64_t pairs_ = 0;
+    int64_t differing_ = 0;
+};
+
+}  // namespace
+
+double snapped(double value)
+{
+    constexpr double rounding = 1.0 / 50;
+    constexpr double precision = 4 * static_cast<double>(FLT_EPSILON);
+    const double whole = std::round(value);
+    const double allowed = std::min(0.25, std::max(rounding, precision * std::abs(value)));
+    return std::abs(value - whole) <= allowed ? whole + 0.0 : value;  // no -0
+}
+
+bool FieldValues::is_mask() const
+{
+    if (!is_whole() || snapped_counts.empty() || snapped_counts.size() > 2)
+        return false;
+    return snapped_counts.front().first == 0 || (snapped_counts.size() == 1 && snapped_counts.front().first > 0);
+}
+
+FieldValues values_of(const Image& image, int64_t field)
+{
+    return with_type(image.component, [&](auto zero) {
+        using T = decltype(zero);
+        if constexpr (sizeof(T) <= 2)
+            return values_by_table<T>(image, field);
+        else
+            return values_one_by_one(image, field);
+    });
+}
+
 double differing_neighbours(const Image& image, int64_t field, const FieldValues& values)
 {
-    const double background = most_frequent(values);
-    const bool rounding = values.is_whole();
-    int64_t pairs = 0;
-    int64_t differ = 0;
-    with_type(image.component, [&](auto zero) {
+    const int64_t row = image.dims[0];
+    const int64_t slice = row * image.dims[1];
+    const int64_t size = image.field_size();
+    return with_type(image.component, [&](auto zero) {
         using T = decltype(zero);
-        const std::byte* first = image.voxels.get() + static_cast<size_t>(field * image.field_size()) * sizeof(T);
-        const auto value_at = [&](int64_t voxel) {
-            const auto value = static_cast<double>(load<T>(first, voxel));
-            return rounding ? snapped(value) : value;
-        };
-        const auto compare = [&](double value, int64_t other) {
-            const double neighbour = value_at(other);
-            if (value == background && neighbour == background)
-                return;
-            ++pairs;
-            differ += value != neighbour ? 1 : 0;
-        };
-        const int64_t row = image.dims[0];
-        const int64_t slice = row * image.dims[1];
-        for (int64_t v = 0; v < image.field_size(); ++v) {
-            const double value = value_at(v);
-            if (v % row + 1 < row)
-                compare(value, v + 1);
-            if (v % slice + row < slice)
-                compare(value, v + row);
-            if (v + slice < image.field_size())
-                compare(value, v + slice);
-        }
+        const std::byte* voxels = image.voxels.get() + static_cast<size_t>(field * size) * sizeof(T);
+        NeighbourPairs<T> pairs(voxels, most_frequent(values), values.is_whole());
+        for (int64_t start = 0; start < size; start += row)
+            pairs.add(start, row - 1, 1);
+        for (int64_t start = 0; start < size; start += slice)
+            pairs.add(start, slice - row, row);
+        pairs.add(0, size - slice, slice);
+        return pairs.share_of_differing();
     });
-    return pairs > 0 ? static_cast<double>(differ) / static_cast<double>(pairs) : 0;
 }
 
 }  // namespace cleft::io

@@ -28,7 +28,7 @@ size_t size_of(Component component)
 
 bool is_floating(Component component) { return component == Component::float32 || component == Component::float64; }
 
-void allocate_voxels(Image& image)
+size_t checked_bytes(const Image& image)
 {
     int64_t bytes = static_cast<int64_t>(size_of(image.component));
     for (const int64_t factor : {image.dims[0], image.dims[1], image.dims[2], image.fields}) {
@@ -37,7 +37,12 @@ void allocate_voxels(Image& image)
         if (__builtin_mul_overflow(bytes, factor, &bytes))
             throw Error(CLEFT_ERROR_TOO_LARGE, "there are too many voxels");
     }
-    image.voxels.reset(new std::byte[static_cast<size_t>(bytes)]);  // not make_unique, which would fill it with zeros
+    return static_cast<size_t>(bytes);
+}
+
+void allocate_voxels(Image& image)
+{
+    image.voxels.reset(new std::byte[checked_bytes(image)]);  // not make_unique, which would fill it with zeros
 }
 
 }  // namespace cleft::io

@@ -37,6 +37,8 @@ struct Image {
     size_t bytes() const { return static_cast<size_t>(field_size() * fields) * size_of(component); }
 };
 
+// The bytes of all voxels. Throws Error: FORMAT where there are none, TOO_LARGE where 63 bits do not count them.
+size_t checked_bytes(const Image& image);
 // Memory for the voxels, not filled. Throws Error(CLEFT_ERROR_TOO_LARGE) or std::bad_alloc.
 void allocate_voxels(Image& image);
 

@@ -2,9 +2,10 @@
 #include "io/meaning.hpp"
 
 #include "base/error.hpp"
+#include "base/ordinal.hpp"
+#include "io/header_values.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace cleft::io
 {
@@ -12,20 +13,16 @@ namespace cleft::io
 namespace
 {
 
-std::string text_of(double number)
-{
-    char text[40];
-    std::snprintf(text, sizeof text, "%.6g", number);
-    return text;
-}
-
 std::string different_text(const FieldValues& values)
 {
     return values.different > FieldValues::many ? "more than " + std::to_string(FieldValues::many)
                                                 : std::to_string(values.different);
 }
 
-std::string range_text(const FieldValues& values) { return text_of(values.least) + " to " + text_of(values.greatest); }
+std::string range_text(const FieldValues& values)
+{
+    return number_text(values.least) + " to " + number_text(values.greatest);
+}
 
 [[noreturn]] void refuse(const Field& field, const std::string& sentence)
 {
@@ -39,7 +36,7 @@ void note_rounding(const Field& field, std::vector<std::string>& notes)
     const FieldValues& values = field.values;
     if (values.not_whole > 0)
         notes.push_back(field.who + ": the labels of " + voxels_text(values.not_whole) +
-                        " are not whole numbers, but up to " + text_of(values.greatest_off) +
+                        " are not whole numbers, but up to " + number_text(values.greatest_off) +
                         " off: they are rounded to the nearest");
 }
 
@@ -57,7 +54,7 @@ void check_label_map(const Field& field, std::vector<std::string>& notes)
     if (differing < busy)
         return;
     const std::string what = different_text(values) + " different whole numbers from " + range_text(values) + ", and " +
-                             text_of(std::round(100 * differing)) + " % of its neighbouring voxels differ";
+                             number_text(std::round(100 * differing)) + " % of its neighbouring voxels differ";
     if (values.is_signed())
         refuse(field, "it may be a label map, a grey image or a distance function, with " + what + ": " + ask);
     notes.push_back(field.who + ": it looks like a grey image rather than a label map: it has " + what);
@@ -169,7 +166,7 @@ std::vector<Field> fields_of(const std::vector<Source>& sources)
     for (const Source& source : sources)
         for (int64_t f = 0; f < source.image.fields; ++f) {
             const std::string file = "'" + source.path + "'";
-            const std::string who = source.image.fields > 1 ? "frame " + std::to_string(f) + " of " + file : file;
+            const std::string who = source.image.fields > 1 ? "the " + ordinal(f) + " frame of " + file : file;
             try {
                 fields.push_back({&source.image, f, who, values_of(source.image, f)});
             } catch (const Error& error) {

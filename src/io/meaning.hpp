@@ -28,7 +28,7 @@ struct Source {
 struct Field {
     const Image* image;
     int64_t index;    // in the image
-    std::string who;  // "'a.nii'", "frame 2 of 'a.nii'"
+    std::string who;  // "'a.nii'", "the 3rd frame of 'a.nii'"
     FieldValues values;
 };
 

@@ -4,11 +4,11 @@
 
 #include "base/error.hpp"
 #include "base/ordinal.hpp"
+#include "io/header_values.hpp"
 #include "io/voxels.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -20,13 +20,6 @@ namespace
 
 using Affine = std::array<double, 12>;  // to RAS
 using Notes = std::vector<std::string>;
-
-std::string number_text(double value)
-{
-    char text[40];
-    std::snprintf(text, sizeof text, "%g", value);
-    return text;
-}
 
 template <size_t N>
 void check_finite(const std::array<double, N>& values, const std::string& what)

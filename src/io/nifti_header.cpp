@@ -2,6 +2,7 @@
 #include "io/nifti_header.hpp"
 
 #include "base/error.hpp"
+#include "io/binary_header.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -13,38 +14,11 @@ namespace cleft::io
 namespace
 {
 
-class Fields
-{
-public:
-    Fields(const unsigned char* bytes, bool swapped) : bytes_(bytes), swapped_(swapped) {}
-
-    template <class T>
-    T get(size_t offset) const
-    {
-        std::array<unsigned char, sizeof(T)> raw{};
-        std::copy_n(bytes_ + offset, sizeof(T), raw.begin());
-        if (swapped_)
-            std::reverse(raw.begin(), raw.end());
-        T value{};
-        std::memcpy(&value, raw.data(), sizeof(T));
-        return value;
-    }
-
-    template <class T, class To, size_t N>
-    void get(size_t offset, std::array<To, N>& to) const
-    {
-        for (size_t i = 0; i < N; ++i)
-            to[i] = static_cast<To>(get<T>(offset + i * sizeof(T)));
-    }
-
-private:
-    const unsigned char* bytes_;
-    bool swapped_;
-};
+constexpr bool big_endian_machine = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__;
 
 bool has_length(const unsigned char* bytes, int32_t length, bool swapped)
 {
-    return Fields(bytes, swapped).get<int32_t>(0) == length;
+    return BinaryHeader(bytes, sizeof length, swapped != big_endian_machine).at<int32_t>(0) == length;
 }
 
 bool has_mark(const unsigned char* at, const char* mark, size_t count) { return std::memcmp(at, mark, count) == 0; }
@@ -63,47 +37,47 @@ bool is_nifti2(const unsigned char* bytes)
            has_mark(bytes + mark_of_nifti2, "ni2\0\r\n\032\n", 8);
 }
 
-void parse_analyze(const Fields& fields, NiftiHeader& header)
+void parse_analyze(const BinaryHeader& fields, NiftiHeader& header)
 {
-    fields.get<int16_t>(40, header.dim);
-    header.datatype = fields.get<int16_t>(70);
-    header.bitpix = fields.get<int16_t>(72);
-    fields.get<float>(76, header.pixdim);
-    header.vox_offset = fields.get<float>(108);
-    header.slope = fields.get<float>(112);
-    fields.get<int16_t>(253, header.spm_origin);
+    fields.at<int16_t>(40, header.dim);
+    header.datatype = fields.at<int16_t>(70);
+    header.bitpix = fields.at<int16_t>(72);
+    fields.at<float>(76, header.pixdim);
+    header.vox_offset = fields.at<float>(108);
+    header.slope = fields.at<float>(112);
+    fields.at<int16_t>(253, header.spm_origin);
 }
 
-void parse_nifti1(const Fields& fields, NiftiHeader& header)
+void parse_nifti1(const BinaryHeader& fields, NiftiHeader& header)
 {
     parse_analyze(fields, header);
-    header.intercept = fields.get<float>(116);
-    header.intent = fields.get<int16_t>(68);
-    header.units = fields.get<uint8_t>(123);
-    header.qform_code = fields.get<int16_t>(252);
-    header.sform_code = fields.get<int16_t>(254);
-    fields.get<float>(256, header.quaternion);
-    fields.get<float>(268, header.q_offset);
-    fields.get<float>(280, header.s_rows);
+    header.intercept = fields.at<float>(116);
+    header.intent = fields.at<int16_t>(68);
+    header.units = fields.at<uint8_t>(123);
+    header.qform_code = fields.at<int16_t>(252);
+    header.sform_code = fields.at<int16_t>(254);
+    fields.at<float>(256, header.quaternion);
+    fields.at<float>(268, header.q_offset);
+    fields.at<float>(280, header.s_rows);
     header.spm_origin = {};
 }
 
-void parse_nifti2(const Fields& fields, NiftiHeader& header)
+void parse_nifti2(const BinaryHeader& fields, NiftiHeader& header)
 {
-    header.datatype = fields.get<int16_t>(12);
-    header.bitpix = fields.get<int16_t>(14);
-    fields.get<int64_t>(16, header.dim);
-    fields.get<double>(104, header.pixdim);
-    header.vox_offset = static_cast<double>(fields.get<int64_t>(168));
-    header.slope = fields.get<double>(176);
-    header.intercept = fields.get<double>(184);
-    header.qform_code = fields.get<int32_t>(344);
-    header.sform_code = fields.get<int32_t>(348);
-    fields.get<double>(352, header.quaternion);
-    fields.get<double>(376, header.q_offset);
-    fields.get<double>(400, header.s_rows);
-    header.units = fields.get<int32_t>(500);
-    header.intent = fields.get<int32_t>(504);
+    header.datatype = fields.at<int16_t>(12);
+    header.bitpix = fields.at<int16_t>(14);
+    fields.at<int64_t>(16, header.dim);
+    fields.at<double>(104, header.pixdim);
+    header.vox_offset = static_cast<double>(fields.at<int64_t>(168));
+    header.slope = fields.at<double>(176);
+    header.intercept = fields.at<double>(184);
+    header.qform_code = fields.at<int32_t>(344);
+    header.sform_code = fields.at<int32_t>(348);
+    fields.at<double>(352, header.quaternion);
+    fields.at<double>(376, header.q_offset);
+    fields.at<double>(400, header.s_rows);
+    header.units = fields.at<int32_t>(500);
+    header.intent = fields.at<int32_t>(504);
 }
 
 }  // namespace
@@ -113,7 +87,7 @@ bool is_nifti_header(const unsigned char* bytes, size_t count)
     if (count < nifti1_header_bytes)
         return false;
     for (const bool swapped : {false, true}) {
-        const int64_t axes = Fields(bytes, swapped).get<int16_t>(40);
+        const int64_t axes = BinaryHeader(bytes, count, swapped != big_endian_machine).at<int16_t>(40);
         if (has_length(bytes, nifti1_header_bytes, swapped) && (is_nifti1(bytes) || (axes >= 1 && axes <= 7)))
             return true;
         if (has_length(bytes, nifti2_header_bytes, swapped) && is_nifti2(bytes))
@@ -131,7 +105,7 @@ NiftiHeader parse_nifti_header(const unsigned char* bytes, size_t count)
     header.kind = second ? NiftiKind::nifti2 : is_nifti1(bytes) ? NiftiKind::nifti1 : NiftiKind::analyze;
     if (count < header.bytes())
         throw Error(CLEFT_ERROR_FORMAT, "its header is cut short");
-    const Fields fields(bytes, header.swapped);
+    const BinaryHeader fields(bytes, count, header.swapped != big_endian_machine);
     if (header.kind == NiftiKind::nifti2)
         parse_nifti2(fields, header);
     else if (header.kind == NiftiKind::nifti1)

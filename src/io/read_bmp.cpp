@@ -1,5 +1,6 @@
 // Reads uncompressed BMP pictures with a palette: the number in the palette is the label.
 #include "base/error.hpp"
+#include "io/binary_header.hpp"
 #include "io/byte_source.hpp"
 #include "io/image_readers.hpp"
 #include "io/packed_bits.hpp"
@@ -26,41 +27,21 @@ struct Header {
     uint32_t compression = 0;
 };
 
-class Fields
-{
-public:
-    explicit Fields(const std::vector<unsigned char>& bytes) : bytes_(bytes) {}
-
-    // Little-endian.
-    uint32_t get(size_t offset, size_t size) const
-    {
-        if (offset + size > bytes_.size())
-            throw Error(CLEFT_ERROR_FORMAT, "its header is cut short");
-        uint32_t value = 0;
-        for (size_t i = size; i-- > 0;)
-            value = value << 8 | bytes_[offset + i];
-        return value;
-    }
-
-private:
-    const std::vector<unsigned char>& bytes_;
-};
-
 Header parse(const FileHead& head)
 {
-    const Fields fields(head.bytes);
-    const uint32_t header_bytes = fields.get(file_header_bytes, 4);
+    const BinaryHeader fields(head.bytes, false);
+    const uint32_t header_bytes = fields.at<uint32_t>(file_header_bytes);
     Header header;
-    header.offset = fields.get(10, 4);
+    header.offset = fields.at<uint32_t>(10);
     if (header_bytes == oldest_header) {
-        header.width = fields.get(18, 2);
-        header.height = fields.get(20, 2);
-        header.bits = fields.get(24, 2);
+        header.width = fields.at<uint16_t>(18);
+        header.height = fields.at<uint16_t>(20);
+        header.bits = fields.at<uint16_t>(24);
     } else if (header_bytes >= common_header) {
-        header.width = static_cast<int32_t>(fields.get(18, 4));
-        header.height = static_cast<int32_t>(fields.get(22, 4));
-        header.bits = fields.get(28, 2);
-        header.compression = fields.get(30, 4);
+        header.width = fields.at<int32_t>(18);
+        header.height = fields.at<int32_t>(22);
+        header.bits = fields.at<uint16_t>(28);
+        header.compression = fields.at<uint32_t>(30);
     } else {
         throw Error(CLEFT_ERROR_FORMAT, "its header has " + std::to_string(header_bytes) + " bytes, which no BMP has");
     }

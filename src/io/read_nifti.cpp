@@ -215,11 +215,7 @@ void read_voxels(const std::string& path, const NiftiHeader& header, Image& imag
     } else {
         source.skip(offset);
     }
-    uintmax_t bytes = size_of(image.component);
-    for (const int64_t count : {image.dims[0], image.dims[1], image.dims[2], image.fields})
-        if (__builtin_mul_overflow(bytes, static_cast<uintmax_t>(count), &bytes))
-            throw Error(CLEFT_ERROR_TOO_LARGE, "it has too many voxels");
-    source.expect(bytes);
+    source.expect(checked_bytes(image));
     allocate_voxels(image);
     source.read(image.voxels.get(), image.bytes());
     char more = 0;

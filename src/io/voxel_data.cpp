@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "io/text_scanner.hpp"
+#include "io/voxel_access.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -29,47 +30,10 @@ bool store_number(std::string_view word, std::byte* to)
 
 bool store_word(std::string_view word, Component component, std::byte* to)
 {
-    switch (component) {
-        case Component::uint8:
-            return store_number<uint8_t>(word, to);
-        case Component::int8:
-            return store_number<int8_t>(word, to);
-        case Component::uint16:
-            return store_number<uint16_t>(word, to);
-        case Component::int16:
-            return store_number<int16_t>(word, to);
-        case Component::uint32:
-            return store_number<uint32_t>(word, to);
-        case Component::int32:
-            return store_number<int32_t>(word, to);
-        case Component::uint64:
-            return store_number<uint64_t>(word, to);
-        case Component::int64:
-            return store_number<int64_t>(word, to);
-        case Component::float32:
-            return store_number<float>(word, to);
-        case Component::float64:
-            break;
-    }
-    return store_number<double>(word, to);
+    return with_type(component, [&](auto zero) { return store_number<decltype(zero)>(word, to); });
 }
 
 bool is_separator(char c) { return c == ' ' || c == ',' || (c >= '\t' && c <= '\r'); }
-
-// The bytes of all voxels as a file would have them. Throws where allocate_voxels() would for their number.
-uintmax_t bytes_wanted(const Image& image)
-{
-    constexpr auto most = static_cast<uintmax_t>(std::numeric_limits<int64_t>::max());
-    uintmax_t bytes = size_of(image.component);
-    for (const int64_t factor : {image.dims[0], image.dims[1], image.dims[2], image.fields}) {
-        if (factor < 1)
-            throw Error(CLEFT_ERROR_FORMAT, "there are no voxels");
-        if (static_cast<uintmax_t>(factor) > most / bytes)
-            throw Error(CLEFT_ERROR_TOO_LARGE, "there are too many voxels");
-        bytes *= static_cast<uintmax_t>(factor);
-    }
-    return bytes;
-}
 
 // The place behind so many lines.
 uintmax_t behind_lines(const std::string& path, uintmax_t offset, int64_t lines)
@@ -222,7 +186,7 @@ std::string_view read_text_voxels(std::string_view text, Image& image, int64_t f
 
 void read_voxels(const VoxelData& data, Image& image)
 {
-    const uintmax_t total = bytes_wanted(image);
+    const uintmax_t total = checked_bytes(image);
     const uintmax_t size = size_of(image.component);
     const uintmax_t files = data.files.size();
     if (files == 0 || total / size % files != 0)

@@ -2,11 +2,11 @@
 
 #include "base/error.hpp"
 #include "base/ordinal.hpp"
+#include "io/header_values.hpp"
 #include "io/voxel_access.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -71,13 +71,6 @@ double spacing_along(size_t axis, const Image& image, const cleft_io_reading& re
     return spacing;
 }
 
-std::string text_of(double number)
-{
-    char text[40];
-    std::snprintf(text, sizeof text, "%.6g", number);
-    return text;
-}
-
 void check_directions(const Image& image)
 {
     constexpr double least_volume = 1e-6;
@@ -125,12 +118,12 @@ std::vector<std::string> notes_on_spacing(const Image& image, const cleft_io_rea
             greatest = std::max({greatest, factor, 1 / factor});
         }
     if (reading.scale != 1 && greatest > another_unit)
-        return {"the spacing asked for is taken as it is, and not multiplied by the scale " + text_of(reading.scale) +
-                ": it differs from the file's by a factor of " + text_of(greatest)};
+        return {"the spacing asked for is taken as it is, and not multiplied by the scale " +
+                number_text(reading.scale) + ": it differs from the file's by a factor of " + number_text(greatest)};
     if (reading.scale != 1 || greatest < 1.001 || length(image.origin) == 0)
         return {};
-    return {"the spacing asked for replaces the file's, but the origin (" + text_of(image.origin[0]) + ", " +
-            text_of(image.origin[1]) + ", " + text_of(image.origin[2]) +
+    return {"the spacing asked for replaces the file's, but the origin (" + number_text(image.origin[0]) + ", " +
+            number_text(image.origin[1]) + ", " + number_text(image.origin[2]) +
             ") stays in the file's unit: a scale (--scale) takes both"};
 }
 

@@ -144,7 +144,7 @@ class Labels(MeaningTest):
             values = [float(v) for v in LABELS]
             values[1 + N * (2 + N * 3)] = value
             for kind in ("auto", "labels", "indicators"):
-                self.assert_refused(self.write("bad.nrrd", values), "--as", kind, words=["bad.nrrd", "(1, 2, 3)", word])
+                self.assert_refused(self.write("bad.nrrd", values), "--as", kind, words=["bad.nrrd", "2nd along x, the 3rd along y and the 4th along z", word])
 
     def test_what_looks_like_an_image_is_told_or_refused(self):
         grey = [(7919 * i * i) % 251 for i in range(N ** 3)]
@@ -199,7 +199,7 @@ class Functions(MeaningTest):
     def test_frames_of_a_label_map_are_refused(self):
         header = ("NRRD0004\ntype: uint8\ndimension: 4\nsizes: %d %d %d %d\nencoding: raw\n\n")
         self.path("four.nrrd").write_bytes((header % (N, N, N, 2)).encode() + 2 * bytes(LABELS))
-        self.assert_refused(self.path("four.nrrd"), words=["frame 0 of", "four.nrrd", "labels", "one frame"])
+        self.assert_refused(self.path("four.nrrd"), words=["the 1st frame of", "four.nrrd", "labels", "one frame"])
         self.assert_refused(self.path("four.nrrd"), "--as", "labels", words=["one frame"])
         self.path("one.nrrd").write_bytes((header % (N, N, N, 1)).encode() + bytes(LABELS))
         self.assertEqual(self.info(self.path("one.nrrd")), (Labels.COUNTS, []))

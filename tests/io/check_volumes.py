@@ -58,7 +58,7 @@ def test_nrrd_contents():
     check((voxels > 0).astype(int), np.eye(3, 4), write_nrrd('signed.nrrd', voxels), kind=INDICATORS)
     check(np.round(voxels / 4 + 0.1).astype(int), np.eye(3, 4), write_nrrd('fraction.nrrd', voxels / 4), kind=LABELS)
     voxels[1, 2, 3] = np.nan
-    refused(NOT_FINITE, '(1, 2, 3)', write_nrrd('nan.nrrd', voxels))
+    refused(NOT_FINITE, '2nd along x, the 3rd along y and the 4th along z', write_nrrd('nan.nrrd', voxels))
     refused(FORMAT, '237 bytes are missing', write_nrrd('short.nrrd', voxels, data=b'123'))
     refused(FILE, 'no such file', path('missing.nrrd'))
     with open(path('text.nrrd'), 'w') as file:
