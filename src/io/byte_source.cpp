@@ -140,13 +140,12 @@ private:
         return done;
     }
 
-    // A gzip file may be of several members, one after the other, which are one stream.
+    // A gzip file may be of several members, one after the other, which are one stream. Anything else behind them, such
+    // as the zeros that fill blocks up, is no part of it.
     bool next_member()
     {
-        if (!fill())
+        if (!fill() || stream_.next_in[0] != 0x1f)
             return false;
-        if (stream_.next_in[0] != 0x1f)
-            throw Error(CLEFT_ERROR_FORMAT, "there is something else behind its compressed data");
         ended_ = false;
         if (inflateReset(&stream_) != Z_OK)
             throw Error(CLEFT_ERROR_INTERNAL, "zlib cannot begin again");
@@ -217,16 +216,6 @@ std::string ByteSource::read_rest()
         text.resize(before + got);
     }
     return text;
-}
-
-void ByteSource::finish()
-{
-    char more = 0;
-    if (read_some(&more, 1) == 0)
-        return;
-    throw Error(CLEFT_ERROR_FORMAT,
-                state_->is_plain() ? "it has " + std::to_string(left() + 1) + " bytes more than its header tells of"
-                                   : "it has more bytes than its header tells of");
 }
 
 }  // namespace cleft::io

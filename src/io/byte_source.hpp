@@ -34,9 +34,8 @@ public:
     void skip(uintmax_t bytes);
     // All that is left.
     std::string read_rest();
-    // Nothing may be left, and the check sum of what is compressed must be right.
-    void finish();
-    // The bytes of the file that were not read yet; those of a plain source are what read() gives.
+    // The bytes of the file that were not read yet; those of a plain source are what read() gives. Where what is
+    // compressed has come to its end, they are no part of it.
     uintmax_t left() const;
 
 private:

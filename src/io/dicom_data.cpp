@@ -75,6 +75,7 @@ public:
         // What has an unknown type and no length is written without types inside.
         const bool unknown = std::strcmp(head.type, "UN") == 0;
         element.implicit = encoding_.implicit || unknown;
+        element.in_words = std::strcmp(head.type, "OW") == 0;
         if (head.length != undefined_length) {
             element.bytes = take(head.length, head.tag);
         } else if (head.tag == pixels_tag) {

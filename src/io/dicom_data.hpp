@@ -25,6 +25,7 @@ struct DicomElement {
     std::string_view bytes;                   // of an ordinary element, or all of a sequence without its end mark
     std::vector<std::string_view> fragments;  // of compressed pixels; the first is the table of offsets
     bool encapsulated = false;
+    bool in_words = false;  // of 16 bits (type OW)
     bool implicit = false;  // the items inside do not tell their types
 };
 

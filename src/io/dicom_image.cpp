@@ -8,7 +8,8 @@
 #include "io/dicom_segmentation.hpp"
 #include "io/dicom_series.hpp"
 
-#include <cstring>
+#include <algorithm>
+#include <string_view>
 
 namespace cleft::io
 {
@@ -30,6 +31,29 @@ void sort_frames(const std::vector<DicomPlane>& planes, Image& image)
     put_in_slots(stack_of(planes, who), image);
 }
 
+// Was it ever compressed so that values change? The two are JPEG, which cannot do otherwise.
+bool is_lossy(const DicomFile& file)
+{
+    static constexpr std::string_view always[] = {"1.2.840.10008.1.2.4.50", "1.2.840.10008.1.2.4.51"};
+    const auto lossy = std::find(std::begin(always), std::end(always), file.transfer_syntax);
+    return lossy != std::end(always) || file.data.text(0x00282110u) == "01";
+}
+
+// What is read, but may surprise.
+void note_doubts(const DicomFile& file, const DicomPlane& plane, std::vector<std::string>& notes)
+{
+    if (!plane.sized)
+        notes.emplace_back("it does not tell the size of a pixel: 1 x 1 is taken");
+    else if (plane.at_detector)
+        notes.emplace_back("it tells the size of a pixel at the detector alone, which is taken");
+    if (file.data.text(0x00280004u) == "MONOCHROME1")
+        notes.emplace_back("it says that 0 is white (MONOCHROME1): the labels are the numbers in the file");
+    if (is_lossy(file))
+        notes.emplace_back("its pixels were compressed in a way that changes values, and so labels");
+    if (file.data.has(0x00283000u))
+        notes.emplace_back("its table of values (Modality LUT) is not applied to the voxels");
+}
+
 }  // namespace
 
 void check_dicom_is_image(const DicomFile& file)
@@ -42,8 +66,8 @@ void check_dicom_is_image(const DicomFile& file)
         {"1.2.840.10008.5.1.4.1.1.481.3",
          "an RT structure set: contours, not voxels; make a label map of it, for "
          "instance in 3D Slicer"},
-        {"1.2.840.10008.5.1.4.1.1.481.2", "an RT dose"},
-        {"1.2.840.10008.5.1.4.1.1.481.5", "an RT plan"},
+        {"1.2.840.10008.5.1.4.1.1.481.2", "an RT dose: amounts of radiation, not labels"},
+        {"1.2.840.10008.5.1.4.1.1.481.5", "an RT plan: numbers for a treatment, not voxels"},
         {"1.2.840.10008.5.1.4.1.1.66.5", "a surface segmentation: triangles, not voxels"},
         {"1.2.840.10008.5.1.4.1.1.104.1", "a document"},
     };
@@ -65,8 +89,7 @@ Image read_dicom_frames(const DicomFile& file, std::vector<DicomPlane>& planes)
     const DicomPixelFormat format = pixel_format_of(file);
     planes = planes_of(file, format.frames);
     Image image = pixels_of(file, format);
-    if (!planes.front().sized)
-        image.notes.push_back("it does not tell the size of a pixel: 1 x 1 is taken");
+    note_doubts(file, planes.front(), image.notes);
     return image;
 }
 

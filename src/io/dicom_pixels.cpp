@@ -37,6 +37,15 @@ Component component_of(const DicomFile& file, const DicomPixelFormat& format)
     }
 }
 
+// Bytes in words of 16 bits, of which the high byte comes first.
+std::string pairs_swapped(std::string_view bytes)
+{
+    std::string swapped(bytes);
+    for (size_t at = 0; at + 1 < swapped.size(); at += 2)
+        std::swap(swapped[at], swapped[at + 1]);
+    return swapped;
+}
+
 // Bits follow each other without gaps, also from one frame to the next, the first pixel in the lowest bit.
 void unpack_bits(std::string_view bytes, Image& image)
 {
@@ -99,10 +108,11 @@ void unpack_frames(const std::vector<std::string_view>& fragments, const DicomPi
     }
 }
 
-// Bits above those that are stored may hold anything.
-void clear_unused_bits(const DicomPixelFormat& format, Image& image)
+// Bits above and below those that are stored may hold anything.
+void clear_unused_bits(const DicomPixelFormat& format, bool compressed, Image& image)
 {
     const int64_t unused = format.bits_allocated - format.bits_stored;
+    const int64_t above = compressed ? unused : format.bits_allocated - 1 - format.high_bit;
     if (unused <= 0 || is_floating(image.component))
         return;
     with_type(image.component, [&](auto zero) {
@@ -110,7 +120,7 @@ void clear_unused_bits(const DicomPixelFormat& format, Image& image)
         if constexpr (std::is_integral_v<T> && sizeof(T) <= sizeof(int32_t)) {
             using Bits = std::make_unsigned_t<T>;
             for (int64_t v = 0; v < image.field_size(); ++v) {
-                const auto bits = static_cast<Bits>(static_cast<uint32_t>(load<Bits>(image.voxels.get(), v)) << unused);
+                const auto bits = static_cast<Bits>(static_cast<uint32_t>(load<Bits>(image.voxels.get(), v)) << above);
                 store<T>(image.voxels.get(), v, static_cast<T>(static_cast<T>(bits) >> unused));
             }
         }
@@ -127,6 +137,7 @@ DicomPixelFormat pixel_format_of(const DicomFile& file)
     format.columns = data.short_number(0x00280011u, 0);
     format.bits_allocated = data.short_number(0x00280100u, 0);
     format.bits_stored = data.short_number(0x00280101u, format.bits_allocated);
+    format.high_bit = data.short_number(0x00280102u, format.bits_stored - 1);
     format.is_signed = data.short_number(0x00280103u, 0) == 1;
     const std::vector<double> frames = data.numbers(0x00280008u);
     if (!frames.empty())
@@ -134,6 +145,9 @@ DicomPixelFormat pixel_format_of(const DicomFile& file)
     const int64_t samples = data.short_number(0x00280002u, 1);
     if (samples != 1)
         refuse("it has " + std::to_string(samples) + " numbers a voxel (colours or vectors); one is wanted");
+    if (format.bits_stored < 1 || format.bits_stored > format.high_bit + 1 || format.high_bit >= format.bits_allocated)
+        refuse("the DICOM file is damaged: of " + std::to_string(format.bits_allocated) + " bits, " +
+               std::to_string(format.bits_stored) + " are stored up to bit " + std::to_string(format.high_bit));
     if (format.rows < 1 || format.columns < 1 || format.frames < 1)
         refuse("the DICOM file does not tell how many rows, columns and frames its image has");
     return format;
@@ -156,6 +170,9 @@ Image pixels_of(const DicomFile& file, const DicomPixelFormat& format)
         refuse("the DICOM file is damaged: its pixels have " + std::to_string(there) + " bytes, and not " +
                std::to_string(wanted));
     const bool compressed = element.encapsulated && !packed;
+    const std::string straight =
+        element.in_words && file.data.is_big_endian() && bits <= 8 ? pairs_swapped(element.bytes) : std::string();
+    const std::string_view plain = straight.empty() ? element.bytes : straight;
     if (!compressed)
         allocate_voxels(image);
     if (compressed)
@@ -163,11 +180,15 @@ Image pixels_of(const DicomFile& file, const DicomPixelFormat& format)
     else if (element.encapsulated)
         unpack_frames(element.fragments, format, image);
     else if (format.bits_allocated == 1)
-        unpack_bits(element.bytes, image);
+        unpack_bits(plain, image);
     else
-        copy_plain(element.bytes, file.data.is_big_endian(), image);
+        copy_plain(plain, file.data.is_big_endian(), image);
+    if (!compressed && format.high_bit + 1 != format.bits_stored)
+        image.notes.push_back("its pixels are the " + std::to_string(format.bits_stored) + " bits up to number " +
+                              std::to_string(format.high_bit) + " of " + std::to_string(format.bits_allocated) +
+                              " (HighBit), and are moved down");
     if (format.bits_allocated > 1)
-        clear_unused_bits(format, image);
+        clear_unused_bits(format, compressed, image);
     return image;
 }
 

@@ -13,6 +13,7 @@ struct DicomPixelFormat {
     int64_t frames = 1;
     int64_t bits_allocated = 0;
     int64_t bits_stored = 0;
+    int64_t high_bit = 0;  // the highest of those that are stored
     bool is_signed = false;
 
     int64_t frame_size() const { return columns * rows; }

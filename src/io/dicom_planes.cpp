@@ -2,6 +2,7 @@
 #include "io/dicom_planes.hpp"
 
 #include "base/error.hpp"
+#include "io/header_values.hpp"
 #include "io/voxel_access.hpp"
 
 #include <algorithm>
@@ -61,18 +62,18 @@ DicomPlane plane_of(const FrameGroups& groups)
         plane.along_column = times(1 / length(column), column);
     }
     std::vector<double> pixel = groups.numbers(measures_group, 0x00280030u);
-    if (pixel.empty())
-        pixel = groups.numbers(measures_group, 0x00181164u);  // at the detector
+    plane.at_detector = pixel.empty();
+    if (plane.at_detector)
+        pixel = groups.numbers(measures_group, 0x00181164u);
     if (pixel.size() == 2) {
         plane.sized = true;
         plane.row_spacing = pixel[0];
         plane.column_spacing = pixel[1];
     }
-    for (const DicomTag tag : {0x00180088u, 0x00180050u}) {
-        const std::vector<double> told = groups.numbers(measures_group, tag);
-        if (plane.slice_spacing == 0 && !told.empty())
-            plane.slice_spacing = std::abs(told.front());
-    }
+    const std::vector<double> between = groups.numbers(measures_group, 0x00180088u);
+    const std::vector<double> thickness = groups.numbers(measures_group, 0x00180050u);
+    plane.between_slices = between.empty() ? 0 : std::abs(between.front());
+    plane.thickness = thickness.empty() ? 0 : std::abs(thickness.front());
     const std::vector<double> slope = groups.numbers(values_group, 0x00281053u);
     const std::vector<double> intercept = groups.numbers(values_group, 0x00281052u);
     plane.slope = slope.empty() || slope.front() == 0 ? 1 : slope.front();
@@ -145,6 +146,30 @@ DicomStack slots_of(const std::vector<DicomPlane>& planes, const std::vector<std
     return stack;
 }
 
+// How far apart slots are that all gaps between planes are whole numbers of: as far as the file tells, else as the
+// nearest two planes, unless only the thickness of a slice makes them even.
+double loose_step(const DicomPlane& plane, const std::vector<double>& gaps, std::vector<std::string>& notes)
+{
+    constexpr double uneven = 0.05;
+    constexpr double neighbours = 1.5;
+    const auto fits = [&](double step) {
+        return step > 0 && std::all_of(gaps.begin(), gaps.end(), [&](double gap) {
+                   return gap > 0.5 * step && std::abs(gap / step - std::round(gap / step)) <= uneven;
+               });
+    };
+    const double least_gap = *std::min_element(gaps.begin(), gaps.end());
+    double step = plane.between_slices;
+    if (step == 0 || step > (1 + uneven) * least_gap)
+        step = fits(least_gap) || !fits(plane.thickness) ? least_gap : plane.thickness;
+    if (least_gap > neighbours * step)
+        notes.push_back("its frames are " + number_text(least_gap) + " apart or more, but its slices " +
+                        number_text(step) + ": nothing is taken to lie in the slices that have no frame");
+    else if (plane.between_slices == 0 && plane.thickness > 0 && step > neighbours * plane.thickness)
+        notes.push_back("it does not tell how far its slices are apart: " + number_text(step) +
+                        " is taken, as between frames, and not their thickness of " + number_text(plane.thickness));
+    return step;
+}
+
 double same_place(const std::vector<DicomPlane>& planes)
 {
     return 1e-3 * std::min(planes.front().row_spacing, planes.front().column_spacing);
@@ -180,29 +205,27 @@ DicomStack loose_stack_of(const std::vector<DicomPlane>& planes, const std::vect
 {
     constexpr double most_slices = 65536;
     const std::vector<Place> places = places_of(planes, who);
-    const double height = places.back().height - places.front().height;
-    double step = planes.front().slice_spacing;
-    double least_gap = height;
-    for (size_t i = 1; i < places.size(); ++i) {
-        const double gap = places[i].height - places[i - 1].height;
-        if (gap > same_place(planes))
-            least_gap = std::min(least_gap, gap);
-    }
-    if (height <= same_place(planes))
+    std::vector<double> gaps;
+    for (size_t i = 1; i < places.size(); ++i)
+        if (const double gap = places[i].height - places[i - 1].height; gap > same_place(planes))
+            gaps.push_back(gap);
+    if (gaps.empty())
         return slots_of(planes, who, places, 1);
-    if (step == 0 || step > 1.05 * least_gap)
-        step = least_gap;
-    const double steps = std::round(height / step);
+    std::vector<std::string> notes;
+    const double height = places.back().height - places.front().height;
+    const double steps = std::round(height / loose_step(planes.front(), gaps, notes));
     if (steps + 1 > most_slices)
         refuse("its slices are not evenly spaced");
-    return slots_of(planes, who, places, static_cast<int64_t>(std::max(1.0, steps)) + 1);
+    DicomStack stack = slots_of(planes, who, places, static_cast<int64_t>(std::max(1.0, steps)) + 1);
+    stack.geometry.notes = std::move(notes);
+    return stack;
 }
 
 void set_plane(const DicomPlane& plane, Image& image)
 {
     image.directions = {plane.along_row, plane.along_column, normal_of(plane)};
     image.spacing = {plane.column_spacing, plane.row_spacing,
-                     plane.slice_spacing > 0 ? plane.slice_spacing : plane.column_spacing};
+                     plane.slice_spacing() > 0 ? plane.slice_spacing() : plane.column_spacing};
     image.origin = plane.position;
 }
 

@@ -13,11 +13,15 @@ struct DicomPlane {
     Vector3 along_row{1, 0, 0};
     Vector3 along_column{0, 1, 0};
     bool sized = false;         // is the size of a pixel known?
+    bool at_detector = false;   // ... but where the rays arrive alone
     double column_spacing = 1;  // along a row
     double row_spacing = 1;     // along a column
-    double slice_spacing = 0;   // as told, between slices or else their thickness; 0: not told
+    double between_slices = 0;  // as told; 0: not told
+    double thickness = 0;       // of a slice, as told; 0: not told
     double slope = 1;           // of the values
     double intercept = 0;
+
+    double slice_spacing() const { return between_slices > 0 ? between_slices : thickness; }
 };
 
 // One for each frame, of what the file says for all frames and for each.
@@ -25,7 +29,7 @@ std::vector<DicomPlane> planes_of(const DicomFile& file, int64_t frames);
 
 // Even slots along the third axis, and which of them each plane takes.
 struct DicomStack {
-    Image geometry;  // dims, directions, spacing and origin; no voxels
+    Image geometry;  // dims, directions, spacing and origin, and notes; no voxels
     std::vector<int64_t> slots;
 };
 

@@ -2,6 +2,7 @@
 #include "io/dicom_segmentation.hpp"
 
 #include "base/error.hpp"
+#include "base/ordinal.hpp"
 #include "io/dicom_pixels.hpp"
 #include "io/dicom_planes.hpp"
 #include "io/meaning.hpp"
@@ -118,7 +119,7 @@ std::vector<std::string> frame_names(int64_t frames)
 {
     std::vector<std::string> names;
     for (int64_t f = 0; f < frames; ++f)
-        names.push_back("frame " + std::to_string(f));
+        names.push_back("the " + ordinal(f) + " frame");
     return names;
 }
 
@@ -154,6 +155,7 @@ Image read_dicom_segmentation(const DicomFile& file)
     labels.directions = stack.geometry.directions;
     labels.spacing = stack.geometry.spacing;
     labels.origin = stack.geometry.origin;
+    labels.notes = stack.geometry.notes;
     name_segments(segments, labels);
     if (type == "LABELMAP") {
         labels.component = frames.component;

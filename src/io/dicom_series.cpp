@@ -2,14 +2,14 @@
 #include "io/dicom_series.hpp"
 
 #include "base/error.hpp"
+#include "io/dicom_folders.hpp"
 #include "io/dicom_image.hpp"
 #include "io/text_scanner.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <map>
 
 namespace cleft::io
 {
@@ -28,24 +28,17 @@ struct SliceFile {
 
 struct Series {
     std::string description;
+    std::string modality;
     std::string uid;
-    std::string size;  // of its slices
+    std::string size;                 // of its slices
+    std::vector<double> orientation;  // of its slices
     std::vector<SliceFile> files;
 };
-
-std::string first_bytes(const std::string& path)
-{
-    std::string bytes(132, '\0');
-    std::ifstream file(path, std::ios::binary);
-    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    bytes.resize(static_cast<size_t>(file.gcount()));
-    return bytes;
-}
 
 // Files that are no DICOM at all are passed over, and DICOM without voxels, too; damaged DICOM is an error.
 bool read_header(const std::string& path, DicomFile& file)
 {
-    const std::string head = first_bytes(path);
+    const std::string head = first_bytes_of(path);
     if (!is_dicom_head(head))
         return false;
     const bool marked = head.size() >= 132 && head.compare(128, 4, "DICM") == 0;
@@ -59,34 +52,42 @@ bool read_header(const std::string& path, DicomFile& file)
     return file.data.has(0x7FE00010u) || file.data.has(0x7FE00008u) || file.data.has(0x7FE00009u);
 }
 
-// By the UID of the series, then by the size of the slices and their direction: a series may begin with slices of
-// another kind, to show where the others lie.
+bool is_alike(const std::vector<double>& a, const std::vector<double>& b)
+{
+    constexpr double turned = 1e-3;
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](double one, double other) { return std::abs(one - other) <= turned; });
+}
+
+// The series of these, or a new one at the end. A series may begin with slices of another size or direction, to show
+// where the others lie.
+Series& series_of(const DicomData& data, std::vector<Series>& list)
+{
+    Series made;
+    made.uid = data.text(0x0020000Eu);
+    made.description = data.text(0x0008103Eu);
+    made.modality = data.text(0x00080060u);
+    made.size =
+        std::to_string(data.short_number(0x00280011u, 0)) + " x " + std::to_string(data.short_number(0x00280010u, 0));
+    made.orientation = data.numbers(0x00200037u);
+    const auto found = std::find_if(list.begin(), list.end(), [&](const Series& series) {
+        return series.uid == made.uid && series.size == made.size && is_alike(series.orientation, made.orientation);
+    });
+    return found != list.end() ? *found : list.emplace_back(std::move(made));
+}
+
 std::vector<Series> series_in(const std::string& folder)
 {
-    std::vector<std::string> paths;
-    std::error_code error;
-    for (const auto& entry : fs::directory_iterator(folder, error))
-        if (entry.is_regular_file(error))
-            paths.push_back(entry.path().string());
-    std::sort(paths.begin(), paths.end());
-    std::map<std::vector<std::string>, Series> all;
-    for (const std::string& path : paths) {
+    std::vector<Series> list;
+    for (const std::string& path : files_in(folder)) {
         DicomFile file;
         if (!read_header(path, file))
             continue;
-        const DicomData& data = file.data;
-        const std::string size = std::to_string(data.short_number(0x00280011u, 0)) + " x " +
-                                 std::to_string(data.short_number(0x00280010u, 0));
-        Series& series = all[{data.text(0x0020000Eu), size, data.text(0x00200037u)}];
-        series.description = data.text(0x0008103Eu);
-        series.uid = data.text(0x0020000Eu);
-        series.size = size;
-        const std::vector<double> number = data.numbers(0x00200013u);
-        series.files.push_back({path, number.empty() ? 0 : number.front()});
+        naming_file(path, [&] {
+            const std::vector<double> number = file.data.numbers(0x00200013u);
+            series_of(file.data, list).files.push_back({path, number.empty() ? 0 : number.front()});
+        });
     }
-    std::vector<Series> list;
-    for (auto& row : all)
-        list.push_back(std::move(row.second));
     return list;
 }
 
@@ -97,6 +98,7 @@ std::string names_of(const std::vector<Series>& list)
     for (size_t s = 0; s < std::min(told, list.size()); ++s) {
         const Series& series = list[s];
         text += std::string(s > 0 ? "; " : "") + "'" + printable(series.description) + "' (" +
+                (series.modality.empty() ? "" : printable(series.modality) + ", ") +
                 std::to_string(series.files.size()) + (series.files.size() == 1 ? " file" : " files") + " of " +
                 series.size + ", UID " + printable(series.uid) + ", " +
                 fs::path(series.files.front().path).filename().string() + " ...)";
@@ -112,13 +114,17 @@ DicomStack stack_by_number(const Series& series, std::vector<DicomPlane> planes,
         order[i] = i;
     std::stable_sort(order.begin(), order.end(),
                      [&](size_t a, size_t b) { return series.files[a].number < series.files[b].number; });
+    for (size_t slot = 1; slot < order.size(); ++slot)
+        if (series.files[order[slot]].number == series.files[order[slot - 1]].number)
+            refuse("its slices do not tell where they lie, and '" + series.files[order[slot - 1]].path + "' and '" +
+                   series.files[order[slot]].path + "' have the same number");
     DicomStack stack;
     stack.slots.resize(planes.size());
     for (size_t slot = 0; slot < order.size(); ++slot)
         stack.slots[order[slot]] = static_cast<int64_t>(slot);
     set_plane(planes.front(), stack.geometry);
     volume.notes.push_back("its slices do not tell where they lie: they are taken in the order of their numbers, " +
-                           std::string(planes.front().slice_spacing > 0 ? "their thickness" : "a pixel") + " apart");
+                           std::string(planes.front().slice_spacing() > 0 ? "their thickness" : "a pixel") + " apart");
     return stack;
 }
 
@@ -131,9 +137,11 @@ void add_slice(const Image& slice, size_t number, const std::string& path, const
         volume.dims[0] = slice.dims[0];
         volume.dims[1] = slice.dims[1];
         volume.component = slice.component;
-        volume.notes = slice.notes;
         allocate_voxels(volume);
     }
+    for (const std::string& note : slice.notes)  // one slice speaks for all that say the same
+        if (std::find(volume.notes.begin(), volume.notes.end(), note) == volume.notes.end())
+            volume.notes.push_back(note);
     if (slice.component != volume.component)
         refuse("'" + path + "' has another type of voxels than '" + first + "'");
     std::memcpy(volume.voxels.get() + number * slice.bytes(), slice.voxels.get(), slice.bytes());
@@ -166,12 +174,17 @@ Image read_series(const Series& series)
 Image read_dicom_folder(const std::string& folder)
 {
     const std::vector<Series> list = series_in(folder);
-    if (list.empty())
-        throw Error(CLEFT_ERROR_FILE, "the folder holds no DICOM series");
+    if (list.empty()) {
+        const std::vector<std::string> below = dicom_folders_below(folder);
+        if (below.size() == 1)  // the only series in a tree of folders
+            return naming_file(below.front(), [&] { return read_dicom_folder(below.front()); });
+        refuse_folder_without_series(folder, below);
+    }
     if (list.size() > 1)
         throw Error(CLEFT_ERROR_FILE, "the folder must hold one DICOM series, but holds " +
                                           std::to_string(list.size()) + ": " + names_of(list) +
-                                          "; move one of them into a folder of its own");
+                                          "; give the file of a series that is one file, or move a series into a "
+                                          "folder of its own");
     if (list.front().files.size() == 1)
         return read_dicom_image(list.front().files.front().path, FileHead{});
     return read_series(list.front());

@@ -55,7 +55,11 @@ constexpr Foreign table[] = {
     {"7z\xbc\xaf\x27\x1c"sv, "", "a 7-Zip archive", by_unzip},
     {"SIMPLE  ="sv, "", "a FITS file", by_numpy},
     {""sv, ".npy .npz ", "an array of NumPy by its name, but it is damaged", by_numpy},
-    {""sv, ".raw .bin .dat .vol ", "of voxels without a header, as its name has it",
+    {"version https://git-lfs"sv, "", "a pointer of Git LFS and not the file itself",
+     "fetch the file by 'git lfs pull'"},
+    {"<!DOCTYPE"sv, "", "a web page", "fetch the file itself"},
+    {"<html"sv, "", "a web page", "fetch the file itself"},
+    {""sv, ".raw .bin .dat .vol ", "a file of voxels without a header, by its name",
      "give their number by --dims and their type by --type"},
 };
 
@@ -99,12 +103,20 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
 
 }  // namespace
 
+bool has_foreign_mark(const FileHead& head)
+{
+    for (const Foreign& row : table)
+        if (!row.mark.empty() && fits(row, head))
+            return true;
+    return false;
+}
+
 bool is_foreign_format(const FileHead& head)
 {
     for (const Foreign& row : table)
         if (fits(row, head))
             return true;
-    return is_vtk_xml(head) || (head.gzip && (head.begins_with("NRRD") || head.begins_with("# vtk DataFile")));
+    return is_vtk_xml(head) || head.gzip;
 }
 
 Image refuse_foreign_format(const std::string& path, const FileHead& head)
@@ -113,7 +125,7 @@ Image refuse_foreign_format(const std::string& path, const FileHead& head)
         if (fits(row, head))
             refuse(path, row.name, row.way);
     if (!is_vtk_xml(head))
-        refuse(path, "compressed by gzip as a whole", by_unzip);
+        refuse(path, "compressed by gzip as a whole", "decompress it first, if it is a volume");
     const std::string kind = kind_of_vtk_xml(head);
     for (const std::string_view image : xml_images)
         if (kind == image)

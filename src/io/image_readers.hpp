@@ -29,6 +29,7 @@ Image read_jpeg(const std::string& path, const FileHead& head);
 bool is_bmp(const FileHead& head);
 Image read_bmp(const std::string& path, const FileHead& head);
 // Formats that are known by name, and which programs turn into others. Always throws.
+bool has_foreign_mark(const FileHead& head);  // known by the first bytes
 bool is_foreign_format(const FileHead& head);
 Image refuse_foreign_format(const std::string& path, const FileHead& head);
 

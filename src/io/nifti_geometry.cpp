@@ -241,7 +241,7 @@ void place(Affine affine, Image& image)
         missing[axis] = length(column(affine, axis)) == 0;
         const Vector3 normal = cross(column(affine, (axis + 1) % 3), column(affine, (axis + 2) % 3));
         if (missing[axis] && length(normal) == 0)
-            throw Error(CLEFT_ERROR_FORMAT, "its voxels have no size along several axes");
+            throw Error(CLEFT_ERROR_FORMAT, "its voxels have no size along several axes (sform, qform or pixdim)");
         if (missing[axis])
             for (size_t row = 0; row < 3; ++row)
                 affine[4 * row + axis] = normal[row] * (axis == 0 ? 1 : width) / length(normal);

@@ -205,7 +205,7 @@ private:
     // What does not change which voxel has which label, or where it is.
     bool is_ignored(const std::string& field)
     {
-        if (field == "oldmin" || field == "oldmax")
+        if ((field == "oldmin" || field == "oldmax") && seen_.count("oldmin") + seen_.count("oldmax") == 1)
             header_.notes.emplace_back("its fields 'old min' and 'old max' are not applied to the voxels");
         static const std::set<std::string> ignored{"content",     "number",           "sampleunits", "min",
                                                    "max",         "oldmin",           "oldmax",      "spaceunits",

@@ -69,12 +69,12 @@ Image read_raw_image(const std::string& path, const cleft_io_raw& layout)
     const uintmax_t size = std::filesystem::file_size(path, error);
     if (error)
         throw Error(CLEFT_ERROR_FILE, "cannot read '" + path + "': " + error.message());
-    allocate_voxels(image);
-    const uintmax_t expected = static_cast<uintmax_t>(layout.skip) + image.bytes();
+    const uintmax_t expected = static_cast<uintmax_t>(layout.skip) + checked_bytes(image);
     if (size != expected)
         throw Error(CLEFT_ERROR_FORMAT, "'" + path + "' has " + std::to_string(size) + " bytes, but its voxels" +
                                             (layout.skip > 0 ? " and what is skipped" : "") + " would have " +
                                             std::to_string(expected));
+    allocate_voxels(image);
     std::ifstream file(path, std::ios::binary);
     file.seekg(layout.skip);
     file.read(reinterpret_cast<char*>(image.voxels.get()), static_cast<std::streamsize>(image.bytes()));

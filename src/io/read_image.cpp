@@ -30,6 +30,7 @@ constexpr Reader readers[] = {
     {"PNG", is_png, read_png},
     {"JPEG", is_jpeg, read_jpeg},
     {"BMP", is_bmp, read_bmp},
+    {"known by its first bytes, but not read", has_foreign_mark, refuse_foreign_format},
     {"NIfTI or Analyze", is_nifti, read_nifti},
     {"known, but not read", is_foreign_format, refuse_foreign_format},
 };

@@ -1,6 +1,7 @@
 // Reads NIfTI-1, NIfTI-2 and Analyze 7.5: one file, or a header and its voxels in two.
 #include "base/error.hpp"
 #include "io/byte_source.hpp"
+#include "io/header_values.hpp"
 #include "io/image_readers.hpp"
 #include "io/nifti_geometry.hpp"
 #include "io/nifti_header.hpp"
@@ -166,8 +167,8 @@ uintmax_t voxel_offset(const NiftiHeader& header)
     const double least = header.single_file ? static_cast<double>(header.bytes() + nifti_extension_mark) : 0;
     const double offset = header.vox_offset;
     if (!(offset >= least) || offset != std::floor(offset) || offset > 0x1p53)
-        throw Error(CLEFT_ERROR_FORMAT, "its vox_offset is " + std::to_string(offset) + "; " +
-                                            std::to_string(static_cast<int>(least)) + " or more is wanted");
+        throw Error(CLEFT_ERROR_FORMAT,
+                    "its vox_offset is " + number_text(offset) + "; " + number_text(least) + " or more is wanted");
     return static_cast<uintmax_t>(offset);
 }
 
@@ -218,9 +219,7 @@ void read_voxels(const std::string& path, const NiftiHeader& header, Image& imag
     source.expect(checked_bytes(image));
     allocate_voxels(image);
     source.read(image.voxels.get(), image.bytes());
-    char more = 0;
-    if (source.read_some(&more, 1) != 0)
-        image.notes.emplace_back("there are more bytes behind its voxels, which are not read");
+    check_end(source, image.bytes(), image);
     if (header.swapped)
         swap_bytes(image);
 }

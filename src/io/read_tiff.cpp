@@ -2,6 +2,7 @@
 #include "io/image_readers.hpp"
 
 #include "base/error.hpp"
+#include "base/ordinal.hpp"
 #include "io/packed_bits.hpp"
 #include "io/tiff_description.hpp"
 #include "io/tiff_page.hpp"
@@ -31,7 +32,7 @@ struct Stack {
     uint64_t raw_offset = 0;  // where these voxels begin; 0: each slice has its page
 };
 
-std::string page_name(size_t directory) { return "page " + std::to_string(directory + 1); }
+std::string page_name(size_t directory) { return "the " + ordinal(static_cast<int64_t>(directory)) + " page"; }
 
 // Files of programs that keep channels or slices where TIFF itself knows of none.
 void check_program(const TiffDirectory& directory)

@@ -4,6 +4,7 @@
 #include "io/header_values.hpp"
 #include "io/image_readers.hpp"
 #include "io/text_source.hpp"
+#include "io/voxel_access.hpp"
 #include "io/voxel_data.hpp"
 #include "io/vtk_arrays.hpp"
 
@@ -66,29 +67,24 @@ std::vector<double> coordinates(TextSource& source, bool binary, const char* fie
     const int64_t count = vtk_count(source, field);
     if (count != wanted)
         refuse_field(field, std::to_string(count), std::to_string(wanted) + " are wanted");
-    const std::string type = in_small_letters(source.word());
-    if (type != "float" && type != "double" && !(type == "int" && !binary))
-        refuse_field(field, type, "float or double is wanted");
+    const Component type = vtk_number_type(std::string(source.word()));
     source.rest_is_blank();
     std::vector<double> values;
-    const size_t size = type == "double" ? 8 : 4;
-    if (binary)
-        source.expect(static_cast<uintmax_t>(count) * size);
-    else
+    if (!binary) {
         source.expect(static_cast<uintmax_t>(count));
-    for (int64_t i = 0; i < count; ++i) {
-        if (!binary) {
+        for (int64_t i = 0; i < count; ++i)
             values.push_back(real_of(field, source.word()));
-            continue;
-        }
+        return values;
+    }
+    const size_t size = size_of(type);
+    source.expect(static_cast<uintmax_t>(count) * size);
+    for (int64_t i = 0; i < count; ++i) {
         std::byte bytes[8];
         source.read(bytes, size);
-        swap_bytes(bytes, 1, size);
-        double wide = 0;
-        float narrow = 0;
-        std::memcpy(&wide, bytes, size == 8 ? size : 0);
-        std::memcpy(&narrow, bytes, size == 4 ? size : 0);
-        values.push_back(size == 8 ? wide : static_cast<double>(narrow));
+        if (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__)
+            swap_bytes(bytes, 1, size);
+        values.push_back(
+            with_type(type, [&](auto zero) { return static_cast<double>(load<decltype(zero)>(bytes, 0)); }));
     }
     return values;
 }
@@ -204,9 +200,10 @@ VtkArray chosen(const std::vector<VtkArray>& arrays, Image& image)
             continue;
         names += (names.empty() ? "'" : ", '") + array.name.substr(0, 60) + "'" +
                  (array.on_cells ? " on cells" : " on points");
-        if (array.is_numeric && array.components == 1)
+        const bool is_usable = array.is_numeric && array.components == 1 && !array.is_id;
+        if (is_usable)
             usable.push_back(array);
-        if (array.is_numeric && array.components == 1 && is_likely_name(array.name))
+        if (is_usable && is_likely_name(array.name))
             likely.push_back(array);
     }
     if (names.empty())

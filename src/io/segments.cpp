@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "io/header_values.hpp"
+#include "io/voxel_access.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -168,6 +169,26 @@ void flatten(std::vector<Segment>& segments, Image& image)
                               "segment that comes last in the file takes them");
 }
 
+// In one layer, voxels keep their values, also those that are no segment.
+void note_values_without_segment(const std::vector<Segment>& segments, Image& image)
+{
+    std::set<int64_t> known{0};
+    std::set<int64_t> strange;
+    for (const Segment& segment : segments)
+        known.insert(segment.value);
+    int64_t last = 0;
+    for_each_value(image, 0, [&](int64_t, double number) {
+        const auto value = static_cast<int64_t>(number);
+        if (value != last && known.count(value) == 0)
+            strange.insert(value);
+        last = value;
+    });
+    if (!strange.empty())
+        image.notes.push_back("it has voxels of value " + std::to_string(*strange.begin()) +
+                              (strange.size() > 1 ? " and others" : "") +
+                              ", which is no segment: their values are kept");
+}
+
 }  // namespace
 
 bool has_segments(const Keys& keys)
@@ -182,6 +203,8 @@ void apply_segments(const Keys& keys, Image& image)
         throw Error(CLEFT_ERROR_FORMAT, "it is a segmentation, but its voxels are no whole numbers");
     if (image.fields > 1)
         flatten(segments, image);
+    else
+        note_values_without_segment(segments, image);
     for (const Segment& segment : segments)
         image.names.emplace_back(segment.label, segment.name);
 }

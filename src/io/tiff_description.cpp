@@ -100,14 +100,28 @@ double metres(const std::string& unit)
     return found == known.end() ? 0 : found->second;
 }
 
+// Voxels are unit cubes unless there is a size along x and y.
+void note_lonely_sizes(const XmlTag& pixels, TiffDescription& found)
+{
+    for (const char* name : {"PhysicalSizeX", "PhysicalSizeY", "PhysicalSizeZ"})
+        if (!pixels.get(name).empty()) {
+            found.notes.push_back(std::string("OME's '") + name +
+                                  "' is not used, as sizes along other axes are missing");
+            return;
+        }
+}
+
 void read_physical_sizes(const XmlTag& pixels, TiffDescription& found)
 {
     const std::string axes = "XYZ";
     for (size_t axis = 0; axis < 3; ++axis) {
         const std::string name = std::string("PhysicalSize") + axes[axis];
         const std::string size = pixels.get(name);
-        if (size.empty() && axis < 2)
+        if (size.empty() && axis < 2) {
+            note_lonely_sizes(pixels, found);
+            found.spacing = {1, 1, 1};
             return;
+        }
         if (size.empty()) {
             found.spacing[2] = found.spacing[0];
             break;

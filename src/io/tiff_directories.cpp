@@ -3,6 +3,7 @@
 #include "io/tiff_directories.hpp"
 
 #include "base/error.hpp"
+#include "base/ordinal.hpp"
 
 #include <algorithm>
 #include <array>
@@ -34,7 +35,7 @@ public:
     {
         std::unordered_set<uint64_t> seen;
         for (uint64_t offset = first_directory(); offset != 0;) {
-            const std::string page = "page " + std::to_string(found_.list.size() + 1);
+            const std::string page = "the " + ordinal(static_cast<int64_t>(found_.list.size())) + " page";
             if (!seen.insert(offset).second)
                 throw Error(CLEFT_ERROR_FORMAT, "its pages run in a circle: the file is damaged");
             if (found_.list.size() == most_pages)

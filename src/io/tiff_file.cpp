@@ -83,7 +83,7 @@ void TiffFile::next_page(const std::string& page)
 void TiffFile::first_page()
 {
     if (!TIFFSetDirectory(handle(), 0))
-        throw Error(CLEFT_ERROR_FORMAT, "page 1 cannot be read: " + messages_->error);
+        throw Error(CLEFT_ERROR_FORMAT, "the 1st page cannot be read: " + messages_->error);
 }
 
 }  // namespace cleft::io

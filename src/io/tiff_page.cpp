@@ -2,6 +2,7 @@
 #include "io/tiff_page.hpp"
 
 #include "base/error.hpp"
+#include "base/ordinal.hpp"
 #include "io/packed_bits.hpp"
 
 #include <algorithm>
@@ -172,7 +173,7 @@ void check_parts(const TiffFile& file, const TiffPage& page, uint64_t file_bytes
     for (uint32_t part = 0; part < parts; ++part) {
         const uint64_t offset = TIFFGetStrileOffset(file.handle(), part);
         const uint64_t stored = TIFFGetStrileByteCount(file.handle(), part);
-        const std::string who = (page.tiled ? "tile " : "strip ") + std::to_string(part + 1);
+        const std::string who = "the " + ordinal(part) + (page.tiled ? " tile" : " strip");
         if (stored == 0 || offset == 0)
             throw Error(CLEFT_ERROR_FORMAT, who + " is missing from the file");
         if (offset > file_bytes || stored > file_bytes - offset)

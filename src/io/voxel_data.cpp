@@ -64,20 +64,6 @@ ByteSource open_data(const VoxelData& data, const std::string& path, uintmax_t b
     return ByteSource(path, Coding::deflated, begin, data.length);
 }
 
-// A little more than the header tells of is passed over with a note; as much again means that the header is wrong.
-void check_end(ByteSource& source, size_t wanted, Image& image)
-{
-    std::vector<char> waste(size_t{1} << 16);
-    size_t surplus = 0;
-    for (size_t got = 1; got > 0 && surplus < wanted; surplus += got)
-        got = source.read_some(waste.data(), waste.size());
-    if (surplus >= wanted)
-        throw Error(CLEFT_ERROR_FORMAT, "its header tells of " + std::to_string(wanted) +
-                                            " bytes of voxels, but there are twice as many or more");
-    if (surplus > 0)
-        image.notes.push_back(std::to_string(surplus) + " bytes behind its voxels are not read: is its size right?");
-}
-
 // Takes memory when the first file has shown that it can hold its share.
 void allocate_once(Image& image)
 {
@@ -139,7 +125,26 @@ void read_text(ByteSource source, int64_t first, int64_t count, Image& image)
 
 bool is_swapped(bool big_endian) { return big_endian != (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__); }
 
+std::string bytes_text(uintmax_t count) { return std::to_string(count) + (count == 1 ? " byte" : " bytes"); }
+
 }  // namespace
+
+void check_end(ByteSource& source, uintmax_t wanted, Image& image)
+{
+    std::vector<char> waste(size_t{1} << 16);
+    uintmax_t surplus = 0;
+    for (size_t got = 1; got > 0 && surplus < wanted; surplus += got)
+        got = source.read_some(waste.data(), waste.size());
+    if (surplus >= wanted)
+        throw Error(CLEFT_ERROR_FORMAT,
+                    "its header tells of " + bytes_text(wanted) + " of voxels, but there are twice as many or more");
+    if (surplus > 0)
+        image.notes.push_back(bytes_text(surplus) + " behind its voxels " + (surplus == 1 ? "is" : "are") +
+                              " not read: is its size right?");
+    else if (source.left() > 0)
+        image.notes.push_back(bytes_text(source.left()) + " behind its compressed data " +
+                              (source.left() == 1 ? "is" : "are") + " not read");
+}
 
 void swap_bytes(std::byte* values, size_t count, size_t size)
 {

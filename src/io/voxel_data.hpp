@@ -30,6 +30,10 @@ struct VoxelData {
 // Fills image.voxels; everything else of the image must be set. What is left over behind the voxels goes to the notes.
 void read_voxels(const VoxelData& data, Image& image);
 
+// For a source of which `wanted` bytes of voxels were read. A little more is passed over with a note; as much again
+// means that the header is wrong. The check sum of what is compressed must be right.
+void check_end(ByteSource& source, uintmax_t wanted, Image& image);
+
 // Numbers of text, separated by blanks or commas, into `count` voxels from `first` on; gives what is left of the text.
 std::string_view read_text_voxels(std::string_view text, Image& image, int64_t first, int64_t count);
 

@@ -67,20 +67,20 @@ double spacing_along(size_t axis, const Image& image, const cleft_io_reading& re
     const double spacing = wanted > 0 ? wanted : reading.scale * image.spacing[axis];
     if (spacing == 0 || !std::isfinite(spacing))
         throw Error(CLEFT_ERROR_FORMAT, "its spacing along the " + ordinal(static_cast<int64_t>(axis)) + " axis is " +
-                                            std::to_string(spacing) + ": give the spacing yourself");
+                                            number_text(spacing) + ": give the spacing yourself");
     return spacing;
 }
 
 void check_directions(const Image& image)
 {
     constexpr double least_volume = 1e-6;
-    bool finite = true;
     for (size_t row = 0; row < 3; ++row)
-        finite = finite && std::isfinite(image.origin[row]);
+        if (!std::isfinite(image.origin[row]))
+            throw Error(CLEFT_ERROR_FORMAT, "its origin is not finite");
     // A volume that is NaN fails the comparison.
     const double volume = dot(cross(image.directions[0], image.directions[1]), image.directions[2]);
-    if (!finite || !(std::abs(volume) > least_volume))
-        throw Error(CLEFT_ERROR_FORMAT, "the directions of its axes lie in a plane, or its origin is not finite");
+    if (!(std::abs(volume) > least_volume))
+        throw Error(CLEFT_ERROR_FORMAT, "the directions of its axes lie in a plane");
 }
 
 // Between LPS and RAS, either way; x + 0.0 makes no negative zeros.

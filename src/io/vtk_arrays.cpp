@@ -156,7 +156,7 @@ private:
         else if (keyword == "field")
             take_field();
         else if (fixed.count(keyword) > 0)
-            take_fixed(fixed.at(keyword));
+            take_fixed(fixed.at(keyword), keyword == "global_ids" || keyword == "pedigree_ids");
         else
             throw Error(CLEFT_ERROR_FORMAT, "its keyword '" + shown.substr(0, 40) +
                                                 "' is not known, or there are more values than it tells of");
@@ -204,12 +204,13 @@ private:
         add(array_name, type, components);
     }
 
-    void take_fixed(int64_t components)
+    void take_fixed(int64_t components, bool is_id)
     {
         const std::string array_name = name("a name");
         const Type type = type_named(name("a type"));
         end_line();
         add(array_name, type, components);
+        arrays_.back().is_id = is_id;
     }
 
     void take_colours()
@@ -277,6 +278,14 @@ int64_t vtk_count(TextSource& source, const char* what)
     if (count < 0)
         refuse_field(what, std::to_string(count), "it must not be negative");
     return count;
+}
+
+Component vtk_number_type(const std::string& type)
+{
+    const Type found = type_named(type);
+    if (found.is_bit || !found.is_numeric)
+        throw Error(CLEFT_ERROR_FORMAT, "its coordinates are of the type '" + type + "'; numbers are wanted");
+    return found.component;
 }
 
 void skip_vtk_values(TextSource& source, bool binary, const std::string& type, int64_t count)

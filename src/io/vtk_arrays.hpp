@@ -18,6 +18,7 @@ struct VtkArray {
     bool is_bit = false;
     bool is_colour = false;  // bytes in binary files, fractions of 255 in text
     bool is_numeric = true;
+    bool is_id = false;  // numbers the points or cells
     Component component = Component::uint8;
     uintmax_t place = 0;  // of its values in the file
 };
@@ -26,7 +27,9 @@ struct VtkArray {
 // Throws Errors that do not name the file.
 std::vector<VtkArray> find_vtk_arrays(TextSource& source, bool binary, int64_t points, int64_t cells);
 
-// Passes over the values of an array of this type; "vtkIdType" and so on are the names in the file.
+// What numbers of this type are; "vtkIdType" and so on are the names in the file.
+Component vtk_number_type(const std::string& type);
+// Passes over the values of an array of this type.
 void skip_vtk_values(TextSource& source, bool binary, const std::string& type, int64_t count);
 // Passes over a block METADATA, up to the next blank line, if there is one.
 void skip_vtk_metadata(TextSource& source);

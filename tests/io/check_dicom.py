@@ -131,11 +131,74 @@ def test_series_without_places():
         del dataset.ImagePositionPatient
         save(dataset, 'placeless/%d.dcm' % (3 - k))
     check(voxels, np.diag([0.25, 0.5, 1, 0])[:3], path('placeless'), told=['order of their numbers'])
+    dataset.InstanceNumber = 10
+    save(dataset, 'placeless/1.dcm')
+    refused(FORMAT, 'the same number', path('placeless'))
 
 
 def test_rescaled():
     stored = random_labels((6, 4, 3), (0, 1, 2))
     check(2 * stored - 3, AFFINE, write_series('rescaled', stored, RescaleSlope=2, RescaleIntercept=-3))
+
+
+def test_folders():
+    """The only series of a tree is read; of several, all are named."""
+    voxels = random_labels((6, 4, 3), (0, 3, 900))
+    os.makedirs(path('tree/STUDY'))
+    save(new('1.2.840.10008.1.3.10', FileSetID='CD'), 'tree/DICOMDIR')
+    write_series('tree/STUDY/SERIES1', voxels)
+    for folder in 'tree', 'tree/', 'tree/STUDY':
+        check(voxels, AFFINE, path(folder))
+    write_series('tree/STUDY/SERIES2', voxels)
+    refused(FILE, ['STUDY/SERIES1', 'STUDY/SERIES2', '2 folders'], path('tree'))
+    check(voxels, AFFINE, path('tree/STUDY/SERIES1'))
+    os.makedirs(path('pictures'))
+    open(path('pictures/s1.TIF'), 'wb').write(b'II*')
+    refused(FILE, '*.TIF', path('pictures'))
+
+
+def test_rounded_orientation():
+    """Numbers that differ by rounding alone do not part a series."""
+    voxels = random_labels((6, 4, 3), (0, 3, 900))
+    folder = write_series('rounded', voxels)
+    save(slice_of(voxels[:, :, 1], (10, 20, 33), orientation=(1, '-1.2e-09', 0, '0.0', '0.99999999', 0)),
+         'rounded/98.dcm')
+    check(voxels, AFFINE, folder)
+
+
+def test_doubts_are_told():
+    voxels = random_labels((6, 4, 3), (0, 3, 900))
+    check(voxels, AFFINE, write_series('lossy', voxels, LossyImageCompression='01'), told=['changes values'])
+    for k in range(3):
+        dataset = slice_of(voxels[:, :, k], (10, 20, 30 + 3 * k))
+        dataset.PhotometricInterpretation = 'MONOCHROME1'
+        dataset.ImagerPixelSpacing = dataset.PixelSpacing
+        del dataset.PixelSpacing
+        table = item(LUTDescriptor=[4, 0, 16], ModalityLUTType='US', LUTData=[0, 10, 20, 30])
+        table['LUTDescriptor'].VR = table['LUTData'].VR = 'US'
+        dataset.ModalityLUTSequence = Sequence([table])
+        os.makedirs(path('doubts'), exist_ok=True)
+        save(dataset, 'doubts/%d.dcm' % k)
+    check(voxels, AFFINE, path('doubts'), told=['MONOCHROME1', 'at the detector', 'Modality LUT'])
+
+
+def test_bits_in_the_middle():
+    voxels = random_labels((6, 4, 1), (0, 3, 900))
+    alone = AFFINE.copy()
+    alone[2, 2] = 1
+    for high in (11, 13, 15):
+        dataset = slice_of(voxels[:, :, 0], (10, 20, 30))
+        dataset.BitsStored, dataset.HighBit = 12, high
+        dataset.PixelData = ((voxels[:, :, 0].T << (high - 11)) | (1 << (high - 11)) - 1).astype('<u2').tobytes()
+        check(voxels, alone, save(dataset, 'bits.dcm'), told=['HighBit'] if high != 11 else [])
+    dataset.HighBit = 16
+    refused(FORMAT, 'bit 16', save(dataset, 'bits.dcm'))
+    small = voxels % 256
+    dataset = slice_of(small[:, :, 0], (10, 20, 30))
+    set_pixels(dataset, small.transpose(2, 1, 0), bits=8)
+    dataset.PixelData = small[:, :, 0].T.astype('u1').reshape(-1, 2)[:, ::-1].tobytes()  # words, high byte first
+    dataset['PixelData'].VR = 'OW'
+    check(small, alone, save(dataset, 'words.dcm', ExplicitVRBigEndian))
 
 
 def test_encodings():
@@ -263,6 +326,15 @@ def test_segmentation():
     frames = segment_frames(voxels, 1, places) + segment_frames(voxels, 5, places)
     for syntax in (ExplicitVRLittleEndian, ImplicitVRLittleEndian, DeflatedExplicitVRLittleEndian):
         check(voxels, AFFINE, save(segmentation(frames, (1, 5)), 'seg.dcm', syntax))
+    for thickness, told in ((1, ['apart: 3 is taken', 'thickness of 1']), (3, []), (5, [])):
+        thick = segmentation(frames, (1, 5), measures=(0.5, 0.25, 0))
+        thick.SharedFunctionalGroupsSequence[0].PixelMeasuresSequence[0].SliceThickness = thickness
+        check(voxels, AFFINE, save(thick, 'thick.dcm'), told=told)
+    spread = np.zeros((7, 5, 16), int)
+    spread[:, :, ::3] = voxels
+    thin = AFFINE.copy()
+    thin[2, 2] = 1
+    check(spread, thin, save(segmentation(frames, (1, 5), measures=(0.5, 0.25, 1)), 'spread.dcm'), told=['no frame'])
     mixed = [frames[i] for i in np.random.default_rng(1).permutation(len(frames))]
     check(voxels, AFFINE, save(segmentation(mixed, (1, 5)), 'mixed.dcm'))
     check(voxels, AFFINE, save(segmentation(mixed, (1, 5), measures=(0.5, 0.25, 0)), 'unspaced.dcm'))
@@ -315,6 +387,9 @@ def test_strange_segmentations():
     uneven = [(n, (10, 20, z), pixels) for (n, _, pixels), z in zip(frames, (30, 31.7, 35, 42))]
     refused(FORMAT, 'evenly spaced', save(segmentation(uneven, (1, 5)), 'uneven.dcm'))
     refused(FORMAT, 'KIND', save(segmentation(frames, (1, 5), kind='KIND'), 'kind.dcm'))
+    dataset = segmentation(frames, (1, 5))
+    del dataset.PerFrameFunctionalGroupsSequence[1].PlanePositionSequence
+    refused(FORMAT, 'the 2nd frame does not tell where', save(dataset, 'placeless.dcm'))
     dataset = segmentation(frames, (1, 5))
     dataset.PixelData = dataset.PixelData[:8]
     refused(FORMAT, 'damaged', save(dataset, 'short.dcm'))

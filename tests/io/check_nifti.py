@@ -58,6 +58,11 @@ def patch(name, offset, kind, *values):
     return name
 
 
+def write(name, data):
+    open(path(name), 'wb').write(data)
+    return path(name)
+
+
 def test_types():
     for kind, ending in ((nibabel.Nifti1Image, '.nii'), (nibabel.Nifti1Pair, '.img'), (nibabel.Nifti2Image, '.nii'),
                          (nibabel.Nifti2Pair, '.img'), (nibabel.Spm2AnalyzeImage, '.img')):
@@ -235,7 +240,22 @@ def test_length():
         more = content + bytes(5) if name == 'cut.nii' else gzip.compress(data + bytes(5))
         open(path(name), 'wb').write(more)
         check(voxels, np.eye(3, 4), path(name), world=RAS)
-        warned('more bytes', path(name))
+        warned('5 bytes behind its voxels', path(name))
+    refused(FORMAT, 'twice as many', write('twice.nii', data + bytes(voxels.size)))
+
+
+def test_behind_gzip():
+    """What follows a gzip stream is no part of it, unless it is another one."""
+    voxels = labels('u1', (0, 3, 7))
+    data = open(save(voxels), 'rb').read()
+    for rest in (bytes(512), b'\n', b'rubbish'):
+        name = write('z.nii.gz', gzip.compress(data) + rest)
+        check(voxels, np.eye(3, 4), name, world=RAS)
+        warned('%d byte%s behind its compressed data' % (len(rest), 's' * (len(rest) > 1)), name)
+    name = write('z.nii.gz', gzip.compress(data[:90]) + gzip.compress(data[90:400]) + gzip.compress(data[400:]))
+    check(voxels, np.eye(3, 4), name, world=RAS)
+    reads_quietly(name)
+    refused(FORMAT, 'missing', write('z.nii.gz', gzip.compress(data[:400]) + b'rubbish' + gzip.compress(data[400:])))
 
 
 run_tests(globals())

@@ -113,6 +113,8 @@ def test_nrrd_data_files():
 def test_nrrd_surplus():
     warned('7 bytes behind its voxels', nrrd('more.nrrd', '', DATA + b'surplus'))
     warned('7 bytes behind its voxels', nrrd('more.nrrd', '', gzip.compress(DATA + b'surplus'), encoding='gzip'))
+    warned('9 bytes behind its compressed data',
+           nrrd('more.nrrd', '', gzip.compress(DATA) + bytes(9), encoding='gzip'))
     refused(FORMAT, 'twice as many', nrrd('more.nrrd', '', DATA + DATA))
     refused(FORMAT, 'cannot hold', nrrd('claim.nrrd', '', gzip.compress(DATA), (2048, 2048, 512), 'gzip'))
     lines = ''.join('key %d:=value\n' % k for k in range(200000))
@@ -130,6 +132,9 @@ def test_segmentations():
     name = nrrd('one.seg.nrrd', flat)
     check(VOXELS, np.eye(3, 4), name)
     reads_quietly(name)
+    name = nrrd('one.seg.nrrd', flat.replace('LabelValue:=2', 'LabelValue:=77'))
+    check(VOXELS, np.eye(3, 4), name)
+    warned('value 2, which is no segment', name)
     layers = np.zeros((2,) + SHAPE, 'u1')
     layers[0, :2], layers[1, 1:, :, 2:] = 1, 1
     head = space % ('none ', 'list ')
@@ -245,6 +250,30 @@ def test_vtk():
     refused(FORMAT, 'missing', write('vec.vtk', text))
 
 
+def test_vtk_numbers_of_points():
+    """Ids are no labels, and coordinates are of any type."""
+    for binary in 0, 1:
+        for dtype in 'i1', 'u2', 'i4', 'i8', 'f4':
+            grid = vtk.vtkRectilinearGrid()
+            grid.SetDimensions(*SHAPE)
+            for axis, count in enumerate(SHAPE):
+                places = (7 + 2 * np.arange(count)).astype(dtype)
+                getattr(grid, 'Set%sCoordinates' % 'XYZ'[axis])(numpy_support.numpy_to_vtk(places, deep=True))
+            array = numpy_support.numpy_to_vtk(VOXELS.ravel(order='F'), deep=True)
+            array.SetName('parts')
+            grid.GetPointData().SetScalars(array)
+            ids = numpy_support.numpy_to_vtkIdTypeArray(np.arange(VOXELS.size), deep=True)
+            ids.SetName('ids')
+            grid.GetPointData().SetGlobalIds(ids)
+            writer = vtk.vtkRectilinearGridWriter()
+            writer.SetInputData(grid)
+            writer.SetFileName(path('n.vtk'))
+            writer.SetFileTypeToBinary() if binary else writer.SetFileTypeToASCII()
+            writer.Write()
+            check(VOXELS, np.column_stack([2 * np.eye(3), [7, 7, 7]]), path('n.vtk'))
+            warned("of which 'parts' is read", path('n.vtk'))
+
+
 def vtk_text(geometry, data):
     return '# vtk DataFile Version 2.0\ntitle\nASCII\n' + geometry + data
 
@@ -287,7 +316,10 @@ def test_foreign_formats():
                               ('v.lif', b'\x70\0\0\0', 'Leica'), ('v.am', b'# AmiraMesh 3D', 'Amira'),
                               ('v.vti', b'<?xml version="1.0"?>\n<VTKFile type="ImageData">', 'ParaView'),
                               ('v.raw', b'123456', '--dims'),
-                              ('v.nrrd.gz', gzip.compress(b'NRRD0004\n'), 'decompress')):
+                              ('v.nrrd.gz', gzip.compress(b'NRRD0004\n'), 'decompress'),
+                              ('v.mha.gz', gzip.compress(b'ObjectType = Image\n'), 'decompress'),
+                              ('v.nii.gz', b'version https://git-lfs.github.com/spec/v1\n', 'git lfs pull'),
+                              ('v.nii', b'<!DOCTYPE html><html></html>', 'a web page')):
         refused(UNSUPPORTED, words, write(name, data))
 
 

@@ -169,6 +169,10 @@ def test_ome():
     check_stack(voxels, scaled(0.1, 0.2, 0.0005), name)
     warned('mm', name)
     check_stack(voxels, CUBES, write(voxels, 'a.ome.tif', ome=True, metadata={'axes': 'ZYX'}))
+    for only in 'PhysicalSizeX', 'PhysicalSizeZ':
+        name = write(voxels, 'a.ome.tif', ome=True, metadata={'axes': 'ZYX', only: sizes[only]})
+        check_stack(voxels, CUBES, name)
+        warned("OME's '%s' is not used" % only, name)
     four = np.stack([voxels] * 2)
     refused(FORMAT, '2 channels', write(four, 'a.ome.tif', ome=True, metadata={'axes': 'CZYX'}))
     refused(FORMAT, '2 points in time', write(four, 'a.ome.tif', ome=True, metadata={'axes': 'TZYX'}))
@@ -194,7 +198,7 @@ def test_pyramid():
     with tifffile.TiffWriter(path('untold.tif')) as file:
         file.write(voxels[0], photometric='minisblack')
         file.write(voxels[0, ::2, ::2], photometric='minisblack')
-    refused(FORMAT, 'page 2 has 24 x 16 voxels, but page 1 has 48 x 32', path('untold.tif'))
+    refused(FORMAT, 'the 2nd page has 24 x 16 voxels, but the 1st page has 48 x 32', path('untold.tif'))
 
 
 def test_told():

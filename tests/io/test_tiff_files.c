@@ -366,7 +366,7 @@ static void test_other_pages(void** state)
             TIFFWriteDirectory(file);
         }
         TIFFClose(file);
-        refuse(f, CLEFT_ERROR_FORMAT, odd == 0 ? "page 2 has 37 x 22 voxels" : "page 2 has another type");
+        refuse(f, CLEFT_ERROR_FORMAT, odd == 0 ? "the 2nd page has 37 x 22 voxels" : "the 2nd page has another type");
     }
 }
 
@@ -481,7 +481,7 @@ static void test_hostile(void** state)
     tags[0][1] = tags[1][1] = tags[7][1] = 0x7fffffff;
     write_directory(bytes, 8, (const uint32_t(*)[2])tags, 9, 0);
     save_file(f->path, bytes, 1000);
-    refuse(f, CLEFT_ERROR_FORMAT, "page 1");
+    refuse(f, CLEFT_ERROR_FORMAT, "the 1st page");
     tags[0][1] = tags[1][1] = tags[7][1] = 20;
 
     for (int fault = 0; fault < 3; ++fault) {
