@@ -463,6 +463,12 @@ module cleft_c
       integer(c_int64_t) :: answer
     end function
 
+    function cleft_volume_indicator_count(volume) bind(C) result(answer)
+      import
+      type(c_ptr), value :: volume
+      integer(c_int64_t) :: answer
+    end function
+
     function cleft_volume_labels(volume) bind(C) result(answer)
       import
       type(c_ptr), value :: volume

@@ -193,11 +193,16 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
 
+    character(len=:), allocatable :: sentence
+
     if (status == CLEFT_OK) then
       if (present(stat)) stat = CLEFT_OK
-    else
-      call conclude(status, self%last_error(), stat, errmsg)
+      return
     end if
+    sentence = self%last_error()
+    ! A busy context leaves none: what is there is of the other call.
+    if (status == CLEFT_ERROR_BUSY .or. sentence == '') sentence = text_at(cleft_status_string(status))
+    call conclude(status, sentence, stat, errmsg)
   end subroutine
 
   function tell_progress(fraction, stage, user) bind(C, name='') result(answer)

@@ -9,15 +9,22 @@ module cleft_io
   use cleft_volumes, only: c_options
   implicit none
   private
-  public :: cleft_read_volume, cleft_write_mesh, cleft_read_mesh, cleft_write_sizing, cleft_read_sizing
+  public :: cleft_read_volume, cleft_read_raw, cleft_read_field, cleft_write_mesh, cleft_read_mesh, cleft_write_sizing, &
+    cleft_read_sizing, cleft_guess
   public :: CLEFT_FORMAT_BY_NAME, CLEFT_FORMAT_VTU, CLEFT_FORMAT_VTP, CLEFT_FORMAT_VTK, CLEFT_FORMAT_MEDIT, &
     CLEFT_FORMAT_MSH41, CLEFT_FORMAT_MSH22, CLEFT_FORMAT_ABAQUS, CLEFT_FORMAT_TETGEN, CLEFT_FORMAT_STL, &
     CLEFT_FORMAT_PLY, CLEFT_IO_WORLD_LPS, CLEFT_IO_WORLD_RAS, CLEFT_IO_KIND_AUTO, CLEFT_IO_KIND_LABELS, &
-    CLEFT_IO_KIND_INDICATORS
+    CLEFT_IO_KIND_INDICATORS, CLEFT_TYPE_UINT8, CLEFT_TYPE_UINT16, CLEFT_TYPE_INT16, CLEFT_TYPE_UINT32, CLEFT_TYPE_INT32, &
+    CLEFT_TYPE_FLOAT32, CLEFT_TYPE_FLOAT64, CLEFT_IO_UNKNOWN, CLEFT_IO_VOLUME, CLEFT_IO_MESH
 
-  ! One path, or several: one indicator function each, in the order of the materials.
+  ! One path, or several: a mask or an indicator function each, in the order of the materials.
   interface cleft_read_volume
     module procedure read_one, read_several
+  end interface
+
+  ! The same of files that hold voxels and no header.
+  interface cleft_read_raw
+    module procedure read_one_raw, read_several_raw
   end interface
 
 contains
@@ -49,22 +56,119 @@ contains
     type(cleft_io_reading), target :: reading
     type(c_ptr) :: made
     integer(c_int32_t) :: status
-    integer :: i, j
+    integer :: j
 
     call volume%destroy()
     if (is_wrong(scale, stat, errmsg)) return
-    do j = 1, size(paths)
-      chars(:, j) = c_null_char
-      do i = 1, len_trim(paths(j))
-        chars(i, j) = paths(j)(i:i)
-      end do
-    end do
+    chars = c_texts(paths)
     reading = how_to_read(world, kind, spacing, scale)
     status = cleft_io_read_volume(context%c_handle(), c_options(options), [(c_loc(chars(1, j)), j=1, size(paths))], &
       size(paths, kind=c_int64_t), c_loc(reading), made)
     call volume%adopt(made)
     call context%conclude(status, stat, errmsg)
   end subroutine
+
+  ! `dims` voxels along x, y and z of a CLEFT_TYPE_..., x fastest. `spacing`: lengths of a voxel, 1 without it; the corner
+  ! of the box is at the origin. `big_endian`: the most significant byte comes first. `skip`: bytes before the first voxel;
+  ! what follows must be exactly the voxels. `kind`: CLEFT_IO_KIND_...
+  subroutine read_one_raw(context, path, dims, type, volume, spacing, big_endian, skip, kind, options, stat, errmsg)
+    type(cleft_context), intent(inout) :: context
+    character(len=*), intent(in) :: path
+    integer, intent(in) :: dims(3)
+    integer(c_int32_t), intent(in) :: type
+    type(cleft_volume), intent(inout) :: volume
+    real(c_double), intent(in), optional :: spacing(3)
+    logical, intent(in), optional :: big_endian
+    integer, intent(in), optional :: skip
+    integer(c_int32_t), intent(in), optional :: kind
+    type(cleft_options), intent(inout), optional :: options
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call read_several_raw(context, [path], dims, type, volume, spacing, big_endian, skip, kind, options, stat, errmsg)
+  end subroutine
+
+  subroutine read_several_raw(context, paths, dims, type, volume, spacing, big_endian, skip, kind, options, stat, errmsg)
+    type(cleft_context), intent(inout) :: context
+    character(len=*), intent(in) :: paths(:)
+    integer, intent(in) :: dims(3)
+    integer(c_int32_t), intent(in) :: type
+    type(cleft_volume), intent(inout) :: volume
+    real(c_double), intent(in), optional :: spacing(3)
+    logical, intent(in), optional :: big_endian
+    integer, intent(in), optional :: skip
+    integer(c_int32_t), intent(in), optional :: kind
+    type(cleft_options), intent(inout), optional :: options
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    character(kind=c_char), target :: chars(len(paths) + 1, size(paths))
+    type(cleft_io_raw) :: raw
+    type(c_ptr) :: made
+    integer(c_int32_t) :: status
+    integer :: j
+
+    call volume%destroy()
+    if (present(spacing)) then
+      if (.not. all(spacing > 0)) then
+        call conclude(CLEFT_ERROR_ARGUMENT, 'spacing must be above 0 along each axis', stat, errmsg)
+        return
+      end if
+    end if
+    chars = c_texts(paths)
+    raw%struct_size = int(c_sizeof(raw), c_int32_t)
+    raw%type = type
+    raw%big_endian = 0
+    raw%kind = CLEFT_IO_KIND_AUTO
+    raw%skip = 0
+    raw%dims = dims
+    raw%spacing = 1
+    if (present(big_endian)) raw%big_endian = merge(1_c_int32_t, 0_c_int32_t, big_endian)
+    if (present(kind)) raw%kind = kind
+    if (present(skip)) raw%skip = skip
+    if (present(spacing)) raw%spacing = spacing
+    status = cleft_io_read_raw(context%c_handle(), c_options(options), [(c_loc(chars(1, j)), j=1, size(paths))], &
+      size(paths, kind=c_int64_t), raw, made)
+    call volume%adopt(made)
+    call context%conclude(status, stat, errmsg)
+  end subroutine
+
+  ! One number a voxel, values(i, j, k), of any file that cleft_read_volume() reads. `affine`: from indices, counted from
+  ! 0, to the world.
+  subroutine cleft_read_field(context, path, values, affine, world, spacing, scale, stat, errmsg)
+    type(cleft_context), intent(inout) :: context
+    character(len=*), intent(in) :: path
+    real(c_double), allocatable, intent(out) :: values(:, :, :)
+    real(c_double), intent(out), optional :: affine(3, 4)
+    integer(c_int32_t), intent(in), optional :: world
+    real(c_double), intent(in), optional :: spacing(3), scale
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    type(cleft_io_reading), target :: reading
+    integer(c_int64_t), target :: dims(3)
+    real(c_double), target :: rows(12)
+    real(c_double), pointer :: borrowed(:, :, :)
+    type(c_ptr) :: read
+    integer(c_int32_t) :: status
+
+    if (present(affine)) affine = 0
+    allocate (values(0, 0, 0))
+    if (is_wrong(scale, stat, errmsg)) return
+    reading = how_to_read(world, spacing=spacing, scale=scale)
+    status = cleft_io_read_field(context%c_handle(), c_text(path), c_loc(reading), c_loc(dims), c_loc(rows), read)
+    if (status == CLEFT_OK) then
+      call c_f_pointer(read, borrowed, dims)
+      values = borrowed
+      if (present(affine)) affine = transpose(reshape(rows, [4, 3]))
+      call cleft_io_free(read)
+    end if
+    call context%conclude(status, stat, errmsg)
+  end subroutine
+
+  ! What a file most likely holds: CLEFT_IO_VOLUME, CLEFT_IO_MESH or CLEFT_IO_UNKNOWN.
+  function cleft_guess(path) result(content)
+    character(len=*), intent(in) :: path
+    integer :: content
+    content = cleft_io_guess(c_text(path))
+  end function
 
   ! In the format given (CLEFT_FORMAT_...) or in that of the path's extension.
   subroutine cleft_write_mesh(context, mesh, path, format, stat, errmsg)
@@ -138,6 +242,20 @@ contains
     call sizing%adopt(made)
     call context%conclude(status, stat, errmsg)
   end subroutine
+
+  ! Paths as C wants them, one a column.
+  pure function c_texts(paths) result(chars)
+    character(len=*), intent(in) :: paths(:)
+    character(kind=c_char) :: chars(len(paths) + 1, size(paths))
+    integer :: i, j
+
+    chars = c_null_char
+    do j = 1, size(paths)
+      do i = 1, len_trim(paths(j))
+        chars(i, j) = paths(j)(i:i)
+      end do
+    end do
+  end function
 
   function is_wrong(scale, stat, errmsg) result(answer)
     real(c_double), intent(in), optional :: scale

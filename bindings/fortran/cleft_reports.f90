@@ -67,7 +67,7 @@ contains
     count = int(cleft_report_joined(self%c_handle(), int(index - 1, c_int64_t)))
   end function
 
-  ! Number of pairs of labels that share triangles, but of which no two voxels share a face, an edge or a corner.
+  ! Number of pairs of labels that share triangles, but of which no two voxels share a face or an edge.
   function contact_count(self) result(count)
     class(cleft_report), intent(in) :: self
     integer :: count

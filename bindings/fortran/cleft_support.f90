@@ -54,7 +54,11 @@ contains
     if (status == CLEFT_OK) return
     if (present(errmsg)) errmsg = sentence
     if (present(stat)) return
-    write (error_unit, '(4a)') 'cleft: ', text_at(cleft_status_string(status)), ': ', sentence
+    if (sentence == text_at(cleft_status_string(status))) then
+      write (error_unit, '(2a)') 'cleft: ', sentence
+    else
+      write (error_unit, '(4a)') 'cleft: ', text_at(cleft_status_string(status)), ': ', sentence
+    end if
     error stop 1
   end subroutine
 

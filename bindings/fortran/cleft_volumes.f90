@@ -19,6 +19,7 @@ module cleft_volumes
     procedure :: dims
     procedure :: affine
     procedure :: labels
+    procedure :: indicator_count
     procedure :: set_label_name
     procedure :: label_name
     procedure :: voxel_counts
@@ -289,6 +290,13 @@ contains
     if (count == 0) return
     call c_f_pointer(cleft_volume_labels(self%c_handle()), borrowed, [count])
     labels = borrowed
+  end function
+
+  ! Number of indicator functions: 1 for a signed function, 0 for a label map. Tells what a file was taken for.
+  function indicator_count(self) result(count)
+    class(cleft_volume), intent(in) :: self
+    integer :: count
+    count = int(cleft_volume_indicator_count(self%c_handle()))
   end function
 
   ! Names a label, in one line; '' takes the name away. Meshes of the volume have its names.

@@ -304,6 +304,9 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_affine(const cleft_volume* v
 CLEFT_API int64_t cleft_volume_label_count(const cleft_volume* volume) CLEFT_NOEXCEPT;
 /** The label of each material, ascending for a label map; borrowed. \since 0.1 */
 CLEFT_API const int32_t* cleft_volume_labels(const cleft_volume* volume) CLEFT_NOEXCEPT;
+/** Number of indicator functions: 1 for a signed function, 0 for a label map; 0 for NULL. Tells what a file was taken
+ *  for. \since 0.1 */
+CLEFT_API int64_t cleft_volume_indicator_count(const cleft_volume* volume) CLEFT_NOEXCEPT;
 /** Names a label, in one line of UTF-8, which is copied; NULL or "" takes the name away. Meshes of the volume have its
  *  names. Set them before others read the volume. CLEFT_ERROR_ARGUMENT if the volume has no such label, or if the name
  *  is not UTF-8 or has a control character in it. \since 0.1 */

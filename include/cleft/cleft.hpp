@@ -89,6 +89,7 @@ public:
         return affine;
     }
     View<int32_t> labels() const { return {cleft_volume_labels(get()), cleft_volume_label_count(get())}; }
+    int64_t indicator_count() const { return cleft_volume_indicator_count(get()); }
     std::vector<int64_t> voxel_counts() const
     {
         std::vector<int64_t> counts(labels().size());

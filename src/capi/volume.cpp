@@ -104,6 +104,11 @@ const int32_t* cleft_volume_labels(const cleft_volume* volume) noexcept
     return is_sound(volume) ? volume->volume.labels().data() : nullptr;
 }
 
+int64_t cleft_volume_indicator_count(const cleft_volume* volume) noexcept
+{
+    return is_sound(volume) ? volume->volume.indicator_count() : 0;
+}
+
 cleft_status cleft_volume_set_label_name(cleft_volume* volume, int32_t label, const char* name) noexcept
 {
     return guarded(nullptr, [&] {

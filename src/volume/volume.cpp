@@ -167,6 +167,12 @@ const std::vector<int32_t>& Volume::labels() const { return data_->labels; }
 
 bool Volume::is_label_map() const { return !std::holds_alternative<IndicatorField>(data_->field); }
 
+int64_t Volume::indicator_count() const
+{
+    const auto* indicators = std::get_if<IndicatorField>(&data_->field);
+    return indicators ? static_cast<int64_t>(indicators->field.size()) : 0;
+}
+
 int Volume::kernel_width() const
 {
     return std::visit(

@@ -65,6 +65,8 @@ public:
     const std::vector<int32_t>& labels() const;
     Material material_count() const { return static_cast<Material>(labels().size()); }
     bool is_label_map() const;
+    // 0 for a label map, 1 for a signed function.
+    int64_t indicator_count() const;
     // The width in voxels of the kernel that smooths labels; 0 for indicator functions.
     int kernel_width() const;
 

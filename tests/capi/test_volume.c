@@ -19,6 +19,8 @@ static void labels_come_out_as_they_went_in(void** state)
     assert_ok(context, cleft_volume_copy_voxel_counts(volume, counts, 3));
     assert_int_equal(counts[0] + counts[1] + counts[2], 12 * 12 * 12);
     assert_int_equal(cleft_volume_copy_voxel_counts(volume, counts, 2), CLEFT_ERROR_BUFFER);
+    assert_int_equal(cleft_volume_indicator_count(volume), 0);
+    assert_int_equal(cleft_volume_indicator_count(NULL), 0);
     cleft_volume_destroy(volume);
     cleft_context_destroy(context);
 }
@@ -100,6 +102,7 @@ static void signed_function_splits_at_zero(void** state)
         f[i] = (float)(i % 8 - 3.6);
     assert_ok(context,
               cleft_volume_create_indicators(context, CLEFT_TYPE_FLOAT32, fields, 1, dims, NULL, names, &volume));
+    assert_int_equal(cleft_volume_indicator_count(volume), 1);
     assert_int_equal(cleft_volume_label_count(volume), 2);
     assert_ok(context, cleft_volume_sample(volume, out, 1, &label));
     assert_int_equal(label, 10);

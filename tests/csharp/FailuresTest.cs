@@ -192,7 +192,8 @@ sealed class FailuresTest
                 () => MeshFiles.ReadRaw(mesher, new RawVoxels { Dims = raw.Dims, Spacing = new[] { 1.0 } }, null, "a.raw") },
             ["Scale"] = new Action[] { () => MeshFiles.ReadVolume(mesher, "a.nrrd", null, new Reading { Scale = 0 }) },
             ["World"] = new Action[] { () => MeshFiles.ReadVolume(mesher, "a.nrrd", null, new Reading { World = (World)5 }) },
-            ["Kind"] = new Action[] { () => MeshFiles.ReadVolume(mesher, "a.nrrd", null, new Reading { Kind = (VoxelKind)5 }) }
+            ["Kind"] = new Action[] { () => MeshFiles.ReadVolume(mesher, "a.nrrd", null, new Reading { Kind = (VoxelKind)5 }),
+                () => MeshFiles.ReadRaw(mesher, new RawVoxels { Dims = raw.Dims, Kind = (VoxelKind)5 }, null, "a.raw") }
         };
         foreach (KeyValuePair<string, Action[]> entry in wrong)
             foreach (Action body in entry.Value) {

@@ -88,6 +88,23 @@ sealed class FilesTest
         });
     }
 
+    /// <summary>The kind decides what voxels mean, not their type; the volume tells how many functions it holds.</summary>
+    void TestRawKinds()
+    {
+        InFolder(path => {
+            var voxels = Enumerable.Range(0, 8);
+            File.WriteAllBytes(path("one.raw"), voxels.SelectMany(v => BitConverter.GetBytes((float)(v % 2))).ToArray());
+            File.WriteAllBytes(path("two.raw"), voxels.SelectMany(v => BitConverter.GetBytes((float)(1 - v % 2))).ToArray());
+            foreach (VoxelKind kind in Enum.GetValues(typeof(VoxelKind))) {
+                var raw = new RawVoxels { Type = VoxelType.Float32, Dims = new long[] { 2, 2, 2 }, Kind = kind };
+                bool asFunctions = kind == VoxelKind.Indicators;
+                Checks.Equal(asFunctions ? 1L : 0L, MeshFiles.ReadRaw(mesher, raw, null, path("one.raw")).IndicatorCount);
+                Checks.Equal(asFunctions ? 2L : 0L,
+                             MeshFiles.ReadRaw(mesher, raw, null, path("one.raw"), path("two.raw")).IndicatorCount);
+            }
+        });
+    }
+
     void TestSizing()
     {
         InFolder(path => {

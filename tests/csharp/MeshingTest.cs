@@ -243,7 +243,8 @@ sealed class MeshingTest
     void TestContacts()
     {
         mesher.Log = null;
-        foreach (int[] names in new[] { new[] { 1, 0, 2 }, new[] { -2, 5, int.MaxValue }, new[] { int.MinValue, 0, 9 } }) {
+        foreach (int[] names in new[] { new[] { 1, 0, 2 }, new[] { -2, 5, int.MaxValue }, new[] { int.MinValue, 0, 9 },
+                                        new[] { -1, 0, 3 }, new[] { -9, -1, 4 }, new[] { -9, 2, -1 } }) {
             int[] labels = Enumerable.Range(0, 20 * 20 * 20)
                 .Select(v => v % 20 < 10 ? names[0] : v % 20 == 10 ? names[1] : names[2]).ToArray();
             Volume volume = mesher.Labels(labels, new Grid(20, 20, 20));

@@ -57,6 +57,25 @@ def build_by_cmake(language, source, block):
     run(f"cmake -B build -DCMAKE_PREFIX_PATH={PREFIX} -Wno-dev", "cmake --build build", "build/app", expect=TETRAHEDRA)
 
 
+def check_libraries(page):
+    """The page names the Debian packages of all libraries that the installed ones use, but for those of the compiler."""
+    if not shutil.which("dpkg-query"):
+        return
+    needed = set()
+    for library in ("libcleft.so", "libcleft_io.so"):
+        listed = subprocess.run(["readelf", "-d", PREFIX / LIBDIR / library], stdout=subprocess.PIPE, text=True, check=True)
+        needed |= set(re.findall(r"NEEDED.*\[(.*)\]", listed.stdout))
+    packages = set()
+    for name in needed - {"libcleft.so.0"}:
+        found = subprocess.run(["dpkg-query", "-S", f"*/{name}"], stdout=subprocess.PIPE, text=True, check=True).stdout
+        packages |= set(re.findall(rf"^([^:,\s]+)[:,].*/{re.escape(name)}$", found, re.MULTILINE))
+    packages = {package for package in packages if not re.match(r"libc6|lib\w*gcc|lib\w*stdc", package)}
+    assert packages, needed
+    missing = sorted(package for package in packages if f"`{package}`" not in (ROOT / page).read_text())
+    if missing:
+        sys.exit(f"{page} does not name the libraries of {', '.join(missing)}")
+
+
 def check_c():
     (_, ten), (_, cmake), (_, cpp) = blocks("docs/c.md")
     write("ten.c", ten)
@@ -123,6 +142,8 @@ def check_python():
     assert os.path.getsize("cube.vtu") > 0 and os.path.getsize("cube.png") > 0
 
 
+if LANGUAGE != "c":
+    check_libraries(f"docs/{LANGUAGE}.md")
 with tempfile.TemporaryDirectory() as folder:
     os.chdir(folder)
     globals()["check_" + LANGUAGE]()

@@ -24,6 +24,9 @@ program test_files
   call cleft_read_mesh(context, mesh_file, again)
   call check(all(again%tets() == mesh%tets()) .and. all(again%labels() == [0, 5, 9]), 'a mesh comes back as it was')
   call what_is_not_there_is_named()
+  call raw_voxels_are_read()
+  call fields_are_read()
+  call files_are_told_apart()
   call finish()
 
 contains
@@ -80,6 +83,66 @@ contains
     call check(abs(sizing%at(origin / 2) - 1) < 1d-6, 'a scale takes edge lengths too')
     call cleft_read_sizing(context, volume, 'test_files_sizes.nrrd', sizing, stat=stat, errmsg=errmsg)
     call check(stat == CLEFT_ERROR_ARGUMENT, 'without the scale, the field lies elsewhere')
+  end subroutine
+
+  subroutine raw_voxels_are_read()
+    integer, parameter :: dims(3) = [14, 12, 10]
+    character(len=*), parameter :: file = 'test_files.raw', rest = 'test_rest.raw'
+    integer :: unit, kind, functions
+    real(c_float) :: mask(2, 2, 2)
+
+    open (newunit=unit, file=file, access='stream', status='replace')
+    write (unit) 'head', ishft(two_balls(), 24)  ! small numbers with their bytes in the other order
+    close (unit)
+    call cleft_read_raw(context, file, dims, CLEFT_TYPE_INT32, volume, spacing, big_endian=.true., skip=4)
+    call check(all(volume%labels() == [0, 5, 9]) .and. is_at(spacing, spacing / 2), 'raw voxels and their spacing')
+    call check(all(volume%voxel_counts() == [count(two_balls() == 0), count(two_balls() == 5), count(two_balls() == 9)]), &
+      'raw voxels are those of the file')
+    call cleft_read_raw(context, file, dims, CLEFT_TYPE_INT32, volume, stat=stat, errmsg=errmsg)
+    call check(stat == CLEFT_ERROR_FORMAT .and. index(errmsg, file) > 0, 'bytes that are left over are told')
+    call check(size(volume%labels()) == 0, 'and the former volume is gone')
+    call cleft_read_raw(context, file, [14, 12, 0], CLEFT_TYPE_INT32, volume, stat=stat)
+    call check(stat == CLEFT_ERROR_ARGUMENT, 'no voxels are refused')
+    call cleft_read_raw(context, file, dims, CLEFT_TYPE_INT32, volume, [0d0, 0d0, 0d0], .true., 4, stat=stat, errmsg=errmsg)
+    call check(stat == CLEFT_ERROR_ARGUMENT .and. index(errmsg, 'spacing') > 0, 'a spacing of 0 is refused')
+
+    mask = reshape([0., 1., 0., 1., 0., 1., 0., 1.], [2, 2, 2])
+    open (newunit=unit, file=file, access='stream', status='replace')
+    write (unit) mask
+    close (unit)
+    open (newunit=unit, file=rest, access='stream', status='replace')
+    write (unit) 1 - mask
+    close (unit)
+    do kind = CLEFT_IO_KIND_AUTO, CLEFT_IO_KIND_INDICATORS
+      functions = merge(1, 0, kind == CLEFT_IO_KIND_INDICATORS)
+      call cleft_read_raw(context, file, [2, 2, 2], CLEFT_TYPE_FLOAT32, volume, kind=kind)
+      call check(volume%indicator_count() == functions, 'the kind tells what one file means')
+      call cleft_read_raw(context, [character(len=16) :: file, rest], [2, 2, 2], CLEFT_TYPE_FLOAT32, volume, kind=kind)
+      call check(volume%indicator_count() == 2 * functions, 'the kind tells what two files mean')
+    end do
+  end subroutine
+
+  subroutine fields_are_read()
+    real(c_double), allocatable :: values(:, :, :)
+    real(c_double) :: map(3, 4)
+
+    call cleft_read_field(context, voxels_file, values, map, world=CLEFT_IO_WORLD_RAS)
+    call check(all(shape(values) == [14, 12, 10]), 'a field has the shape of the file')
+    call check(all(values == two_balls()), 'and its values')
+    call check(all(abs(map(:, 4) - [-100, 50, 25]) < 1d-9) .and. abs(map(1, 1) + 1) < 1d-9, 'its places are in RAS')
+    call cleft_read_field(context, voxels_file, values, map, scale=0.5d0)
+    call check(abs(map(3, 3) - 2) < 1d-9 .and. maxval(values) == 9, 'a scale does not multiply the numbers')
+    call cleft_read_field(context, 'no_such_file.nrrd', values, stat=stat, errmsg=errmsg)
+    call check(stat == CLEFT_ERROR_FILE .and. index(errmsg, 'no_such_file.nrrd') > 0 .and. size(values) == 0, &
+      'a missing field is named')
+    call cleft_read_field(context, voxels_file, values, scale=-1d0, stat=stat)
+    call check(stat == CLEFT_ERROR_ARGUMENT .and. size(values) == 0, 'a wrong scale is refused')
+  end subroutine
+
+  subroutine files_are_told_apart()
+    call check(cleft_guess(voxels_file) == CLEFT_IO_VOLUME, 'a volume is one')
+    call check(cleft_guess(mesh_file) == CLEFT_IO_MESH, 'a mesh is one')
+    call check(cleft_guess('notes.txt') == CLEFT_IO_UNKNOWN, 'anything else is neither')
   end subroutine
 
 end program

@@ -52,6 +52,7 @@ contains
       'the affine map has spacing and origin')
     call check(map(1, 2) == 0 .and. map(2, 1) == 0, 'the affine map is diagonal')
     call check(all(volume%labels() == [0, 5, 9]), 'labels ascend')
+    call check(volume%indicator_count() == 0, 'a label map has no functions')
     call check(sum(volume%voxel_counts()) == 14 * 12 * 10, 'all voxels are counted')
     found = volume%sample(reshape([origin + spacing * [4, 5, 4], origin], [3, 2]))
     call check(all(found == [5, 0]), 'samples are the labels of the voxels')
@@ -228,6 +229,7 @@ contains
     end do
     call signed%create(context, distance, labels=[4, 7])
     call check(all(signed%labels() == [4, 7]), 'a signed function has two labels')
+    call check(signed%indicator_count() == 1, 'and is one function')
     call check(all(signed%sample(reshape([4d0, 4d0, 4d0, 0.5d0, 0.5d0, 0.5d0], [3, 2])) == [7, 4]), &
       'the second label is inside')
     pair(:, :, :, 1) = -distance

@@ -157,7 +157,10 @@ final class FailuresTest {
         named(kind, "paths[1]", () -> MeshFiles.readVolume(mesher, MeshFiles.Reading.DEFAULT, null, path, null));
         named(kind, "reading", () -> MeshFiles.readVolume(mesher, null, null, path));
         named(kind, "format", () -> MeshFiles.writeMesh(mesher, mesh, path, null));
-        named(kind, "dims", () -> MeshFiles.readRaw(mesher, VoxelType.INT16, false, 0, null, null, null, path));
+        named(kind, "raw", () -> MeshFiles.readRaw(mesher, null, null, path));
+        named(kind, "type", () -> new RawVoxels(null, 1, 1, 1));
+        named(kind, "meaning", () -> new RawVoxels(VoxelType.INT16, 1, 1, 1).kind(null));
+        named(kind, "rows", () -> Checks.GRID.affine((double[]) null));
     }
 
     /** Who gives a wrong argument is told its name in Java. */
@@ -165,7 +168,6 @@ final class FailuresTest {
         Volume volume = Checks.ballVolume(mesher);
         Mesh mesh = Checks.ballMesh(mesher);
         var path = java.nio.file.Path.of("a.raw");
-        long[] dims = {1, 1, 1};
         Class<IllegalArgumentException> kind = IllegalArgumentException.class;
         named(kind, "nx", () -> new Grid(0, 1, 1));
         named(kind, "ny", () -> new Grid(1, -1, 1));
@@ -180,11 +182,9 @@ final class FailuresTest {
         named(kind, "labels", () -> mesher.meshOf(new double[12], new int[4], new int[2], 0));
         named(kind, "indexBase", () -> mesher.meshOf(new double[12], new int[4], null, 2), () -> mesh.tets(-1),
                 () -> mesh.quadratic(3));
-        named(kind, "dims", () -> MeshFiles.readRaw(mesher, VoxelType.INT16, false, 0, new long[2], null, null, path));
-        named(kind, "dims[1]", () -> MeshFiles.readRaw(
-                mesher, VoxelType.INT16, false, 0, new long[] {1, 0, 1}, null, null, path));
-        named(kind, "spacing[2]", () -> MeshFiles.readRaw(
-                mesher, VoxelType.INT16, false, 0, dims, new double[] {1, 1, -1}, null, path));
+        named(kind, "ny", () -> new RawVoxels(VoxelType.INT16, 1, 0, 1));
+        named(kind, "z", () -> new RawVoxels(VoxelType.INT16, 1, 1, 1).spacing(1, 1, -1));
+        named(kind, "bytes", () -> new RawVoxels(VoxelType.INT16, 1, 1, 1).skip(-1));
         named(kind, "format", () -> MeshFiles.writeMesh(mesher, mesh, path, "jpeg"));
         named(kind, "scale", () -> MeshFiles.Reading.DEFAULT.scaled(0), () -> MeshFiles.Reading.DEFAULT.scaled(Double.NaN));
         named(kind, "value", () -> new Options().set("size", "1\0"));

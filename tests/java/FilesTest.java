@@ -1,3 +1,5 @@
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -85,13 +87,32 @@ final class FilesTest {
             for (int i = 0; i < labels.length; ++i)
                 shorts[5 + 2 * i] = labels[i];
             Files.write(path, shorts);
-            Volume volume = MeshFiles.readRaw(mesher, VoxelType.INT16, true, 4, new long[] {12, 13, 14},
-                    new double[] {1, 1, 1}, null, path);
+            RawVoxels raw = new RawVoxels(VoxelType.INT16, 12, 13, 14).bigEndian(true);
+            Volume volume = MeshFiles.readRaw(mesher, raw.skip(4), null, path);
             Checks.check(Checks.same(Checks.ballMesh(mesher), mesher.mesh(volume, Checks.quick())), "another mesh");
-            Checks.thrown(CleftException.class, () -> MeshFiles.readRaw(
-                    mesher, VoxelType.INT16, true, 0, new long[] {1, 1, 1}, null, null, path));
-            Checks.thrown(IllegalArgumentException.class, () -> MeshFiles.readRaw(
-                    mesher, VoxelType.INT16, true, 0, new long[] {1, 1}, null, null, path));
+            Volume tall = MeshFiles.readRaw(mesher, raw.skip(4).spacing(1, 1, 2), null, path);
+            Checks.equal(new Grid(12, 13, 14).spacing(1, 1, 2), tall.grid());
+            Checks.thrown(CleftException.InvalidFormat.class, () -> MeshFiles.readRaw(mesher, raw, null, path));
+        });
+    }
+
+    /** The kind decides what voxels mean, not their type; the volume tells how many functions it holds. */
+    void testRawKinds() throws Exception {
+        inFolder(folder -> {
+            ByteBuffer whole = ByteBuffer.allocate(4 * 8).order(ByteOrder.LITTLE_ENDIAN);
+            ByteBuffer rest = ByteBuffer.allocate(4 * 8).order(ByteOrder.LITTLE_ENDIAN);
+            for (int voxel = 0; voxel < 8; ++voxel) {
+                whole.putFloat(voxel % 2);
+                rest.putFloat(1 - voxel % 2);
+            }
+            Path one = Files.write(folder.resolve("one.raw"), whole.array());
+            Path two = Files.write(folder.resolve("two.raw"), rest.array());
+            RawVoxels raw = new RawVoxels(VoxelType.FLOAT32, 2, 2, 2);
+            for (MeshFiles.VoxelKind kind : MeshFiles.VoxelKind.values()) {
+                boolean asFunctions = kind == MeshFiles.VoxelKind.INDICATORS;
+                Checks.equal(asFunctions ? 1L : 0L, MeshFiles.readRaw(mesher, raw.kind(kind), null, one).indicatorCount());
+                Checks.equal(asFunctions ? 2L : 0L, MeshFiles.readRaw(mesher, raw.kind(kind), null, one, two).indicatorCount());
+            }
         });
     }
 

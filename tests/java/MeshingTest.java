@@ -251,7 +251,8 @@ final class MeshingTest {
     }
 
     void testContacts() {
-        for (int[] names : new int[][] {{1, 0, 2}, {-2, 5, Integer.MAX_VALUE}, {Integer.MIN_VALUE, 0, 9}}) {
+        for (int[] names : new int[][] {{1, 0, 2}, {-2, 5, Integer.MAX_VALUE}, {Integer.MIN_VALUE, 0, 9},
+                {-1, 0, 3}, {-9, -1, 4}, {-9, 2, -1}}) {
             Volume volume = mesher.log(null).labels(gapped(names[0], names[1], names[2]), new Grid(20, 20, 20), null);
             Mesh coarse = mesher.mesh(volume, new Options().background(Background.LATTICE).size(6));
             int[] pairs = mesher.surface(coarse).interfaceLabels();

@@ -69,6 +69,22 @@ class Files(unittest.TestCase):
         for wrong in (((1, 1), "uint16"), ((1, 1, 1), "uint17")):
             with self.assertRaises(ValueError):
                 cleft.read_raw(path, *wrong)
+        for wrong in ((0, 0, 0), (1, 0, 1), (1, 1, -1), (1, 1, np.nan), (1, 1)):
+            with self.assertRaisesRegex(ValueError, "spacing"):
+                cleft.read_raw(path, labels.shape, "uint16", big_endian=True, skip=4, spacing=wrong)
+
+    def test_kind_of_raw_voxels(self):
+        one, two = self.folder / "one.raw", self.folder / "two.raw"
+        voxels = np.indices((2, 2, 2))[0].astype("<f4")
+        one.write_bytes(voxels.tobytes(order="F"))
+        two.write_bytes((1 - voxels).tobytes(order="F"))
+        for kind, functions in (("auto", 0), ("labels", 0), ("indicators", 1)):
+            volume = cleft.read_raw(one, (2, 2, 2), "float32", kind=kind)
+            self.assertEqual(volume.indicator_count, functions, kind)
+            both = cleft.read_raw([one, two], (2, 2, 2), "float32", kind=kind)
+            self.assertEqual(both.indicator_count, 2 * functions, kind)
+        with self.assertRaisesRegex(ValueError, "kind is 'masks'; it must be one of auto, labels, indicators"):
+            cleft.read_raw(one, (2, 2, 2), "float32", kind="masks")
 
     def test_sizing_there_and_back(self):
         volume = ball_volume()

@@ -144,6 +144,12 @@ class Meshes(unittest.TestCase):
         self.assertEqual(found.negative_tets, 1)
         self.assertNotEqual(found.first_fault, "")
 
+    def test_triangles_are_counted_twice(self):
+        for mesh in (ball_mesh(), cleft.strip_labels(ball_mesh(), strip=[0])):
+            found, surface = mesh.validate(), mesh.surface()
+            self.assertEqual(found.interface_triangles, len(surface.interface_triangles))
+            self.assertEqual(found.hull_triangles, len(surface.hull_triangles))
+
     def test_quadratic(self):
         mesh = ball_mesh()
         points, tets = mesh.quadratic()

@@ -80,6 +80,8 @@ namespace Cleft
         public long[] Dims { get; set; }
         /// <summary>Lengths of a voxel; or null for 1.</summary>
         public double[] Spacing { get; set; }
+        /// <summary>What the voxels mean.</summary>
+        public VoxelKind Kind { get; set; }
 
         internal NativeRaw ToNative()
         {
@@ -93,7 +95,8 @@ namespace Cleft
             if (Skip < 0)
                 throw new ArgumentOutOfRangeException(nameof(Skip), Skip, "Skip must not be negative");
             var raw = new NativeRaw {
-                type = (int)Arguments.Defined(Type, nameof(Type)), big_endian = BigEndian ? 1 : 0, skip = Skip
+                type = (int)Arguments.Defined(Type, nameof(Type)), big_endian = BigEndian ? 1 : 0, skip = Skip,
+                kind = (int)Arguments.Defined(Kind, nameof(Kind))
             };
             for (int axis = 0; axis < 3; ++axis)
                 raw.set_axis(axis, Dims[axis], Spacing == null ? 0 : Spacing[axis]);
@@ -163,30 +166,27 @@ namespace Cleft
             return ReadVolume(mesher, new[] { path }, options, reading);
         }
 
-        /// <summary>Reads a volume from one file, or from one a material: indicator functions.</summary>
+        /// <summary>Reads a volume from one file, or from one a material: masks or indicator functions.</summary>
         public static Volume ReadVolume(Mesher mesher, string[] paths, Options options = null, Reading reading = null)
         {
             Arguments.NotNull(mesher, nameof(mesher));
             Arguments.NotNull(paths, nameof(paths));
             NativeModules.Files();
             NativeHandle how = NativeObject.HandleOf(options);
-            reading = reading ?? new Reading();
-            bool indicators = reading.Kind == VoxelKind.Indicators || paths.Length > 1;
-            using (NativeReading native = reading.ToNative())
-                return WithPaths(paths, names => OfKind(indicators, mesher.Make((NativeHandle context, out IntPtr made) =>
+            using (NativeReading native = (reading ?? new Reading()).ToNative())
+                return WithPaths(paths, names => new Volume(mesher.Make((NativeHandle context, out IntPtr made) =>
                     CleftIoNative.cleft_io_read_volume(context, how, names, names.Length, native, out made))));
         }
 
-        /// <summary>Reads voxels without a header from one file, or from one a material.</summary>
+        /// <summary>Reads voxels without a header from one file, or from one a material, as in ReadVolume().</summary>
         public static Volume ReadRaw(Mesher mesher, RawVoxels raw, Options options, params string[] paths)
         {
             Arguments.NotNull(mesher, nameof(mesher));
             Arguments.NotNull(raw, nameof(raw));
             NativeModules.Files();
             NativeHandle how = NativeObject.HandleOf(options);
-            bool indicators = raw.Type == VoxelType.Float32 || raw.Type == VoxelType.Float64;
             using (NativeRaw native = raw.ToNative())
-                return WithPaths(paths, names => OfKind(indicators, mesher.Make((NativeHandle context, out IntPtr made) =>
+                return WithPaths(paths, names => new Volume(mesher.Make((NativeHandle context, out IntPtr made) =>
                     CleftIoNative.cleft_io_read_raw(context, how, names, names.Length, native, out made))));
         }
 
@@ -256,11 +256,6 @@ namespace Cleft
             NativeHandle of = NativeObject.Required(mesh, nameof(mesh));
             int number = format == null ? CleftIoNative.CLEFT_FORMAT_BY_NAME : NumberOf(format);
             mesher.Run(context => CleftIoNative.cleft_io_write_mesh(context, of, name, number));
-        }
-
-        private static Volume OfKind(bool indicators, IntPtr address)
-        {
-            return indicators ? Volume.OfIndicators(address) : Volume.OfLabels(address);
         }
 
         private static int NumberOf(string format)

@@ -129,7 +129,7 @@ namespace Cleft
             if (voxels == IntPtr.Zero)
                 throw new ArgumentNullException(nameof(voxels));
             NativeHandle how = HandleOf(options);
-            return Volume.OfLabels(Make((NativeHandle context, out IntPtr made) => CleftNative.cleft_volume_create_labels(
+            return new Volume(Make((NativeHandle context, out IntPtr made) => CleftNative.cleft_volume_create_labels(
                 context, (int)type, voxels, grid.Dims, grid.Affine, how, out made)));
         }
 
@@ -174,7 +174,7 @@ namespace Cleft
                 grid.CheckLength(fields[k], nameof(fields), "[" + k + "]");
             if (labels != null)
                 Arguments.Length(labels, fields.Length == 1 ? 2 : fields.Length, nameof(labels));
-            return Pinned(fields, addresses => Volume.OfIndicators(Make((NativeHandle context, out IntPtr made) =>
+            return Pinned(fields, addresses => new Volume(Make((NativeHandle context, out IntPtr made) =>
                 CleftNative.cleft_volume_create_indicators(context, (int)type, addresses, addresses.Length, grid.Dims,
                     grid.Affine, labels, out made))));
         }
@@ -361,7 +361,7 @@ namespace Cleft
                     if (status == CleftNative.CLEFT_ERROR_CANCELLED && Cancellation.IsCancellationRequested)
                         throw new CancelledException(Sentence(context), Cancellation);
                     if (status != CleftNative.CLEFT_OK)
-                        CleftException.Check(status, Sentence(context));
+                        CleftException.Check(status, status == CleftNative.CLEFT_ERROR_BUSY ? null : Sentence(context));
                 } finally {
                     if (held)
                         context.DangerousRelease();

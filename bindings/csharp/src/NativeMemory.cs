@@ -100,16 +100,14 @@ namespace Cleft
         /// <summary>A context, options, a report: what has no large arrays.</summary>
         internal const long Small = 2048;
 
-        /// <summary>One or two bytes a voxel for its label, two for its weight.</summary>
-        internal static long OfLabelMap(NativeHandle volume)
+        /// <summary>
+        /// One number of single precision a voxel and function; of a label map one or two bytes, and two for the weight.
+        /// </summary>
+        internal static long OfVolume(NativeHandle volume)
         {
-            return Small + Voxels(volume) * (CleftNative.cleft_volume_label_count(volume) > 256 ? 4 : 3);
-        }
-
-        /// <summary>One number of single precision a voxel and function.</summary>
-        internal static long OfIndicators(NativeHandle volume)
-        {
-            return Small + Voxels(volume) * 4 * CleftNative.cleft_volume_label_count(volume);
+            long functions = CleftNative.cleft_volume_indicator_count(volume);
+            int ofLabel = CleftNative.cleft_volume_label_count(volume) > 256 ? 2 : 1;
+            return Small + Voxels(volume) * (functions > 0 ? 4 * functions : ofLabel + 2);
         }
 
         internal static long OfSizing(NativeHandle sizing)

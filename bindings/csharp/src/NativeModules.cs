@@ -39,7 +39,7 @@ namespace Cleft
         {
             Core();
             if (!filesAreLoaded)
-                Load(FilesModule, TouchFiles, "the Debian packages libgdcm3.0, libtiff6, libpng16-16, libjpeg62-turbo and libdeflate0");
+                Load(FilesModule, TouchFiles, "the Debian packages libgdcm3.0, libtiff6, libpng16-16, libjpeg62-turbo, libdeflate0 and zlib1g");
             filesAreLoaded = true;
         }
 

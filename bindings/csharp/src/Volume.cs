@@ -9,12 +9,7 @@ namespace Cleft
     /// </summary>
     public sealed class Volume : NativeObject
     {
-        private Volume(IntPtr address, Func<NativeHandle, long> size)
-            : base(new NativeHandle(address, CleftNative.cleft_volume_destroy, size)) { }
-
-        internal static Volume OfLabels(IntPtr address) { return new Volume(address, NativeSize.OfLabelMap); }
-
-        internal static Volume OfIndicators(IntPtr address) { return new Volume(address, NativeSize.OfIndicators); }
+        internal Volume(IntPtr address) : base(new NativeHandle(address, CleftNative.cleft_volume_destroy, NativeSize.OfVolume)) { }
 
         /// <summary>Voxels, and where they lie.</summary>
         public Grid Grid
@@ -31,6 +26,11 @@ namespace Cleft
         /// <summary>The label of each material; a view.</summary>
         public ArrayView<int> Labels =>
             new IntView(Handle, CleftNative.cleft_volume_labels, CleftNative.cleft_volume_label_count);
+
+        /// <summary>
+        /// How many indicator functions: 1 for a signed function, 0 for a label map. Tells what a file was taken for.
+        /// </summary>
+        public long IndicatorCount => CleftNative.cleft_volume_indicator_count(Handle);
 
         /// <summary>The names of the labels that have one, as a file gave them or SetLabelName() did.</summary>
         public IReadOnlyDictionary<int, string> LabelNames => Cleft.LabelNames.Of(Labels, LabelName);

@@ -65,7 +65,7 @@ def guess(path: Path) -> str:
 def read_volume(path: Path | Sequence[Path], *, world: str = "LPS", kind: str = "auto",
                 spacing: Sequence[float] | None = None, scale: float | None = None, mesher: Mesher | None = None,
                 options: Options | None = None, **keywords: Unpack[OptionKeywords]) -> Volume:
-    """Reads a volume: NIfTI, NRRD, MetaImage, TIFF, a folder with a DICOM series ...; several paths: indicators.
+    """Reads a volume: NIfTI, NRRD, MetaImage, TIFF, a folder with a DICOM series ...; several paths: one a material.
 
     `world`: coordinates come out as "LPS" (ITK, DICOM, 3D Slicer's files) or "RAS" (NIfTI, nibabel). `kind`: "labels",
     "indicators" or "auto". `scale` multiplies the origin and the spacing of the file together: 0.001 makes metres of
@@ -81,15 +81,21 @@ def read_volume(path: Path | Sequence[Path], *, world: str = "LPS", kind: str = 
 
 
 def read_raw(path: Path | Sequence[Path], shape: Sequence[int], type: str, *, big_endian: bool = False, skip: int = 0,
-             spacing: Sequence[float] | None = None, mesher: Mesher | None = None, options: Options | None = None,
-             **keywords: Unpack[OptionKeywords]) -> Volume:
-    """Reads voxels without a header, x fastest; `type` is "uint8", "int16", "float32" ..., `skip` counts bytes."""
+             spacing: Sequence[float] | None = None, kind: str = "auto", mesher: Mesher | None = None,
+             options: Options | None = None, **keywords: Unpack[OptionKeywords]) -> Volume:
+    """Reads voxels without a header, x fastest; several paths: one a material.
+
+    `type` is "uint8", "int16", "float32" ..., `skip` counts bytes. `kind` and several paths: as in read_volume().
+    """
     io = _io()
     raw = io.NativeRaw()
     raw.type = type_named(type)
     raw.big_endian = int(big_endian)
+    raw.kind = _kind(kind)
     raw.skip = whole_number(skip, "skip", 0, 2**63 - 1)
-    lengths = np.zeros(3) if spacing is None else triple(spacing, "spacing")
+    lengths = np.ones(3) if spacing is None else triple(spacing, "spacing")
+    if not (lengths > 0).all():
+        raise InvalidArgument(f"spacing is {spacing!r}; all three must be above 0")
     if len(shape) != 3:
         raise InvalidArgument("shape must be three numbers of voxels")
     for axis in range(3):
@@ -169,12 +175,17 @@ def _world(name: str) -> int:
     return _choice(name, "world", {"LPS": _io().CLEFT_IO_WORLD_LPS, "RAS": _io().CLEFT_IO_WORLD_RAS})
 
 
+def _kind(name: str) -> int:
+    io = _io()
+    return _choice(name, "kind", {"auto": io.CLEFT_IO_KIND_AUTO, "labels": io.CLEFT_IO_KIND_LABELS,
+                                  "indicators": io.CLEFT_IO_KIND_INDICATORS})
+
+
 def _reading(world: str, kind: str, spacing: Sequence[float] | None, scale: float | None) -> Any:
     io = _io()
     reading = io.NativeReading()
     reading.world = _world(world)
-    reading.kind = _choice(kind, "kind", {"auto": io.CLEFT_IO_KIND_AUTO, "labels": io.CLEFT_IO_KIND_LABELS,
-                                          "indicators": io.CLEFT_IO_KIND_INDICATORS})
+    reading.kind = _kind(kind)
     if scale is not None:
         reading.scale = float(scale)
         if not reading.scale > 0:

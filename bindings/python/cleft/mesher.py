@@ -115,7 +115,7 @@ class Mesher:
 
     def _check(self, status: int) -> None:
         if status:
-            raise_for(status, native.cleft_context_last_error(self._native))
+            raise_for(status, _sentence_of(status, self._native))
 
     def _call(self, function: Callable[..., Any], *arguments: Any) -> Any:
         """Runs a function of the library on this context, and answers what it answers besides the status."""
@@ -124,11 +124,17 @@ class Mesher:
             answer = function(handle, *arguments)
             status, *made = answer if isinstance(answer, (list, tuple)) else (answer,)
             if status:
-                raise_for(status, native.cleft_context_last_error(handle) or native.cleft_status_string(status))
+                raise_for(status, _sentence_of(status, handle))
             return made[0] if made else None
 
     def _sentence(self) -> str:
         return str(native.cleft_context_last_error(self._native))
+
+
+def _sentence_of(status: int, context: Handle) -> str:
+    """What the context says of a failure; the words for the status where it has no sentence. A busy one leaves none."""
+    sentence = "" if status == native.CLEFT_ERROR_BUSY else native.cleft_context_last_error(context)
+    return str(sentence or native.cleft_status_string(status))
 
 
 def mesher_or_plain(mesher: Mesher | None) -> Mesher:

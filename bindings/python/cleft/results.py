@@ -32,7 +32,7 @@ class Quality:
 
 @dataclass(frozen=True)
 class Validation:
-    """What is wrong with a mesh: all counts are 0 for a sound one, which is true in a condition."""
+    """What is wrong with a mesh: the counts of faults are 0 for a sound one, which is true in a condition."""
 
     valid: bool
     negative_tets: int
@@ -48,6 +48,8 @@ class Validation:
     box_volume: float
     hull_area: float
     box_area: float
+    interface_triangles: int  #: between different labels, counted face by face: a surface has as many
+    hull_triangles: int  #: faces of one tetrahedron
     first_fault: str  #: the first fault and its place, "" if there is none
 
     def __bool__(self) -> bool:
@@ -74,7 +76,7 @@ class LabelReport:
 
 @dataclass(frozen=True)
 class Contact:
-    """Two labels that share triangles in the mesh, but of which no two voxels share a face, an edge or a corner.
+    """Two labels that share triangles in the mesh, but of which no two voxels share a face or an edge, a corner at most.
 
     The gap between them is narrower than the tetrahedra there; a smaller size opens it.
     """

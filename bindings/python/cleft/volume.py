@@ -95,6 +95,11 @@ class Volume(Named):
         return view(handle, native.cleft_volume_labels(handle), (native.cleft_volume_label_count(handle),), np.int32)
 
     @property
+    def indicator_count(self) -> int:
+        """Indicator functions: 1 for a signed function, 0 for a label map. Tells what a file was taken for."""
+        return int(native.cleft_volume_indicator_count(self._native))
+
+    @property
     def voxel_counts(self) -> dict[int, int]:
         """How many voxels each label has."""
         labels = self.labels

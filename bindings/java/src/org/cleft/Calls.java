@@ -51,7 +51,8 @@ final class Calls {
     }
 
     private static String sentence(long context, int status) {
-        String sentence = CleftNative.cleft_context_last_error(context);
+        // A busy context leaves none: what is there is of the other call.
+        String sentence = status == CleftNative.CLEFT_ERROR_BUSY ? "" : CleftNative.cleft_context_last_error(context);
         return sentence.isEmpty() ? CleftNative.cleft_status_string(status) : Wording.inJava(sentence);
     }
 

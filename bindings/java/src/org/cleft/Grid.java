@@ -76,7 +76,7 @@ public final class Grid {
      * @return a new grid
      */
     public Grid affine(double... rows) {
-        Arguments.length("rows", rows.length, 12);
+        Arguments.length("rows", Objects.requireNonNull(rows, "rows").length, 12);
         Arguments.finite("rows", rows);
         if (spacing != null || origin != null)
             throw new IllegalStateException("affine is given beside spacing or origin: a grid has one or the other");

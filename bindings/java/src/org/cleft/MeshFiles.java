@@ -152,15 +152,14 @@ public final class MeshFiles {
      * @param mesher who reads
      * @param reading how
      * @param options of which the smoothing is read; may be null
-     * @param paths one file, or one a material: indicator functions
+     * @param paths one file, or one a material: masks or indicator functions
      * @return a volume
      */
     public static Volume readVolume(Mesher mesher, Reading reading, Options options, Path... paths) {
         Objects.requireNonNull(mesher, "mesher");
         byte[] names = bytes("paths", paths);
-        return withReading(reading, how -> volume(reading.kind() == VoxelKind.INDICATORS || paths.length > 1,
-                mesher.make((context, arguments, out) ->
-                        CleftIoNative.cleft_io_read_volume(context, arguments[0], names, how, out), options)));
+        return withReading(reading, how -> new Volume(mesher.make((context, arguments, out) ->
+                CleftIoNative.cleft_io_read_volume(context, arguments[0], names, how, out), options)));
     }
 
     /**
@@ -174,53 +173,27 @@ public final class MeshFiles {
         return readVolume(mesher, Reading.DEFAULT, null, Objects.requireNonNull(path, "path"));
     }
 
-    private static Volume volume(boolean indicators, long address) {
-        return indicators ? Volume.ofIndicators(address) : Volume.ofLabels(address);
-    }
-
     /**
-     * Reads voxels without a header, x fastest.
+     * Reads voxels without a header.
      *
      * @param mesher who reads
-     * @param type of the voxels
-     * @param bigEndian whether the most significant byte comes first
-     * @param skip bytes before the first voxel
-     * @param dims voxels along x, y and z
-     * @param spacing lengths of a voxel; or null for 1
+     * @param raw how they lie in the file
      * @param options of which the smoothing is read; may be null
-     * @param paths one file, or one a material: indicator functions
+     * @param paths one file, or one a material: as in readVolume()
      * @return a volume
      */
-    public static Volume readRaw(Mesher mesher, VoxelType type, boolean bigEndian, long skip, long[] dims,
-            double[] spacing, Options options, Path... paths) {
+    public static Volume readRaw(Mesher mesher, RawVoxels raw, Options options, Path... paths) {
         Objects.requireNonNull(mesher, "mesher");
-        Objects.requireNonNull(type, "type");
-        checkBox(dims, spacing);
+        Objects.requireNonNull(raw, "raw");
         byte[] names = bytes("paths", paths);
         NativeLibrary.files();
-        NativeRaw raw = new NativeRaw();
+        NativeRaw how = raw.toNative();
         try {
-            raw.setType(type.number);
-            raw.setBig_endian(bigEndian ? 1 : 0);
-            raw.setSkip(skip);
-            for (int axis = 0; axis < 3; ++axis)
-                raw.set_axis(axis, dims[axis], spacing == null ? 0 : spacing[axis]);
-            return volume(!type.isWhole, mesher.make((context, arguments, out) ->
-                    CleftIoNative.cleft_io_read_raw(context, arguments[0], names, raw, out), options));
+            return new Volume(mesher.make((context, arguments, out) ->
+                    CleftIoNative.cleft_io_read_raw(context, arguments[0], names, how, out), options));
         } finally {
-            raw.delete();
+            how.delete();
         }
-    }
-
-    private static void checkBox(long[] dims, double[] spacing) {
-        Arguments.length("dims", Objects.requireNonNull(dims, "dims").length, 3);
-        for (int axis = 0; axis < 3; ++axis)
-            Arguments.atLeastOne("dims[" + axis + "]", dims[axis]);
-        if (spacing == null)
-            return;
-        Arguments.length("spacing", spacing.length, 3);
-        for (int axis = 0; axis < 3; ++axis)
-            Arguments.positive("spacing[" + axis + "]", spacing[axis]);
     }
 
     /**

@@ -185,7 +185,7 @@ public final class Mesher extends NativeObject {
     }
 
     private Volume labels(VoxelType type, Object voxels, Grid grid, Options options) {
-        return Volume.ofLabels(make((context, arguments, out) -> CleftNative.cleft_volume_create_labels(
+        return new Volume(make((context, arguments, out) -> CleftNative.cleft_volume_create_labels(
                 context, type.number, voxels, grid.dims(), grid.affine(), arguments[0], out), options));
     }
 
@@ -229,7 +229,7 @@ public final class Mesher extends NativeObject {
     private Volume indicators(VoxelType type, Object[] fields, Grid grid, int[] labels) {
         if (labels != null)
             Arguments.length("labels", labels.length, fields.length == 1 ? 2 : fields.length);
-        return Volume.ofIndicators(make((context, arguments, out) -> CleftNative.cleft_volume_create_indicators(
+        return new Volume(make((context, arguments, out) -> CleftNative.cleft_volume_create_indicators(
                 context, type.number, fields, grid.dims(), grid.affine(), labels, out)));
     }
 

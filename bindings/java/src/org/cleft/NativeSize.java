@@ -7,14 +7,11 @@ final class NativeSize {
 
     private NativeSize() {}
 
-    /** One or two bytes a voxel for its label, two for its weight. */
-    static long ofLabelMap(long volume) {
-        return SMALL + voxels(volume) * (CleftNative.cleft_volume_label_count(volume) > 256 ? 4 : 3);
-    }
-
-    /** One number of single precision a voxel and function. */
-    static long ofIndicators(long volume) {
-        return SMALL + voxels(volume) * 4 * CleftNative.cleft_volume_label_count(volume);
+    /** One number of single precision a voxel and function; of a label map one or two bytes, and two for the weight. */
+    static long ofVolume(long volume) {
+        long functions = CleftNative.cleft_volume_indicator_count(volume);
+        int ofLabel = CleftNative.cleft_volume_label_count(volume) > 256 ? 2 : 1;
+        return SMALL + voxels(volume) * (functions > 0 ? 4 * functions : ofLabel + 2);
     }
 
     static long ofSizing(long sizing) {

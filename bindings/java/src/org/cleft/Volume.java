@@ -10,16 +10,8 @@ import java.util.Objects;
  * changes, but for the names of its labels.
  */
 public final class Volume extends NativeObject {
-    private Volume(long address, long bytes) {
-        super("Volume", address, bytes, CleftNative::cleft_volume_destroy);
-    }
-
-    static Volume ofLabels(long address) {
-        return new Volume(address, NativeSize.ofLabelMap(address));
-    }
-
-    static Volume ofIndicators(long address) {
-        return new Volume(address, NativeSize.ofIndicators(address));
+    Volume(long address) {
+        super("Volume", address, NativeSize.ofVolume(address), CleftNative::cleft_volume_destroy);
     }
 
     /**
@@ -97,6 +89,15 @@ public final class Volume extends NativeObject {
         LabelNames.check("the volume", labels(), label, name);
         checked(address -> CleftNative.cleft_volume_set_label_name(address, label, name));
         return this;
+    }
+
+    /**
+     * How many indicator functions the volume has. Tells what a file was taken for.
+     *
+     * @return 1 for a signed function, 0 for a label map
+     */
+    public long indicatorCount() {
+        return with(CleftNative::cleft_volume_indicator_count);
     }
 
     /**
