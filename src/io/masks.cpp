@@ -50,11 +50,15 @@ Claims claim(const std::vector<Field>& masks, Image& labels)
 
 void note_empty(const std::vector<Field>& masks, const Claims& claims, std::vector<std::string>& notes)
 {
+    constexpr size_t told = 3;
+    size_t empty = 0;
     for (size_t k = 0; k < masks.size(); ++k)
-        if (claims.voxels[k] == 0)
+        if (claims.voxels[k] == 0 && ++empty <= told)
             notes.push_back(masks[k].who + ": the mask " +
                             (claims.wanted[k] == 0 ? "holds no voxel" : "holds no voxel that is not in one before it") +
                             ": there is no label " + std::to_string(k));
+    if (empty > told)
+        notes.push_back(std::to_string(empty - told) + " more masks hold no voxel, or none of their own");
 }
 
 void note_contested(const std::vector<Field>& masks, const Claims& claims, std::vector<std::string>& notes)
@@ -90,7 +94,7 @@ Image label_map_of_masks(const std::vector<Field>& masks, std::vector<std::strin
     for (const int64_t voxels : claims.voxels)
         outside -= voxels;
     if (outside == labels.field_size())
-        throw Error(CLEFT_ERROR_FORMAT, "no mask holds a voxel");
+        throw Error(CLEFT_ERROR_FORMAT, masks.front().who + " and the others are masks, but no mask holds a voxel");
     note_empty(masks, claims, notes);
     note_contested(masks, claims, notes);
     if (outside > 0)

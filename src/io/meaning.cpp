@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "base/ordinal.hpp"
+#include "io/field_shape.hpp"
 #include "io/header_values.hpp"
 
 #include <algorithm>
@@ -51,25 +52,13 @@ void check_label_map(const Field& field, std::vector<std::string>& notes)
     if (values.different < (values.is_signed() ? fewest_distances : fewest_greys))
         return;
     const double differing = differing_neighbours(*field.image, field.index, values);
-    if (differing < busy)
+    if (differing < busy || (values.different < fewest_greys && !goes_step_by_step(*field.image, field.index, values)))
         return;
     const std::string what = different_text(values) + " different whole numbers from " + range_text(values) + ", and " +
                              number_text(std::round(100 * differing)) + " % of its neighbouring voxels differ";
     if (values.is_signed())
         refuse(field, "it may be a label map, a grey image or a distance function, with " + what + ": " + ask);
     notes.push_back(field.who + ": it looks like a grey image rather than a label map: it has " + what);
-}
-
-// Are most voxels whole numbers, three or more different ones? Then it is a label map that somebody interpolated, and
-// not a function that is cut off at a greatest and a least value.
-bool has_plateaus(const FieldValues& values)
-{
-    const int64_t least_share = values.voxels / 1000;
-    const auto& counts = values.snapped_counts;
-    const auto plateaus = std::count_if(counts.begin(), counts.end(), [&](const auto& row) {
-        return row.second > least_share && row.first == std::round(row.first);
-    });
-    return 2 * values.fractions < values.voxels && plateaus > 2;
 }
 
 // A signed function has values on both sides of 0 that change from voxel to voxel.
@@ -82,9 +71,12 @@ void check_signed_function(const Field& field)
                           ", but neither whole labels nor a signed function (values below and above 0): " + ask);
     const bool smooth =
         values.different >= fewest_greys && differing_neighbours(*field.image, field.index, values) >= busy;
-    if (!smooth && (values.different <= many || has_plateaus(values)))
+    if (!smooth && values.different <= many)
         refuse(field, "it may be a label map or a function, with " + different_text(values) + " values from " +
                           range_text(values) + " that are not all whole numbers: " + ask);
+    if (rests_on_labels(*field.image, field.index, values))
+        refuse(field, "it may be a label map that was interpolated, as many of its values from " + range_text(values) +
+                          " lie near whole numbers or at 0, or a function: " + ask);
 }
 
 Meaning meaning_of_one(const Field& field, std::vector<std::string>& notes)

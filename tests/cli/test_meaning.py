@@ -1,5 +1,6 @@
 """What the voxels mean: labels, masks or functions. What is not certain is refused or told, never guessed in silence."""
 import json
+import math
 import unittest
 
 from support import CANNOT_READ, CommandTest, cleft, write_nrrd
@@ -133,6 +134,19 @@ class Labels(MeaningTest):
         mixed = [(a + b) / 2 for a, b in zip(LABELS, LABELS[1:] + [0])]
         self.assert_refused(self.write("mixed.nrrd", mixed), words=["--as labels"])
         self.assert_refused(self.write("signed.nrrd", [v - 1 for v in mixed]), words=["--as labels"])
+        # Splines swing about every label, so that no voxel is whole and some are below 0.
+        for factor, shift in ((1, 0), (100, 0), (3, -2), (3, 4)):
+            swinging = [factor * v + shift + 0.09 * math.sin(1.7 * i) - 5 * (i == 0) for i, v in enumerate(LABELS)]
+            self.assert_refused(self.write("spline.nrrd", swinging), words=["interpolated", "--as labels"])
+        labels, _ = self.info(self.path("spline.nrrd"), "--as", "labels")
+        self.assertEqual({v: n for v, n in labels.items() if n > 1}, {4: N ** 3 - 2 * HALF - 1, 7: HALF, 10: HALF})
+
+    def test_small_pieces_with_a_negative_label_are_labels(self):
+        pieces = [(-1, 1, 3, 5, 7)[(37 * (i // 2 % 10) + 11 * (i // 40 % 10) + 17 * (i // 800)) % 23 % 5]
+                  for i in range(N ** 3)]
+        for values in (pieces, [min(v, 3) for v in pieces]):
+            counts = {v: values.count(v) for v in set(values)}
+            self.assertEqual(self.info(self.write("pieces.nrrd", values, "int16")), (counts, []))
 
     def test_constants(self):
         self.assertEqual(self.info(self.write("five.nrrd", [5] * N ** 3))[0], {5: N ** 3})
@@ -152,6 +166,7 @@ class Labels(MeaningTest):
         self.assert_refused(self.write("ct.nrrd", [10 * v - 1000 for v in grey], "int16"), words=["--as labels"])
         distances = self.write("distances.nrrd", [round(2 * (6 - r)) for r in RADII], "int16")
         self.assert_refused(distances, words=["distance", "--as indicators"])
+        self.assert_refused(self.write("few.nrrd", [round(0.9 * (6 - r)) for r in RADII], "int16"), words=["distance"])
         self.assertEqual(set(self.info(distances, "--as", "indicators")[0]), {0, 1})
 
     def test_labels_beyond_32_bits_are_to_be_renumbered(self):
@@ -169,8 +184,9 @@ class Functions(MeaningTest):
     def test_a_signed_distance_is_a_function(self):
         inside = sum(r < 6 for r in RADII)
         for scale in (1, 1e-3, 1e3):
-            file = self.write("distance.nrrd", [scale * (6 - r) for r in RADII])
-            self.assertEqual(self.info(file), ({0: N ** 3 - inside, 1: inside}, []))
+            for most in (100, 4):
+                cut = [scale * max(-most, min(most, 6 - r)) for r in RADII]
+                self.assertEqual(self.info(self.write("distance.nrrd", cut)), ({0: N ** 3 - inside, 1: inside}, []))
 
     def test_a_probability_alone_is_refused(self):
         file = self.write("probability.nrrd", [1 / (1 + r) for r in RADII])

@@ -1,0 +1,116 @@
+// Tells functions from label maps by how their values lie.
+#include "io/field_shape.hpp"
+
+#include "io/voxel_access.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace cleft::io
+{
+
+namespace
+{
+
+struct Surroundings {
+    int64_t voxels = 0;  // that round to a whole number
+    int64_t close = 0;   // those of them that lie close to it
+};
+
+// By whole number. None if there are too many, as in noise.
+std::map<double, Surroundings> surroundings_of(const Image& image, int64_t field)
+{
+    constexpr double closeness = 0.1;
+    constexpr size_t most = 10000;
+    std::map<double, Surroundings> all;
+    Surroundings* last = nullptr;
+    double last_whole = 0;
+    for_each_value(image, field, [&](int64_t, double value) {
+        if (all.size() > most)
+            return;
+        const double whole = std::round(value) + 0.0;  // no -0
+        if (!last || whole != last_whole)
+            last = &all[whole];
+        last_whole = whole;
+        last->voxels += 1;
+        last->close += std::abs(value - whole) <= closeness ? 1 : 0;
+    });
+    if (all.size() > most)
+        all.clear();
+    return all;
+}
+
+// Whole numbers that more voxels lie at than between them.
+std::vector<double> plateaus_of(const Image& image, int64_t field)
+{
+    std::vector<double> plateaus;
+    for (const auto& [whole, near] : surroundings_of(image, field))
+        if (2 * near.close > near.voxels && 100 * near.voxels > image.field_size())
+            plateaus.push_back(whole);
+    return plateaus;
+}
+
+int64_t voxels_at_zero(const Image& image, int64_t field, double greatest_size)
+{
+    constexpr double share = 0.02;
+    const double close = std::min(0.1, share * greatest_size);
+    int64_t count = 0;
+    for_each_value(image, field, [&](int64_t, double value) { count += std::abs(value) <= close ? 1 : 0; });
+    return count;
+}
+
+// The place of each value among those that there are.
+std::vector<int32_t> ranks_of(const Image& image, int64_t field, const FieldValues& values)
+{
+    std::vector<int32_t> ranks(static_cast<size_t>(image.field_size()));
+    const auto& counts = values.snapped_counts;
+    for_each_value(image, field, [&](int64_t v, double value) {
+        const auto found = std::lower_bound(counts.begin(), counts.end(), snapped(value),
+                                            [](const auto& row, double wanted) { return row.first < wanted; });
+        ranks[static_cast<size_t>(v)] = static_cast<int32_t>(found - counts.begin());
+    });
+    return ranks;
+}
+
+// Of the pairs along an axis that differ, the share that differ by one rank; 0 if none differ.
+double share_of_single_steps(const std::vector<int32_t>& ranks, const std::array<int64_t, 3>& dims, size_t axis)
+{
+    const int64_t stride = axis == 0 ? 1 : axis == 1 ? dims[0] : dims[0] * dims[1];
+    int64_t differing = 0;
+    int64_t single = 0;
+    for (int64_t v = 0; v < static_cast<int64_t>(ranks.size()); ++v) {
+        if (v / stride % dims[axis] == dims[axis] - 1)
+            continue;
+        const int32_t step = std::abs(ranks[static_cast<size_t>(v)] - ranks[static_cast<size_t>(v + stride)]);
+        differing += step > 0 ? 1 : 0;
+        single += step == 1 ? 1 : 0;
+    }
+    return differing > 0 ? static_cast<double>(single) / static_cast<double>(differing) : 0;
+}
+
+}  // namespace
+
+bool rests_on_labels(const Image& image, int64_t field, const FieldValues& values)
+{
+    constexpr double many = 0.15;  // functions have some hundredths there
+    const double greatest_size = std::max(std::abs(values.least), std::abs(values.greatest));
+    const auto at_zero = static_cast<double>(voxels_at_zero(image, field, greatest_size));
+    if (at_zero > many * static_cast<double>(image.field_size()))
+        return true;
+    const std::vector<double> plateaus = plateaus_of(image, field);
+    return plateaus.size() > 2 || (plateaus.size() == 2 && plateaus[0] != -plateaus[1]);
+}
+
+bool goes_step_by_step(const Image& image, int64_t field, const FieldValues& values)
+{
+    constexpr double nearly_all = 0.85;
+    const std::vector<int32_t> ranks = ranks_of(image, field, values);
+    for (size_t axis = 0; axis < 3; ++axis)
+        if (share_of_single_steps(ranks, image.dims, axis) >= nearly_all)
+            return true;
+    return false;
+}
+
+}  // namespace cleft::io
