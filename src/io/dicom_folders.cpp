@@ -33,12 +33,24 @@ std::string first_bytes_of(const std::string& path)
     return bytes;
 }
 
+namespace
+{
+
+// Files of the system that have no size may keep their readers waiting.
+bool has_bytes(const fs::directory_entry& entry)
+{
+    std::error_code error;
+    return entry.is_regular_file(error) && entry.file_size(error) > 0 && !error;
+}
+
+}  // namespace
+
 std::vector<std::string> files_in(const std::string& folder)
 {
     std::vector<std::string> paths;
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder, error))
-        if (entry.is_regular_file(error))
+        if (has_bytes(entry))
             paths.push_back(entry.path().string());
     std::sort(paths.begin(), paths.end());
     return paths;
@@ -46,16 +58,18 @@ std::vector<std::string> files_in(const std::string& folder)
 
 std::vector<std::string> dicom_folders_below(const std::string& folder)
 {
-    constexpr int most_files = 100000;
+    constexpr int most_files = 20000;
     std::set<std::string> found;
     std::error_code error;
     int files = 0;
     for (auto at = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, error);
-         !error && at != fs::recursive_directory_iterator() && files < most_files; at.increment(error)) {
+         !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
         const std::string parent = at->path().parent_path().string();
-        std::error_code unknown;
-        files += 1;
-        if (at.depth() > 0 && found.count(parent) == 0 && at->is_regular_file(unknown) &&
+        if (++files > most_files)
+            throw Error(CLEFT_ERROR_FILE,
+                        "the folder holds no DICOM series, and too many files below it to look "
+                        "through: give the folder of a series");
+        if (at.depth() > 0 && found.count(parent) == 0 && has_bytes(*at) &&
             is_dicom_head(first_bytes_of(at->path().string())))
             found.insert(parent);
     }

@@ -11,7 +11,8 @@ namespace cleft::io
 std::vector<std::string> files_in(const std::string& folder);
 // As many as are needed to know DICOM.
 std::string first_bytes_of(const std::string& path);
-// The folders below this one that hold DICOM files themselves, sorted. Looks at 100,000 files at most.
+// The folders below this one that hold DICOM files themselves, sorted. Throws if there are too many files
+// to look through.
 std::vector<std::string> dicom_folders_below(const std::string& folder);
 // Says where series are, or how slices of other formats are given.
 [[noreturn]] void refuse_folder_without_series(const std::string& folder, const std::vector<std::string>& below);

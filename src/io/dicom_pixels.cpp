@@ -85,6 +85,18 @@ void unpack_runs(std::string_view packed, std::byte* to, size_t step, int64_t co
     }
 }
 
+// Two bytes make 128 at most: no memory is taken for a claim that cannot be true.
+void check_packed(const std::vector<std::string_view>& fragments, int64_t wanted)
+{
+    constexpr int64_t greatest_ratio = 64;
+    int64_t there = 0;
+    for (const std::string_view fragment : fragments)
+        there += static_cast<int64_t>(fragment.size());
+    if (wanted / greatest_ratio > there)
+        refuse("the DICOM file is damaged: its packed pixels have " + std::to_string(there) + " bytes, too few for " +
+               std::to_string(wanted));
+}
+
 // One fragment a frame: a head of 16 numbers (how many planes, where each begins), then the planes, high bytes first.
 void unpack_frames(const std::vector<std::string_view>& fragments, const DicomPixelFormat& format, Image& image)
 {
@@ -170,6 +182,8 @@ Image pixels_of(const DicomFile& file, const DicomPixelFormat& format)
         refuse("the DICOM file is damaged: its pixels have " + std::to_string(there) + " bytes, and not " +
                std::to_string(wanted));
     const bool compressed = element.encapsulated && !packed;
+    if (element.encapsulated && packed)
+        check_packed(element.fragments, wanted);
     const std::string straight =
         element.in_words && file.data.is_big_endian() && bits <= 8 ? pairs_swapped(element.bytes) : std::string();
     const std::string_view plain = straight.empty() ? element.bytes : straight;

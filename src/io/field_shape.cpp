@@ -42,12 +42,15 @@ std::map<double, Surroundings> surroundings_of(const Image& image, int64_t field
     return all;
 }
 
-// Whole numbers that more voxels lie at than between them.
+// Whole numbers that more voxels lie at than between them, and not a few of all: symmetry alone gives many voxels of a
+// distance the same value.
 std::vector<double> plateaus_of(const Image& image, int64_t field)
 {
+    constexpr int64_t least_voxels = 100;
+    constexpr int64_t least_share = 25;
     std::vector<double> plateaus;
     for (const auto& [whole, near] : surroundings_of(image, field))
-        if (2 * near.close > near.voxels && 100 * near.voxels > image.field_size())
+        if (2 * near.close > near.voxels && near.close >= least_voxels && least_share * near.close > image.field_size())
             plateaus.push_back(whole);
     return plateaus;
 }
