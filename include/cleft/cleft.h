@@ -285,8 +285,8 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_create_labels(cleft_context*
  *  signed function, inside (second label) where it is > 0. `labels`: what the materials are called, `count` values (two
  *  for count = 1, outside first), or NULL for 0, 1, 2, ... Values must be finite. Copied as float.
  *  Several functions of two values each, the lower the same in all, are masks: CLEFT_ERROR_ARGUMENT if voxels are in
- *  none of them (give the outside a mask of its own, or make a label map), a warning if some are in several. A warning
- *  also if other functions are equal and the greatest all over a region: the first of them holds there. \since 0.1 */
+ *  none of them (give the outside a mask of its own, or make a label map). Warnings: voxels are in several masks; other
+ *  functions are equal and the greatest all over a region (the first holds); a single one is a mask. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_create_indicators(cleft_context* context, cleft_type type,
                                                                       const void* const* fields, int64_t count,
                                                                       const int64_t dims[3], const double affine[12],

@@ -1,12 +1,11 @@
 #include "capi/options.hpp"
 
+#include "base/number_text.hpp"
 #include "base/struct_size.hpp"
 #include "capi/firewall.hpp"
 #include "capi/kept_labels.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
@@ -21,13 +20,6 @@ const OptionRow& checked_row(int row, const std::string& what)
     if (row < 0)
         throw Error(CLEFT_ERROR_OPTION, "there is no option " + what);
     return kOptionTable[row];
-}
-
-std::string text_of(double value)
-{
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.10g", value);
-    return text.data();
 }
 
 void assign(cleft_options& options, const OptionRow& row, double value)
@@ -222,9 +214,11 @@ cleft_status cleft_options_set_label_size(cleft_options* options, int32_t label,
     return guarded(message_of(options), [&] {
         auto& sizes = checked(options, "options").label_sizes;
         if (!std::isfinite(size))
-            throw cleft::Error(CLEFT_ERROR_NOT_FINITE, "the label size is NaN or infinite");
+            throw cleft::Error(CLEFT_ERROR_NOT_FINITE,
+                               "the size of label " + std::to_string(label) + " is NaN or infinite");
         if (size < 0)
-            throw cleft::Error(CLEFT_ERROR_OPTION, "the label size is negative");
+            throw cleft::Error(CLEFT_ERROR_OPTION, "the size of label " + std::to_string(label) + " is " +
+                                                       cleft::text_of(size) + "; it must not be negative");
         sizes.erase(std::remove_if(sizes.begin(), sizes.end(), [&](const auto& row) { return row.first == label; }),
                     sizes.end());
         if (size > 0)

@@ -1,3 +1,4 @@
+#include "base/number_text.hpp"
 #include "base/stage_timer.hpp"
 #include "capi/firewall.hpp"
 #include "capi/options.hpp"
@@ -51,8 +52,10 @@ cleft_status cleft_sizing_create_constant(cleft_context* context, const cleft_vo
 {
     return guarded_create(context, out, [&](const Run&) {
         const auto v = held(volume, "volume");
-        if (!std::isfinite(size) || size <= 0)
-            throw Error(CLEFT_ERROR_ARGUMENT, "the size must be a positive number");
+        if (!std::isfinite(size))
+            throw Error(CLEFT_ERROR_NOT_FINITE, "the size is NaN or infinite");
+        if (size <= 0)
+            throw Error(CLEFT_ERROR_ARGUMENT, "the size is " + cleft::text_of(size) + "; it must be above 0");
         SizingField field = cleft::constant_sizing(v->frame.grid, size);
         const double expected = cleft::expected_background_tets(field);
         return cleft_sizing{{}, v->frame, std::move(field), expected};

@@ -124,7 +124,7 @@ void lower_to_user(const float* user, const Grid& grid, const Limits& limits, st
 {
     for (size_t v = 0; v < h.size(); ++v) {
         if (!(user[v] > 0) || !std::isfinite(user[v]))
-            throw bad_sizing_value(static_cast<int64_t>(v), grid);
+            throw bad_sizing_value(user[v], static_cast<int64_t>(v), grid);
         h[v] = std::min(h[v], std::max(user[v], static_cast<float>(limits.least)));
     }
 }

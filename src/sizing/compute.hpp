@@ -16,6 +16,6 @@ SizingField compute_sizing(const Labelling& labelling, const std::vector<int32_t
 // Refuses a grid that no sizing field can have.
 void check_sizing_grid(const Grid& grid);
 // What to throw for a value that is not positive and finite.
-Error bad_sizing_value(int64_t voxel, const Grid& grid);
+Error bad_sizing_value(double value, int64_t voxel, const Grid& grid);
 
 }  // namespace cleft

@@ -1,4 +1,5 @@
 // Sizing fields that are given, what can be asked of any, and scaling it.
+#include "base/number_text.hpp"
 #include "base/ordinal.hpp"
 #include "sizing/compute.hpp"
 #include "sizing/gradient_limit.hpp"
@@ -33,10 +34,12 @@ void check_sizing_grid(const Grid& grid)
         throw Error(CLEFT_ERROR_TOO_LARGE, "a sizing field can have at most 2147483647 voxels");
 }
 
-Error bad_sizing_value(int64_t voxel, const Grid& grid)
+Error bad_sizing_value(double value, int64_t voxel, const Grid& grid)
 {
-    return Error(CLEFT_ERROR_NOT_FINITE,
-                 "the sizing value of " + voxel_in_words(voxel, grid.dims) + " is not a positive, finite number");
+    const std::string place = "the sizing value of " + voxel_in_words(voxel, grid.dims) + " is ";
+    if (!std::isfinite(value))
+        return Error(CLEFT_ERROR_NOT_FINITE, place + "NaN or infinite");
+    return Error(CLEFT_ERROR_ARGUMENT, place + text_of(value) + "; it must be above 0");
 }
 
 SizingField constant_sizing(const Grid& grid, double size)
@@ -54,7 +57,7 @@ SizingField sizing_from_values(const Grid& grid, const double* values)
     for (size_t v = 0; v < field.h.size(); ++v) {
         field.h[v] = static_cast<float>(values[v]);
         if (!(field.h[v] > 0) || !std::isfinite(field.h[v]))
-            throw bad_sizing_value(static_cast<int64_t>(v), grid);
+            throw bad_sizing_value(field.h[v], static_cast<int64_t>(v), grid);
     }
     return field;
 }

@@ -108,14 +108,24 @@ void check_ties(const Fields& fields, const Grid& grid, const Run& run)
                                    "its own");
 }
 
+// A mask is no signed function: where it is 0 is the boundary, so that what is inside swells by almost a voxel.
+void check_signed(const Fields& fields, float low, const Run& run)
+{
+    if (low == 0 && are_masks(fields, low))
+        run.say(CLEFT_LOG_WARNING,
+                "the only indicator function is 0 or one other number, as masks are: taken for a "
+                "signed function, its inside reaches to the centres of the voxels that are 0; make "
+                "a label map of it");
+}
+
 }  // namespace
 
 void check_claims(const std::vector<std::vector<float>>& fields, const Grid& grid, const Run& run)
 {
-    if (fields.size() < 2)
-        return;
     const float low = least(fields);
-    if (are_masks(fields, low))
+    if (fields.size() == 1)
+        check_signed(fields, low, run);
+    else if (are_masks(fields, low))
         check_masks(fields, low, grid.size(), run);
     else
         check_ties(fields, grid, run);

@@ -107,6 +107,7 @@ static void lists_are_checked(void** state)
     assert_int_equal(cleft_options_set_strip(options, NULL, 1), CLEFT_ERROR_NULL);
     assert_int_equal(cleft_options_set_only(options, labels, -1), CLEFT_ERROR_ARGUMENT);
     assert_int_equal(cleft_options_set_label_size(options, 5, -1), CLEFT_ERROR_OPTION);
+    assert_string_equal(cleft_options_last_error(options), "the size of label 5 is -1; it must not be negative");
     assert_int_equal(cleft_options_set_label_size(options, 5, NAN), CLEFT_ERROR_NOT_FINITE);
     assert_int_equal(cleft_options_set_label_size(options, 5, 2), CLEFT_OK);
     assert_int_equal(cleft_options_set_label_size(options, 5, 0), CLEFT_OK);

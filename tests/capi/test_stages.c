@@ -56,8 +56,18 @@ static void sizing_is_computed_constant_or_the_users(void** state)
     assert_true(cleft_sizing_expected_tets(NULL) == 0);
     cleft_sizing_destroy(both);
     both = NULL;
-    values[5] = -1;
-    assert_true(cleft_sizing_create_values(context, volume, CLEFT_TYPE_FLOAT32, values, 0, NULL, &both) < 0);
+    for (int combine = 0; combine < 2; ++combine) {
+        values[5] = -1;
+        assert_fails(context, CLEFT_ERROR_ARGUMENT,
+                     cleft_sizing_create_values(context, volume, CLEFT_TYPE_FLOAT32, values, combine, NULL, &both));
+        assert_non_null(strstr(cleft_context_last_error(context), "is -1; it must be above 0"));
+        values[5] = INFINITY;
+        assert_fails(context, CLEFT_ERROR_NOT_FINITE,
+                     cleft_sizing_create_values(context, volume, CLEFT_TYPE_FLOAT32, values, combine, NULL, &both));
+    }
+    assert_fails(context, CLEFT_ERROR_NOT_FINITE, cleft_sizing_create_constant(context, volume, INFINITY, &both));
+    assert_fails(context, CLEFT_ERROR_ARGUMENT, cleft_sizing_create_constant(context, volume, -0.25, &both));
+    assert_string_equal(cleft_context_last_error(context), "the size is -0.25; it must be above 0");
     assert_null(both);
     assert_fails(context, CLEFT_ERROR_ARGUMENT, cleft_sizing_create_constant(context, volume, 0, &both));
     free(values);

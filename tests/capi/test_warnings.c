@@ -134,7 +134,7 @@ static void masks_that_leave_voxels_to_nobody_are_refused_and_ties_told(void** s
         }
         cleft_volume_destroy(volume);
     }
-    /* the number of voxels that nobody claims, exactly; and one function alone is signed and no mask */
+    /* the number of voxels that nobody claims, exactly; and one function alone is signed, which is told of a mask */
     int64_t unclaimed = 0;
     char sentence[64];
     cleft_volume* volume = NULL;
@@ -146,6 +146,12 @@ static void masks_that_leave_voxels_to_nobody_are_refused_and_ties_told(void** s
                                                 NULL, &volume));
     snprintf(sentence, sizeof sentence, "%d of 8000 voxels", (int)unclaimed);
     assert_non_null(strstr(cleft_context_last_error(context), sentence));
+    assert_ok(context, cleft_volume_create_indicators(context, CLEFT_TYPE_FLOAT32, (const void* const*)field, 1, dims,
+                                                      NULL, NULL, &volume));
+    assert_told(&told, "the only indicator function is 0 or one other number");
+    cleft_volume_destroy(volume);
+    volume = NULL;
+    fill(field, signs);
     assert_ok(context, cleft_volume_create_indicators(context, CLEFT_TYPE_FLOAT32, (const void* const*)field, 1, dims,
                                                       NULL, NULL, &volume));
     assert_told(&told, NULL);

@@ -169,13 +169,15 @@ sealed class FailuresTest
             ["mesher"] = new Action[] { () => MeshFiles.ReadMesh(null, "a.vtu"), () => MeshFiles.ReadVolume(null, "a.nrrd") },
             ["path"] = new Action[] {
                 () => MeshFiles.ReadMesh(mesher, null), () => MeshFiles.ReadVolume(mesher, (string)null),
-                () => MeshFiles.Guess(null), () => MeshFiles.ReadMesh(mesher, "a\0b.vtu") },
+                () => MeshFiles.Guess(null), () => MeshFiles.ReadMesh(mesher, "a\0b.vtu"),
+                () => MeshFiles.ReadMesh(mesher, "half a \ud83d.vtu") },
             ["paths"] = new Action[] { () => MeshFiles.ReadVolume(mesher, new[] { "a.nrrd", null }) },
             ["raw"] = new Action[] { () => MeshFiles.ReadRaw(mesher, null, null, "a.raw") },
             ["format"] = new Action[] { () => MeshFiles.WriteMesh(mesher, mesh, "a.vtu", "jpeg") },
             ["world"] = new Action[] {
                 () => MeshFiles.WriteSizing(mesher, mesher.ConstantSizing(volume, 1), "a.nrrd", (World)7) },
-            ["name"] = new Action[] { () => volume.SetLabelName(0, null), () => new Options().Set(null, "1") },
+            ["name"] = new Action[] { () => volume.SetLabelName(0, null), () => new Options().Set(null, "1"),
+                () => volume.SetLabelName(1, "half a \ud83d") },
             ["value"] = new Action[] { () => new Options().Set("size", null), () => new Options().Set("size", "1\0") },
             ["Strip"] = new Action[] { () => new Options().Strip = null },
             ["Only"] = new Action[] { () => new Options().Only = null },
@@ -210,6 +212,9 @@ sealed class FailuresTest
         foreach (var wrong in new Dictionary<string, Action> {
             ["SizeMax is -1"] = () => new Options { SizeMax = -1 }.Dispose(), ["Size is "] = () => new Options { Size = double.NaN }.Dispose(),
             ["SizeMax is less than SizeMin"] = () => mesher.Mesh(volume, new Options { SizeMin = 3, SizeMax = 2 }),
+            ["Strip would leave"] = () => mesher.Mesh(volume, new Options { Strip = volume.Labels.ToArray() }),
+            ["Only would leave"] = () => mesher.Mesh(volume, new Options { Only = new[] { 99 } }),
+            ["the size of label 3 is -1"] = () => new Options().SetLabelSize(3, -1),
             ["Threads is 2000"] = () => mesher.Threads = 2000, ["size_max is not a number"] = () => new Options().Set("size_max", "x"),
             ["'/no/size_max.vtu'"] = () => MeshFiles.ReadMesh(mesher, "/no/size_max.vtu")
         }) {

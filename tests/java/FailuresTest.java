@@ -188,6 +188,7 @@ final class FailuresTest {
         named(kind, "format", () -> MeshFiles.writeMesh(mesher, mesh, path, "jpeg"));
         named(kind, "scale", () -> MeshFiles.Reading.DEFAULT.scaled(0), () -> MeshFiles.Reading.DEFAULT.scaled(Double.NaN));
         named(kind, "value", () -> new Options().set("size", "1\0"));
+        named(kind, "name", () -> volume.labelName(1, "half a \ud83d"));
         Class<CleftException.InvalidArgument> ours = CleftException.InvalidArgument.class;
         named(ours, "threads", () -> mesher.threads(-1));
         named(ours, "y", () -> mesher.constantSizing(volume, 1).at(0, Double.NaN, 0));

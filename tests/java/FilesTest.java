@@ -48,6 +48,28 @@ final class FilesTest {
         });
     }
 
+    /** Lists a folder, as a program would, and reads what is there. */
+    static final class Reader {
+        public static void main(String[] arguments) throws Exception {
+            try (var paths = Files.list(Path.of(arguments[0])); Mesher mesher = new Mesher()) {
+                for (Path path : paths.toList())
+                    System.out.println(MeshFiles.readVolume(mesher, path).labels().length + " labels");
+            }
+        }
+    }
+
+    /** Names of files are bytes; the locale may have no letters for them. */
+    void testNamesOfAnyBytes() throws Exception {
+        inFolder(folder -> {
+            String script = "cp \"$1\" \"$(printf '%s/\\303\\244 %%.nrrd' \"$2\")\" && "
+                    + "LC_ALL=C \"$3\" -cp \"$4\" 'FilesTest$Reader' \"$2\"; rm -f \"$2\"/*";
+            Process process = new ProcessBuilder("sh", "-c", script, "sh", DATA.resolve("mickey.nrrd").toString(),
+                    folder.toString(), System.getenv("JAVA"), System.getProperty("java.class.path"))
+                    .redirectErrorStream(true).start();
+            Checks.equal("5 labels\n", new String(process.getInputStream().readAllBytes()));
+        });
+    }
+
     void testVolumes() throws Exception {
         Path path = DATA.resolve("mickey.nrrd");
         Volume volume = MeshFiles.readVolume(mesher, path);

@@ -69,6 +69,12 @@ class Errors(unittest.TestCase):
                 use()
         with self.assertRaises(OverflowError):
             cleft.Mesher(threads=2**40)
+        for use, name in ((lambda: cleft.Sizing.constant(volume, "2"), "size"), (lambda: cleft.Sizing.constant(volume, None), "size"),
+                          (lambda: cleft.Sizing.from_values(volume, np.ones(volume.shape), combine="yes"), "combine"),
+                          (lambda: ball_mesh().validate(fills_box=3), "fills_box"),
+                          (lambda: setattr(volume, "label_names", ["a"]), "label_names")):
+            with self.assertRaisesRegex(TypeError, name):
+                use()
 
     def test_strict(self):
         labels = np.zeros((20, 20, 20), int)

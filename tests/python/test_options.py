@@ -1,6 +1,9 @@
 """Options: their names, defaults and ranges are those of the library."""
 import pydoc
 import unittest
+import warnings
+
+import numpy as np
 
 import cleft
 from support import ball_mesh, ball_volume
@@ -43,6 +46,14 @@ class OptionsTest(unittest.TestCase):
         self.assertEqual(options.size, 4.0)
         self.assertIn("size", dir(options))
 
+    def test_values_of_numpy(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            options = cleft.Options(strict=np.bool_(True), size=np.float32(2), steps=np.int8(3), strip=np.array([1]),
+                                    label_sizes={np.int64(4): np.float64(0.5)})
+        self.assertEqual((options.strict, options.size, options.steps), (True, 2.0, 3))
+        self.assertEqual((options.strip, options.label_sizes), ((1,), {4: 0.5}))
+
     def test_greatest_and_least(self):
         for row in cleft.option_table():
             if row.type in ("real", "integer"):
@@ -55,13 +66,14 @@ class OptionsTest(unittest.TestCase):
                 self.assertEqual(getattr(options, row.name), row.greatest)
 
     def test_wrong_values(self):
-        for values in ({"size": float("nan")}, {"size": float("inf")}, {"size": "two"}, {"background": "rug"},
+        for values in ({"size": float("nan")}, {"size": float("inf")}, {"background": "rug"},
                        {"smooth": 99}, {"label_sizes": {1: -1}}, {"label_sizes": {1: float("nan")}}):
             with self.assertRaises(ValueError):
                 cleft.Options(**values)
-        for values in ({"colour": 1}, {"size": None}, {"background": 3}, {"steps": 1.5}, {"steps": "many"},
-                       {"strip": 3}, {"strip": ["a"]}, {"strict": None}):
-            with self.assertRaises(TypeError):
+        for values in ({"colour": 1}, {"size": None}, {"size": "2"}, {"size": [1.0, 2.0]}, {"background": 3}, {"steps": 1.5},
+                       {"steps": "many"}, {"strip": 3}, {"strip": ["a"]}, {"strict": None}, {"strict": "yes"}, {"strict": 2},
+                       {"label_sizes": [1, 2]}, {"label_sizes": {"a": 1}}, {"label_sizes": {1: "a"}}):
+            with self.assertRaisesRegex(TypeError, next(iter(values))):
                 cleft.Options(**values)
         for values in ({"strip": [2**31]}, {"only": [-2**31 - 1]}, {"steps": 2**70}, {"label_sizes": {2**40: 1.0}}):
             with self.assertRaises(OverflowError):

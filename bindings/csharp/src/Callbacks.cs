@@ -13,6 +13,8 @@ namespace Cleft
     /// <summary>Texts as the library has them: UTF-8, closed by a zero.</summary>
     internal static class Utf8
     {
+        private static readonly Encoding Strict = new UTF8Encoding(false, true);
+
         internal static string Read(IntPtr text)
         {
             if (text == IntPtr.Zero)
@@ -41,7 +43,11 @@ namespace Cleft
                 throw new ArgumentNullException(name);
             if (text.IndexOf('\0') >= 0)
                 throw new ArgumentException(name + " has a zero character in it", name);
-            return Encoding.UTF8.GetBytes(text + "\0");
+            try {
+                return Strict.GetBytes(text + "\0");
+            } catch (EncoderFallbackException) {
+                throw new ArgumentException(name + " has half a surrogate pair in it", name);
+            }
         }
     }
 }

@@ -273,7 +273,7 @@ namespace Cleft
         /// <summary>Runs something with texts that lie outside the heap for the while.</summary>
         private static T WithPaths<T>(string[] paths, Func<IntPtr[], T> use)
         {
-            IntPtr[] names = new IntPtr[paths.Length];
+            IntPtr[] names = new IntPtr[Arguments.NotNull(paths, nameof(paths)).Length];
             try {
                 for (int i = 0; i < paths.Length; ++i) {
                     byte[] bytes = Utf8.Write(paths[i], nameof(paths));

@@ -263,7 +263,7 @@ namespace Cleft
         /// <summary>The mesh without the labels that Options.Strip and Options.Only leave out.</summary>
         public Mesh Strip(Mesh whole, Options options)
         {
-            NativeHandle mesh = Required(whole, nameof(whole)), how = HandleOf(options);
+            NativeHandle mesh = Required(whole, nameof(whole)), how = Required(options, nameof(options));
             return new Mesh(Make((NativeHandle context, out IntPtr made) =>
                 CleftNative.cleft_mesh_strip(context, mesh, how, out made)));
         }

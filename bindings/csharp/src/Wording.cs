@@ -12,7 +12,9 @@ namespace Cleft
 
         private static Dictionary<string, string> MakeProperties()
         {
-            var properties = new Dictionary<string, string> { { "threads", "Threads" } };
+            var properties = new Dictionary<string, string> {
+                { "threads", "Threads" }, { "strip", "Strip" }, { "only", "Only" }
+            };
             foreach (OptionDescription row in OptionDescription.Table())
                 properties[row.Name] = PropertyOf(row.Name);
             return properties;

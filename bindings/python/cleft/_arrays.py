@@ -180,6 +180,23 @@ def world_matrix(spacing: Sequence[float] | None, origin: Sequence[float] | None
     return np.column_stack((np.diag(lengths), first))
 
 
+def real_number(value: Any, name: str) -> float:
+    """A single number; TypeError, which names the argument, for what is none, texts among them."""
+    try:
+        if not isinstance(value, (str, bytes)) and np.ndim(value) == 0:
+            return float(value)
+    except TypeError:
+        pass
+    raise TypeError(f"{name} must be a number, not {value!r}")
+
+
+def true_or_false(value: Any, name: str) -> bool:
+    """A truth value of Python or of numpy, or 1 or 0."""
+    if isinstance(value, (bool, np.bool_)) or isinstance(value, (int, np.integer)) and value in (0, 1):
+        return bool(value)
+    raise TypeError(f"{name} must be True or False, not {value!r}")
+
+
 def triple(values: Any, name: str) -> np.ndarray[Any, Any]:
     """Three finite numbers."""
     array = float_array(values, name)

@@ -31,6 +31,8 @@ class Named(Owner):
     @label_names.setter
     def label_names(self, names: Mapping[int, str]) -> None:
         handle, put = self._native, type(self)._set_name
+        if not isinstance(names, Mapping):
+            raise TypeError(f"label_names must be a dictionary from labels to names, not {names!r}")
         known = self._own_labels()
         for label, name in names.items():
             if not isinstance(name, str):

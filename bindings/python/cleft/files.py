@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import native
-from ._arrays import affine_from, triple, type_named, whole_number
+from ._arrays import affine_from, real_number, triple, true_or_false, type_named, whole_number
 from ._handle import Handle, required, view
 from ._paths import Path, path_bytes, path_list, reading, writing
 from .errors import InvalidArgument, Unsupported, raise_for
@@ -90,7 +90,7 @@ def read_raw(path: Path | Sequence[Path], shape: Sequence[int], type: str, *, bi
     io = _io()
     raw = io.NativeRaw()
     raw.type = type_named(type)
-    raw.big_endian = int(big_endian)
+    raw.big_endian = int(true_or_false(big_endian, "big_endian"))
     raw.kind = _kind(kind)
     raw.skip = whole_number(skip, "skip", 0, 2**63 - 1)
     lengths = np.ones(3) if spacing is None else triple(spacing, "spacing")
@@ -137,7 +137,7 @@ def read_sizing(path: Path, volume: Volume, *, combine: bool = False, world: str
     how = _reading(world, "auto", spacing, scale)
     with reading(path, folders=True):
         return Sizing._adopt(mesher_or_plain(mesher)._call(
-            io.cleft_io_read_sizing, required(volume, Volume, "volume"), path_bytes(path), how, int(combine),
+            io.cleft_io_read_sizing, required(volume, Volume, "volume"), path_bytes(path), how, int(true_or_false(combine, "combine")),
             chosen._native if chosen else None))
 
 
@@ -187,7 +187,7 @@ def _reading(world: str, kind: str, spacing: Sequence[float] | None, scale: floa
     reading.world = _world(world)
     reading.kind = _kind(kind)
     if scale is not None:
-        reading.scale = float(scale)
+        reading.scale = real_number(scale, "scale")
         if not reading.scale > 0:
             raise InvalidArgument(f"scale is {scale!r}; it must be above 0")
     if spacing is not None:

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import native
-from ._arrays import float_array, int32_array, rows
+from ._arrays import float_array, int32_array, rows, true_or_false
 from ._handle import Handle, native_of, required, view
 from ._label_names import Named
 from .errors import InvalidArgument, raise_for
@@ -107,7 +107,7 @@ class Mesh(Named):
         """Looks for faults. With `fills_box`, the mesh is also asked to fill its bounding box."""
         struct = native.NativeValidation()
         worker = mesher_or_plain(mesher)
-        worker._call(native.cleft_mesh_validate, self._native, int(fills_box), struct)
+        worker._call(native.cleft_mesh_validate, self._native, int(true_or_false(fills_box, "fills_box")), struct)
         return from_struct(Validation, struct, first_fault="" if struct.valid else worker._sentence())
 
     def surface(self, *, mesher: Mesher | None = None) -> Surface:

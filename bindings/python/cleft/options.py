@@ -9,7 +9,7 @@ from typing import Any, Callable, Iterable, Mapping, TypedDict, TypeVar, Unpack
 import numpy as np
 
 from . import native
-from ._arrays import int32_array, whole_number
+from ._arrays import int32_array, real_number, true_or_false, whole_number
 from ._handle import Handle, Owner
 from .errors import raise_for, warn
 
@@ -167,7 +167,7 @@ class Options(Owner):
 
     def set_text(self, name: str, value: str) -> None:
         """Sets an option from text, as the command line does: options.set_text("size", "2.5")."""
-        self._check(native.cleft_options_set_text(self._native, _text(name), _text(value)))
+        self._check(native.cleft_options_set_text(self._native, _text(name, "name"), _text(value, "value")))
 
     def _check(self, status: int) -> None:
         if status:
@@ -175,21 +175,27 @@ class Options(Owner):
 
     def _set(self, row: OptionDescription, value: Any) -> None:
         if row.type == "real":
-            self._check(native.cleft_options_set_real(self._native, row.key, float(value)))
+            self._check(native.cleft_options_set_real(self._native, row.key, real_number(value, row.name)))
         elif row.type == "choice":
-            self.set_text(row.name, value)
+            self.set_text(row.name, _text(value, row.name))
+        elif row.type == "flag":
+            self._check(native.cleft_options_set_integer(self._native, row.key, int(true_or_false(value, row.name))))
         else:
             whole = int(value) if isinstance(value, float) and value.is_integer() else value
             number = whole_number(whole, row.name, -2**63, 2**63 - 1)
             self._check(native.cleft_options_set_integer(self._native, row.key, number))
 
     def _set_label_sizes(self, sizes: Mapping[int, float]) -> None:
+        if not isinstance(sizes, Mapping):
+            raise TypeError(f"label_sizes must be a dictionary from labels to sizes, not {sizes!r}")
+        wanted = {whole_number(label, "a label in label_sizes", -2**31, 2**31 - 1): real_number(size, f"label_sizes[{label!r}]")
+                  for label, size in sizes.items()}
         for label in self._lists["label_sizes"]:
             self._check(native.cleft_options_set_label_size(self._native, label, 0.0))
         self._lists["label_sizes"] = {}
-        for label, size in dict(sizes).items():
-            self._check(native.cleft_options_set_label_size(self._native, operator.index(label), float(size)))
-            self._lists["label_sizes"][operator.index(label)] = float(size)
+        for label, size in wanted.items():
+            self._check(native.cleft_options_set_label_size(self._native, label, size))
+            self._lists["label_sizes"][label] = size
 
     def _set_list(self, name: str, labels: Iterable[int]) -> None:
         try:
@@ -206,9 +212,9 @@ def _names() -> str:
     return "the options are " + ", ".join((*_TABLE, *_LISTS))
 
 
-def _text(value: str) -> str:
+def _text(value: str, name: str) -> str:
     if not isinstance(value, str):
-        raise TypeError(f"expected a text, not {type(value).__name__}")
+        raise TypeError(f"{name} must be a text, not {value!r}")
     return value
 
 

@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import native
-from ._arrays import affine_from, buffer_of, real_voxels, triple, type_of
+from ._arrays import affine_from, buffer_of, real_number, real_voxels, triple, true_or_false, type_of
 from ._handle import Handle, Owner, required, view
 from .errors import InvalidArgument, raise_for
 from .mesher import Mesher, mesher_or_plain
@@ -38,7 +38,7 @@ class Sizing(Owner):
     def constant(cls, volume: Volume, size: float, *, mesher: Mesher | None = None) -> Sizing:
         """One size everywhere."""
         return cls._adopt(mesher_or_plain(mesher)._call(
-            native.cleft_sizing_create_constant, required(volume, Volume, "volume"), float(size)))
+            native.cleft_sizing_create_constant, required(volume, Volume, "volume"), real_number(size, "size")))
 
     @classmethod
     def from_values(cls, volume: Volume, values: npt.ArrayLike, *, combine: bool = False, mesher: Mesher | None = None,
@@ -53,7 +53,7 @@ class Sizing(Owner):
             raise InvalidArgument(f"values has the shape {array.shape}; the volume has {volume.shape}")
         chosen = options_of(options, keywords)
         return cls._adopt(mesher_or_plain(mesher)._call(
-            native.cleft_sizing_create_values, handle, type_of(array), buffer_of(array), int(combine),
+            native.cleft_sizing_create_values, handle, type_of(array), buffer_of(array), int(true_or_false(combine, "combine")),
             chosen._native if chosen else None))
 
     @property

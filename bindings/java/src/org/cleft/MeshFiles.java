@@ -351,7 +351,9 @@ public final class MeshFiles {
 
     /** Texts for the library, each closed by a zero. */
     private static byte[] bytes(String name, Path path) {
-        return Text.bytes(name, Objects.requireNonNull(path, name).toString());
+        String text = Objects.requireNonNull(path, name).toString();
+        // Where the locale cannot tell the letters of a name, the address of the file has its bytes.
+        return text.indexOf('\ufffd') < 0 ? Text.bytes(name, text) : Text.unescaped(path.toUri().getRawPath());
     }
 
     private static byte[] bytes(String name, Path[] paths) {

@@ -379,6 +379,7 @@ public final class Mesher extends NativeObject {
      */
     public Mesh strip(Mesh whole, Options options) {
         Objects.requireNonNull(whole, "whole");
+        Objects.requireNonNull(options, "options");
         return new Mesh(make((context, arguments, out) ->
                 CleftNative.cleft_mesh_strip(context, arguments[0], arguments[1], out), whole, options));
     }
