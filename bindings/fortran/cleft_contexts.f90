@@ -147,7 +147,7 @@ contains
     status = cleft_context_metric(self%c_handle(), int(index - 1, c_int64_t), chars, value)
     name = ''
     if (status == CLEFT_OK) name = text_at(chars)
-    call self%conclude(status, stat, errmsg)
+    call conclude(status, 'there is no such figure', stat, errmsg)  ! the library leaves no sentence of its own
   end subroutine
 
   subroutine clear_metrics(self, stat, errmsg)
@@ -194,6 +194,7 @@ contains
     character(len=*), intent(inout), optional :: errmsg
 
     character(len=:), allocatable :: sentence
+    integer :: at
 
     if (status == CLEFT_OK) then
       if (present(stat)) stat = CLEFT_OK
@@ -202,6 +203,8 @@ contains
     sentence = self%last_error()
     ! A busy context leaves none: what is there is of the other call.
     if (status == CLEFT_ERROR_BUSY .or. sentence == '') sentence = text_at(cleft_status_string(status))
+    at = index(sentence, ' is NULL')
+    if (status == CLEFT_ERROR_NULL .and. at > 0) sentence = sentence(:at) // 'is not there: destroyed, or never made'
     call conclude(status, sentence, stat, errmsg)
   end subroutine
 

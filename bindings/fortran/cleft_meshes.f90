@@ -56,10 +56,28 @@ contains
     background_at = c_null_ptr
     if (present(sizing)) sizing_at = sizing%c_handle()
     if (present(background)) background_at = background%c_handle()
+    ! What is given but empty is not the same as what is not given.
+    if (present(sizing) .and. .not. c_associated(sizing_at)) then
+      call refuse_empty('sizing')
+      return
+    end if
+    if (present(background) .and. .not. c_associated(background_at)) then
+      call refuse_empty('background')
+      return
+    end if
     status = cleft_mesh_volume( &
       context%c_handle(), volume%c_handle(), sizing_at, background_at, c_options(options), made)
     call self%adopt(made)
     call context%conclude(status, stat, errmsg)
+
+  contains
+
+    subroutine refuse_empty(name)
+      character(len=*), intent(in) :: name
+      call self%destroy()
+      call conclude(CLEFT_ERROR_NULL, name // ' is not there: destroyed, or never made', stat, errmsg)
+    end subroutine
+
   end subroutine
 
   ! The background mesh of a sizing field; its only label is 0.
@@ -223,12 +241,10 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     character(kind=c_char, len=:), allocatable, target :: chars
-    character(len=16) :: number
 
     chars = c_text(name)
-    write (number, '(i0)') label
     call conclude(cleft_mesh_set_label_name(self%c_handle(), label, c_loc(chars)), &
-      'the mesh has no label ' // trim(number) // ', or the name is not one line of text: ' // trim(name), stat, errmsg)
+      naming_mistake('mesh', self%labels(), label), stat, errmsg)
   end subroutine
 
   ! The name of a label, '' if it has none.

@@ -5,7 +5,7 @@ module cleft_support
   use cleft_c
   implicit none
   private
-  public :: c_text, text_at, conclude, cleft_library_version, cleft_can_make_particles
+  public :: c_text, text_at, conclude, naming_mistake, cleft_library_version, cleft_can_make_particles
 
   interface
     function c_strlen(text) bind(C, name='strlen') result(length)
@@ -61,6 +61,21 @@ contains
     end if
     error stop 1
   end subroutine
+
+  ! Why a label cannot get a name.
+  function naming_mistake(of, labels, label) result(sentence)
+    character(len=*), intent(in) :: of
+    integer(c_int32_t), intent(in) :: labels(:), label
+    character(len=:), allocatable :: sentence
+    character(len=16) :: number
+
+    write (number, '(i0)') label
+    if (any(labels == label)) then
+      sentence = 'the name of label ' // trim(number) // ' must be one line of text, in UTF-8'
+    else
+      sentence = 'the ' // of // ' has no label ' // trim(number)
+    end if
+  end function
 
   ! "major.minor.patch" of the library that runs.
   function cleft_library_version() result(version)

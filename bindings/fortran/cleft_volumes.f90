@@ -111,6 +111,7 @@ contains
 
     call self%destroy()
     call find_place(spacing, origin, affine, rows, mistake)
+    if (any(dims < 1)) mistake = 'voxels has no elements'
     if (len(mistake) > 0) then
       call conclude(CLEFT_ERROR_ARGUMENT, mistake, stat, errmsg)
       return
@@ -203,6 +204,7 @@ contains
 
     call self%destroy()
     call find_place(spacing, origin, affine, rows, mistake)
+    if (any(dims < 1) .or. size(fields) < 1) mistake = 'the indicator functions have no elements'
     if (len(mistake) > 0) then
       call conclude(CLEFT_ERROR_ARGUMENT, mistake, stat, errmsg)
       return
@@ -307,12 +309,10 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     character(kind=c_char, len=:), allocatable, target :: chars
-    character(len=16) :: number
 
     chars = c_text(name)
-    write (number, '(i0)') label
     call conclude(cleft_volume_set_label_name(self%c_handle(), label, c_loc(chars)), &
-      'the volume has no label ' // trim(number) // ', or the name is not one line of text: ' // trim(name), stat, errmsg)
+      naming_mistake('volume', self%labels(), label), stat, errmsg)
   end subroutine
 
   ! The name of a label, '' if it has none.

@@ -57,7 +57,10 @@ double parsed(const OptionRow& row, const char* text)
         return 0;
     char* end = nullptr;
     const double value = std::strtod(text, &end);
-    if (end == text || *end != '\0')
+    const bool is_number = end != text && *end == '\0';
+    if (row.type == CLEFT_OPTION_TYPE_FLAG && !is_number)
+        throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is neither true nor false: " + text);
+    if (!is_number)
         throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is not a number: " + text);
     if (row.type != CLEFT_OPTION_TYPE_REAL && value != std::floor(value))
         throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is not a whole number: " + text);

@@ -47,6 +47,8 @@ contains
     call check(stat /= CLEFT_OK, 'NaN is refused as an option')
     unused = options%value('no_such_option', stat, errmsg)
     call failed(CLEFT_ERROR_OPTION, 'an unknown option has no value')
+    call options%set('strict', 'maybe', stat, errmsg)
+    call check(stat == CLEFT_ERROR_OPTION .and. errmsg == 'strict is neither true nor false: maybe', 'a flag is true or false')
     call options%set_label_size(5, -1d0, stat, errmsg)
     call check(stat /= CLEFT_OK, 'a negative size of a label is refused')
     call options%set('gradation', 0.25d0, stat, errmsg)
@@ -61,7 +63,14 @@ contains
     integer(c_int32_t), allocatable :: labels(:)
 
     call other%create(context, none, stat=stat, errmsg=errmsg)
-    call check(stat /= CLEFT_OK, 'a volume without voxels is refused')
+    call told('voxels has no elements')
+    call failed(CLEFT_ERROR_ARGUMENT, 'a volume without voxels is refused')
+    call other%create(context, field(1:0, :, :), stat=stat, errmsg=errmsg)
+    call failed(CLEFT_ERROR_ARGUMENT, 'a signed function without voxels is refused')
+    call volume%set_label_name(7, 'seven', stat, errmsg)
+    call told('the volume has no label 7')
+    call mesh%set_label_name(9, 'two' // new_line('a') // 'lines', stat, errmsg)
+    call told('the name of label 9 must be one line of text')
     wide = huge(0_c_int32_t)
     wide(2, 2, 2) = -wide(1, 1, 1) - 1
     call other%create(context, wide, stat=stat, errmsg=errmsg)
@@ -202,7 +211,9 @@ contains
     real(c_double) :: value
     integer :: dims(3)
 
+    call context%set_threads(5000, stat, errmsg)
     call context%metric(0, name, value, stat, errmsg)
+    call told('there is no such figure')  ! and no sentence of another failure
     call check(stat /= CLEFT_OK .and. name == '' .and. abs(value) < tiny(value), 'there is no figure number 0')
     call other%create_arrays(context, mesh%points(), mesh%tets())
     call other%destroy()
@@ -216,7 +227,15 @@ contains
     quality = other%quality(context, stat, errmsg)
     call failed(CLEFT_ERROR_NULL, 'a destroyed mesh has no quality')
     call other%create(context, no_volume, stat=stat, errmsg=errmsg)
+    call told('volume is not there: destroyed, or never made')
     call failed(CLEFT_ERROR_NULL, 'a volume that was never made cannot be meshed')
+    call other%create(context, volume, options, background=no_mesh, stat=stat, errmsg=errmsg)
+    call told('background is not there')
+    call failed(CLEFT_ERROR_NULL, 'a background that was never made is not left out in silence')
+    call other%create(context, volume, options, sizing=no_sizing, stat=stat, errmsg=errmsg)
+    call told('sizing is not there')
+    call failed(CLEFT_ERROR_NULL, 'a sizing field that was never made is not left out in silence')
+    call check(other%tet_count() == 0, 'and nothing is made')
     call surface%create(context, no_mesh, stat, errmsg)
     call failed(CLEFT_ERROR_NULL, 'a mesh that was never made has no surface')
     call check(surface%interface_count() == 0 .and. size(surface%hull_triangles()) == 0, &

@@ -70,8 +70,10 @@ final class LoadingTest {
 
     void testFromNowhere() throws Exception {
         String output = run(false, "-Dorg.cleft.library.path=/no/such/folder");
-        Checks.check(output.contains("UnsatisfiedLinkError"), output);
+        Checks.check(output.contains("UnsatisfiedLinkError") && output.contains("from org.cleft.library.path: ")
+                && output.contains("/no/such/folder/libcleft_java.so") && output.contains("libtet1.5"), output);
         output = run(false, "-Djava.io.tmpdir=/no/such/folder");
-        Checks.check(output.contains("org.cleft.library.path") && output.contains("from the jar"), output);
+        Checks.check(output.contains("org.cleft.library.path") && output.contains("from the jar: no folder")
+                && output.contains("java.io.tmpdir"), output);
     }
 }

@@ -48,6 +48,20 @@ class Wheel(unittest.TestCase):
             environment["PYTHONPATH"] = folder
             subprocess.run([sys.executable, "-c", f"HERE = {folder!r}{USE}"], check=True, env=environment, cwd=folder)
 
+    def test_what_is_missing_is_told(self):
+        with tempfile.TemporaryDirectory() as folder:
+            packages = pathlib.Path(folder, "a", "b", "c")
+            for library, use, words in (
+                    ("libcleft_io.so.0", "cleft.formats()", ("Unsupported", "libcleft_io.so.0", "libgdcm3.0", "zlib1g")),
+                    ("libcleft.so.0", "", ("ImportError", "libcleft.so.0", "libtet1.5"))):
+                zipfile.ZipFile(WHEEL).extractall(packages)
+                (packages / "cleft" / library).unlink()
+                failed = subprocess.run([sys.executable, "-c", f"import cleft; {use}"], cwd=packages, text=True,
+                                        env={"PYTHONPATH": str(packages)}, stderr=subprocess.PIPE)
+                self.assertNotEqual(failed.returncode, 0)
+                for word in words:
+                    self.assertIn(word, failed.stderr.splitlines()[-1])
+
     def test_record(self):
         with zipfile.ZipFile(WHEEL) as wheel:
             names = set(wheel.namelist())

@@ -9,7 +9,10 @@
 """
 from __future__ import annotations
 
-from . import native as _native
+try:
+    from . import native as _native
+except ImportError as _error:
+    raise ImportError(f"the native library of cleft cannot be loaded: {_error}; it needs the Debian package libtet1.5") from _error
 from .errors import (Busy, Cancelled, CleftError, CleftWarning, Closed, FileError, FormatError, InternalError,
                      InvalidArgument, InvalidMesh, LabelLost, NotFinite, OptionError, OutOfMemory, TooLarge, Unsupported)
 from .files import (Format, formats, guess, read_field, read_mesh, read_raw, read_sizing, read_volume, write_mesh,

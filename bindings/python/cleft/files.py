@@ -38,7 +38,8 @@ def _io() -> Any:
     try:
         from . import native_io
     except ImportError as error:
-        raise Unsupported(f"the file component cannot be loaded: {error}") from error
+        raise Unsupported(f"the file component cannot be loaded: {error}; it needs the Debian packages libgdcm3.0, libtiff6, "
+                          "libpng16-16, libjpeg62-turbo, libdeflate0 and zlib1g") from error
     return native_io
 
 

@@ -1,7 +1,6 @@
 package org.cleft;
 
 import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Objects;
@@ -128,8 +127,7 @@ public final class Mesher extends NativeObject {
      * @return a volume
      */
     public Volume labels(byte[] voxels, Grid grid, Options options) {
-        checkVoxels(voxels, grid).checkLength("voxels", voxels.length);
-        return labels(VoxelType.UINT8, voxels, grid, options);
+        return VoxelArrays.labels(this, VoxelType.UINT8, voxels, grid, options);
     }
 
     /**
@@ -141,8 +139,7 @@ public final class Mesher extends NativeObject {
      * @return a volume
      */
     public Volume labels(short[] voxels, Grid grid, Options options) {
-        checkVoxels(voxels, grid).checkLength("voxels", voxels.length);
-        return labels(VoxelType.INT16, voxels, grid, options);
+        return VoxelArrays.labels(this, VoxelType.INT16, voxels, grid, options);
     }
 
     /**
@@ -154,8 +151,7 @@ public final class Mesher extends NativeObject {
      * @return a volume
      */
     public Volume labels(int[] voxels, Grid grid, Options options) {
-        checkVoxels(voxels, grid).checkLength("voxels", voxels.length);
-        return labels(VoxelType.INT32, voxels, grid, options);
+        return VoxelArrays.labels(this, VoxelType.INT32, voxels, grid, options);
     }
 
     /**
@@ -168,25 +164,7 @@ public final class Mesher extends NativeObject {
      * @return a volume
      */
     public Volume labels(ByteBuffer voxels, VoxelType type, Grid grid, Options options) {
-        checkVoxels(voxels, grid);
-        if (!Objects.requireNonNull(type, "type").isWhole)
-            throw new IllegalArgumentException("type is " + type + "; a label map has whole numbers");
-        if (!voxels.isDirect() || voxels.order() != ByteOrder.nativeOrder())
-            throw new IllegalArgumentException("voxels must be a direct buffer in the byte order of the machine");
-        if (voxels.limit() != grid.voxels() * type.bytes)
-            throw new IllegalArgumentException("voxels has " + voxels.limit() + " bytes; the grid has "
-                    + grid.voxels() + " voxels of " + type.bytes);
-        return labels(type, voxels, grid, options);
-    }
-
-    private static Grid checkVoxels(Object voxels, Grid grid) {
-        Objects.requireNonNull(voxels, "voxels");
-        return Objects.requireNonNull(grid, "grid");
-    }
-
-    private Volume labels(VoxelType type, Object voxels, Grid grid, Options options) {
-        return new Volume(make((context, arguments, out) -> CleftNative.cleft_volume_create_labels(
-                context, type.number, voxels, grid.dims(), grid.affine(), arguments[0], out), options));
+        return VoxelArrays.labels(this, type, voxels, grid, options);
     }
 
     /**
@@ -199,10 +177,7 @@ public final class Mesher extends NativeObject {
      * @return a volume
      */
     public Volume indicators(double[][] fields, Grid grid, int[] labels) {
-        checkFields(fields, grid);
-        for (int k = 0; k < fields.length; ++k)
-            grid.checkLength("fields[" + k + "]", fields[k].length);
-        return indicators(VoxelType.FLOAT64, fields, grid, labels);
+        return VoxelArrays.indicators(this, VoxelType.FLOAT64, fields, grid, labels);
     }
 
     /**
@@ -214,23 +189,7 @@ public final class Mesher extends NativeObject {
      * @return a volume
      */
     public Volume indicators(float[][] fields, Grid grid, int[] labels) {
-        checkFields(fields, grid);
-        for (int k = 0; k < fields.length; ++k)
-            grid.checkLength("fields[" + k + "]", fields[k].length);
-        return indicators(VoxelType.FLOAT32, fields, grid, labels);
-    }
-
-    private static void checkFields(Object[] fields, Grid grid) {
-        if (Arguments.noNulls("fields", fields).length == 0)
-            throw new IllegalArgumentException("fields has no elements; it must have one a material");
-        Objects.requireNonNull(grid, "grid");
-    }
-
-    private Volume indicators(VoxelType type, Object[] fields, Grid grid, int[] labels) {
-        if (labels != null)
-            Arguments.length("labels", labels.length, fields.length == 1 ? 2 : fields.length);
-        return new Volume(make((context, arguments, out) -> CleftNative.cleft_volume_create_indicators(
-                context, type.number, fields, grid.dims(), grid.affine(), labels, out)));
+        return VoxelArrays.indicators(this, VoxelType.FLOAT32, fields, grid, labels);
     }
 
     // --------------------------------------------------------------------------------------------------- sizing
@@ -271,10 +230,7 @@ public final class Mesher extends NativeObject {
      * @return a sizing field
      */
     public Sizing sizing(Volume volume, float[] values, boolean combine, Options options) {
-        Objects.requireNonNull(volume, "volume");
-        Objects.requireNonNull(values, "values");
-        volume.grid().checkLength("values", values.length);
-        return sizing(volume, VoxelType.FLOAT32, values, combine, options);
+        return VoxelArrays.sizing(this, volume, VoxelType.FLOAT32, values, combine, options);
     }
 
     /**
@@ -287,15 +243,7 @@ public final class Mesher extends NativeObject {
      * @return a sizing field
      */
     public Sizing sizing(Volume volume, double[] values, boolean combine, Options options) {
-        Objects.requireNonNull(volume, "volume");
-        Objects.requireNonNull(values, "values");
-        volume.grid().checkLength("values", values.length);
-        return sizing(volume, VoxelType.FLOAT64, values, combine, options);
-    }
-
-    private Sizing sizing(Volume volume, VoxelType type, Object values, boolean combine, Options options) {
-        return new Sizing(make((context, arguments, out) -> CleftNative.cleft_sizing_create_values(
-                context, arguments[0], type.number, values, combine ? 1 : 0, arguments[1], out), volume, options));
+        return VoxelArrays.sizing(this, volume, VoxelType.FLOAT64, values, combine, options);
     }
 
     // --------------------------------------------------------------------------------------------------- meshes

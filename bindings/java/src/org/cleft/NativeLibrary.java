@@ -26,7 +26,7 @@ final class NativeLibrary {
     /** Loads what everything needs. */
     static synchronized void core() {
         if (!coreLoaded)
-            load("cleft_java", CORE);
+            load("cleft_java", CORE, "libtet1.5");
         coreLoaded = true;
     }
 
@@ -34,31 +34,48 @@ final class NativeLibrary {
     static synchronized void files() {
         core();
         if (!filesLoaded)
-            load("cleft_io_java", FILES);
+            load("cleft_io_java", FILES,
+                    "libgdcm3.0, libtiff6, libpng16-16, libjpeg62-turbo, libdeflate0 and zlib1g");
         filesLoaded = true;
     }
 
-    private static void load(String name, List<String> files) {
-        String folder = System.getProperty(PROPERTY);
-        if (folder != null) {
-            System.load(Path.of(folder, System.mapLibraryName(name)).toAbsolutePath().toString());
-            return;
-        }
+    private static void load(String name, List<String> files, String needs) {
         List<String> failures = new ArrayList<>();
-        if (loadFromJar(files, failures))
-            return;
+        if (!loadFromFolder(name, failures) && !loadFromJar(files, failures) && !loadFromSystem(name, failures))
+            throw new UnsatisfiedLinkError("the native library of Cleft cannot be loaded: " + String.join("; ", failures)
+                    + ". It needs the Debian packages " + needs + ", and " + PROPERTY + " may name its folder");
+    }
+
+    /** From the folder that the property names: if it is set, from nowhere else. */
+    private static boolean loadFromFolder(String name, List<String> failures) {
+        String folder = System.getProperty(PROPERTY);
+        if (folder == null)
+            return false;
+        try {
+            System.load(Path.of(folder, System.mapLibraryName(name)).toAbsolutePath().toString());
+            return true;
+        } catch (UnsatisfiedLinkError error) {
+            failures.add("from " + PROPERTY + ": " + error.getMessage());
+            return false;
+        }
+    }
+
+    private static boolean loadFromSystem(String name, List<String> failures) {
+        if (System.getProperty(PROPERTY) != null)
+            return false;
         try {
             System.loadLibrary(name);
+            return true;
         } catch (UnsatisfiedLinkError error) {
             failures.add("from the system: " + error.getMessage());
-            throw new UnsatisfiedLinkError(
-                    "the native library of Cleft cannot be loaded (" + PROPERTY + " names its folder): "
-                            + String.join("; ", failures));
+            return false;
         }
     }
 
     /** Loads the last of the files, which finds the others beside itself. */
     private static boolean loadFromJar(List<String> files, List<String> failures) {
+        if (System.getProperty(PROPERTY) != null)
+            return false;
         String platform = (System.getProperty("os.name") + "-" + System.getProperty("os.arch")).toLowerCase(Locale.ROOT);
         String main = files.get(files.size() - 1);
         if (NativeLibrary.class.getResource(resource(platform, main)) == null) {
@@ -75,7 +92,10 @@ final class NativeLibrary {
                 }
             System.load(folder.resolve(main).toString());
             return true;
-        } catch (IOException | UnsatisfiedLinkError error) {
+        } catch (IOException error) {
+            failures.add("from the jar: no folder can be made for it in java.io.tmpdir (" + error + ")");
+            return false;
+        } catch (UnsatisfiedLinkError error) {
             failures.add("from the jar: " + error.getMessage());
             return false;
         } finally {
