@@ -2,6 +2,7 @@
 
 #include "base/struct_size.hpp"
 #include "io/meaning.hpp"
+#include "io/text_scanner.hpp"
 #include "io/voxel_data.hpp"
 
 #include <algorithm>
@@ -69,7 +70,8 @@ Image read_raw_image(const std::string& path, const cleft_io_raw& layout)
     const uintmax_t size = std::filesystem::file_size(path, error);
     if (error)
         throw Error(CLEFT_ERROR_FILE, "cannot read '" + path + "': " + error.message());
-    const uintmax_t expected = static_cast<uintmax_t>(layout.skip) + checked_bytes(image);
+    const uintmax_t expected =
+        static_cast<uintmax_t>(layout.skip) + naming_file(path, [&] { return checked_bytes(image); });
     if (size != expected)
         throw Error(CLEFT_ERROR_FORMAT, "'" + path + "' has " + std::to_string(size) + " bytes, but its voxels" +
                                             (layout.skip > 0 ? " and what is skipped" : "") + " would have " +

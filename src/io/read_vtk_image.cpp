@@ -263,6 +263,7 @@ void read_values(const std::string& path, const Grid& grid, const VtkArray& arra
         const auto store = array.is_colour ? store_colour : store_text_voxel;
         for (int64_t voxel = 0; voxel < image.field_size(); ++voxel)
             store(source.word(), image, voxel);
+        note_text_end(source.left() == 0, image);
     } else if (array.is_bit) {
         read_bits(source, image);
     } else {

@@ -121,6 +121,7 @@ void read_text(ByteSource source, int64_t first, int64_t count, Image& image)
     std::string_view rest = read_text_voxels(text, image, first, count);
     if (std::any_of(rest.begin(), rest.end(), [](char c) { return !is_separator(c); }))
         throw Error(CLEFT_ERROR_FORMAT, "it has more numbers than its header tells of");
+    note_text_end(rest.empty(), image);
 }
 
 bool is_swapped(bool big_endian) { return big_endian != (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__); }
@@ -144,6 +145,12 @@ void check_end(ByteSource& source, uintmax_t wanted, Image& image)
     else if (source.left() > 0)
         image.notes.push_back(bytes_text(source.left()) + " behind its compressed data " +
                               (source.left() == 1 ? "is" : "are") + " not read");
+}
+
+void note_text_end(bool within_number, Image& image)
+{
+    if (within_number)
+        image.notes.emplace_back("its last number ends with the file, without an end of the line: is it cut short?");
 }
 
 void swap_bytes(std::byte* values, size_t count, size_t size)

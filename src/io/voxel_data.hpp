@@ -34,6 +34,9 @@ void read_voxels(const VoxelData& data, Image& image);
 // means that the header is wrong. The check sum of what is compressed must be right.
 void check_end(ByteSource& source, uintmax_t wanted, Image& image);
 
+// Of a text that ends with a number, nobody knows whether it had more digits.
+void note_text_end(bool within_number, Image& image);
+
 // Numbers of text, separated by blanks or commas, into `count` voxels from `first` on; gives what is left of the text.
 std::string_view read_text_voxels(std::string_view text, Image& image, int64_t first, int64_t count);
 

@@ -306,6 +306,20 @@ def test_vtk_by_hand():
           write('h.vtk', head.replace('ASCII', 'BINARY'), bits))
 
 
+def test_text_that_may_be_cut():
+    """A last number without anything behind it may have lost digits."""
+    numbers = ' '.join(map(str, VOXELS.ravel(order='F')))
+    grid = 'DATASET STRUCTURED_POINTS\nDIMENSIONS 4 3 5\nPOINT_DATA 60\nSCALARS a int\nLOOKUP_TABLE default\n'
+    for make in (lambda end: write('t.vtk', vtk_text(grid, numbers + end)),
+                 lambda end: nrrd('t.nrrd', '', (numbers + end).encode(), encoding='text'),
+                 lambda end: meta('t.mha', 'BinaryData = False\nElementSpacing = 1 1 1\n',
+                                  'ElementDataFile = LOCAL\n' + numbers + end)):
+        check(VOXELS, np.eye(3, 4), make('\n'))
+        reads_quietly(make('\n'))
+        check(VOXELS, np.eye(3, 4), make(''))
+        warned('without an end of the line', make(''))
+
+
 def test_foreign_formats():
     mgh = struct.pack('>iiii', 1, 4, 3, 5)
     for name, data, words in (('v.mgz', gzip.compress(mgh), "'mri_convert v.mgz v.nii.gz'"), ('v.mgh', mgh, 'mri_convert'),
