@@ -86,6 +86,11 @@ void refuse_folder_without_series(const std::string& folder, const std::vector<s
             sentence += std::string(i > 0 ? ", '" : " '") + below[i] + "'";
         throw Error(CLEFT_ERROR_FILE, sentence + (below.size() > told ? " ..." : ""));
     }
+    for (const char* name : {".zarray", ".zgroup", ".zattrs", "zarr.json"})
+        if (fs::exists(fs::path(folder) / name))
+            throw Error(CLEFT_ERROR_UNSUPPORTED,
+                        "it is a Zarr store, which cannot be read: read its array by zarr and "
+                        "save it as .nii.gz or .nrrd");
     for (const std::string& path : files_in(folder))
         if (is_volume_path(path))
             throw Error(CLEFT_ERROR_FILE, sentence + "; slices in files of their own are given by a pattern, as '" +

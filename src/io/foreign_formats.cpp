@@ -25,6 +25,8 @@ constexpr const char* by_h5py =
     "read its array by h5py and save it as .nii.gz or .nrrd, or write it by tofile() and give the file with --dims";
 constexpr const char* by_paraview = "in ParaView, save its data as .vtk (legacy)";
 constexpr const char* by_fiji = "in Fiji (Bio-Formats), save the label image as .tif";
+constexpr const char* by_png = "save its slices as .png or .tif";
+constexpr const char* by_check = "'cleft check FILE' reads it";
 constexpr const char* by_unzip = "decompress it first";
 
 constexpr Foreign table[] = {
@@ -55,6 +57,18 @@ constexpr Foreign table[] = {
     {"7z\xbc\xaf\x27\x1c"sv, "", "a 7-Zip archive", by_unzip},
     {"SIMPLE  ="sv, "", "a FITS file", by_numpy},
     {""sv, ".npy .npz ", "an array of NumPy by its name, but it is damaged", by_numpy},
+    {"GIF8"sv, "", "a GIF picture", by_png},
+    {"RIFF"sv, ".webp ", "a WebP picture", by_png},
+    {"\0\0\0\x0cjP  "sv, "", "a JPEG 2000 picture", by_png},
+    {"P2"sv, ".pgm ", "a PGM picture", by_png},
+    {"P5"sv, ".pgm ", "a PGM picture", by_png},
+    {"P4"sv, ".pbm ", "a PBM picture", by_png},
+    {"MATRIX7"sv, "", "a volume in ECAT format", by_nibabel},
+    {"# === DATA DESCRIPTION FILE"sv, "", "a volume in PAR/REC format", "'parrec2nii FILE' (of nibabel) converts it"},
+    {"$MeshFormat"sv, "", "a mesh of Gmsh and no volume", by_check},
+    {"MeshVersionFormatted"sv, "", "a mesh of MEDIT and no volume", by_check},
+    {"solid"sv, ".stl ", "a surface and no volume", "make a label map of it first"},
+    {"ply"sv, ".ply ", "a surface and no volume", "make a label map of it first"},
     {"version https://git-lfs"sv, "", "a pointer of Git LFS and not the file itself",
      "fetch the file by 'git lfs pull'"},
     {"<!DOCTYPE"sv, "", "a web page", "fetch the file itself"},

@@ -331,10 +331,17 @@ def test_foreign_formats():
                               ('v.vti', b'<?xml version="1.0"?>\n<VTKFile type="ImageData">', 'ParaView'),
                               ('v.raw', b'123456', '--dims'),
                               ('v.nrrd.gz', gzip.compress(b'NRRD0004\n'), 'decompress'),
+                              ('v.gif', b'GIF89a', 'GIF'), ('v.webp', b'RIFF0000WEBP', 'WebP'),
+                              ('v.jp2', b'\0\0\0\x0cjP  ', 'JPEG 2000'), ('v.pgm', b'P5 4 3 255 ', 'PGM'),
+                              ('v.v', b'MATRIX72v', 'ECAT'), ('v.par', b'# === DATA DESCRIPTION FILE', 'parrec2nii'),
+                              ('v.msh', b'$MeshFormat\n', "'cleft check v.msh'"), ('v.stl', b'solid a\n', 'surface'),
                               ('v.mha.gz', gzip.compress(b'ObjectType = Image\n'), 'decompress'),
                               ('v.nii.gz', b'version https://git-lfs.github.com/spec/v1\n', 'git lfs pull'),
                               ('v.nii', b'<!DOCTYPE html><html></html>', 'a web page')):
         refused(UNSUPPORTED, words, write(name, data))
+    os.makedirs(path('v.zarr'))
+    write('v.zarr/.zgroup', b'{"zarr_format": 2}')
+    refused(UNSUPPORTED, 'Zarr', path('v.zarr'))
 
 
 run_tests(globals())
