@@ -66,7 +66,7 @@ class Files(unittest.TestCase):
         self.assertTrue(same_mesh(cleft.mesh(volume, **QUICK), ball_mesh()))
         with self.assertRaises(cleft.CleftError):
             cleft.read_raw(path, (1, 1, 1), "uint16")
-        for wrong in (((1, 1), "uint16"), ((1, 1, 1), "uint17")):
+        for wrong in (((1, 1), "uint16"), (None, "uint16"), ("abc", "uint16"), ((1, 1, 1), "uint17")):
             with self.assertRaises(ValueError):
                 cleft.read_raw(path, *wrong)
         for wrong in ((0, 0, 0), (1, 0, 1), (1, 1, -1), (1, 1, np.nan), (1, 1)):

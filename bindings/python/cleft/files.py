@@ -97,8 +97,8 @@ def read_raw(path: Path | Sequence[Path], shape: Sequence[int], type: str, *, bi
     lengths = np.ones(3) if spacing is None else triple(spacing, "spacing")
     if not (lengths > 0).all():
         raise InvalidArgument(f"spacing is {spacing!r}; all three must be above 0")
-    if len(shape) != 3:
-        raise InvalidArgument("shape must be three numbers of voxels")
+    if np.shape(shape) != (3,):
+        raise InvalidArgument(f"shape is {shape!r}; it must be three numbers of voxels")
     for axis in range(3):
         raw.set_axis(axis, whole_number(shape[axis], "shape", 1, 2**31 - 1), float(lengths[axis]))
     chosen = options_of_volume(options, keywords)
