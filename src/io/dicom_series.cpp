@@ -128,10 +128,10 @@ DicomStack stack_by_number(const Series& series, std::vector<DicomPlane> planes,
     return stack;
 }
 
-void add_slice(const Image& slice, size_t number, const std::string& path, const std::string& first, Image& volume)
+void add_slice(const Image& slice, size_t number, const std::string& first, Image& volume)
 {
     if (slice.dims[2] != 1)
-        refuse("'" + path + "' holds " + std::to_string(slice.dims[2]) +
+        refuse("it holds " + std::to_string(slice.dims[2]) +
                " frames, but a series in a folder is of single slices: read that file alone");
     if (number == 0) {
         volume.dims[0] = slice.dims[0];
@@ -143,7 +143,7 @@ void add_slice(const Image& slice, size_t number, const std::string& path, const
         if (std::find(volume.notes.begin(), volume.notes.end(), note) == volume.notes.end())
             volume.notes.push_back(note);
     if (slice.component != volume.component)
-        refuse("'" + path + "' has another type of voxels than '" + first + "'");
+        refuse("it has another type of voxels than '" + first + "'");
     std::memcpy(volume.voxels.get() + number * slice.bytes(), slice.voxels.get(), slice.bytes());
 }
 
@@ -158,7 +158,7 @@ Image read_series(const Series& series)
         naming_file(path, [&] {
             std::vector<DicomPlane> own;
             const Image slice = read_dicom_frames(read_dicom_file(path), own);
-            add_slice(slice, i, path, series.files.front().path, volume);
+            add_slice(slice, i, series.files.front().path, volume);
             planes.push_back(own.front());
         });
         who.push_back("'" + path + "'");

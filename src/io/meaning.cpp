@@ -117,8 +117,20 @@ void note_one_side(const Field& field, std::vector<std::string>& notes)
 
 bool may_be_function(const FieldValues& values) { return !values.is_whole() || values.snapped_counts.size() == 1; }
 
+// A shell that turns a pattern into names makes files of slices of what was meant as one volume.
+void check_no_slices(const std::vector<Field>& fields)
+{
+    if (std::all_of(fields.begin(), fields.end(), [](const Field& field) { return field.image->dims[2] == 1; }))
+        throw Error(CLEFT_ERROR_FORMAT, fields.front().who +
+                                            " and the other files are single slices: as those of one volume, give one "
+                                            "pattern in quotes, such as 'slices/*.png'; as masks or functions of one "
+                                            "slice, ask for kind labels or indicators (--as labels, --as indicators)");
+}
+
 Meaning meaning_of_several(const std::vector<Field>& fields, cleft_io_kind kind, std::vector<std::string>& notes)
 {
+    if (kind == CLEFT_IO_KIND_AUTO && fields.front().image != fields.back().image)
+        check_no_slices(fields);
     const auto is_mask = [](const Field& field) { return field.values.is_mask(); };
     if (std::all_of(fields.begin(), fields.end(), is_mask)) {
         for (const Field& field : fields)

@@ -34,6 +34,16 @@ class Slices(CommandTest):
         self.slices(9, pattern="s%03d_mask.nrrd")
         self.assertEqual(self.info("s%03d.nrrd")[0], {0: 12, 1: 12, 2: 12})
 
+    def test_slices_without_a_pattern_are_no_masks(self):
+        """A shell makes names of a pattern without quotes."""
+        for values in ([0, 1], [0, 255], [0, 1, 2]):
+            files = [self.path("m%d.nrrd" % k) for k in range(3)]
+            for k, file in enumerate(files):
+                write_nrrd(file, (4, 3, 1), [values[(i + k) % len(values)] for i in range(12)])
+            self.assert_fails(CANNOT_READ, cleft("info", *files), "m0.nrrd", "pattern in quotes", "--as labels")
+            self.assertEqual(sum(self.info("m*.nrrd")[0].values()), 36)
+            self.run_ok("info", *files, "--as", "indicators")
+
     def test_slices_of_another_spacing_are_refused(self):
         self.slices(1, 2)
         write_nrrd(self.path("s003.nrrd"), (4, 3, 1), [3] * 12, spacing=(2, 1, 1))
