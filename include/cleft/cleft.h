@@ -273,8 +273,9 @@ enum {
  *  (within int32_t), up to 65,535 different ones.
  *  `affine` maps voxel indices to world coordinates: 3 rows of 4 numbers, world = A[:, 0:3] * index + A[:, 3], voxel
  *  centres at whole indices; it may flip or shear but not flatten. NULL: spacing 1, the corner of the box at the
- * origin. The box that is meshed ends where the voxels end, half a voxel beyond the outermost centres. Sizes and angles
- * are measured in the frame of the voxel axes, which differs from the world's only if the affine shears. `options` may
+ * origin. The box that is meshed ends where the voxels end, half a voxel beyond the outermost centres. Wanted sizes,
+ * and the angles that are improved, are those in the frame of the voxel axes, which differs from the world only if the
+ * affine shears; whatever is measured of a mesh is told in the world. `options` may
  * be NULL; CLEFT_OPTION_SMOOTH is read. The voxels are copied (one or two bytes a voxel, and two for the weights). The
  * caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_create_labels(cleft_context* context, cleft_type type,

@@ -31,6 +31,22 @@ LabelledMesh upright(const cleft_mesh& mesh)
     return local;
 }
 
+cleft::Placement placement_of(const cleft_mesh& mesh)
+{
+    return mesh.frame ? cleft::Placement{mesh.frame->linear, mesh.frame->offset} : cleft::Placement();
+}
+
+// A report whose volumes are those of the voxel frame, in the world.
+cleft::LabelReport in_world(cleft::LabelReport report, const cleft::Frame& frame)
+{
+    const cleft::Placement world{frame.linear, frame.offset};
+    for (cleft::LabelRow& row : report.rows) {
+        row.voxel_volume = world.volume(row.voxel_volume);
+        row.mesh_volume = world.volume(row.mesh_volume);
+    }
+    return report;
+}
+
 void bounding_box(const LabelledMesh& mesh, cleft::Vec3& lo, cleft::Vec3& hi)
 {
     lo = hi = mesh.points.empty() ? cleft::Vec3(0, 0, 0) : mesh.points.front();
@@ -79,7 +95,7 @@ cleft_status cleft_mesh_validate(cleft_context* context, const cleft_mesh* mesh,
         const auto from = held(mesh, "mesh");
         const cleft_mesh& m = *from;
         cleft::check_struct_size(*required(out, "out"), "cleft_validation");
-        const cleft::Validation v = cleft::validate(upright(m), fills_box != 0, run);
+        const cleft::Validation v = cleft::validate(upright(m), fills_box != 0, run, placement_of(m));
         cleft_validation row{};
         row.valid = v.valid();
         row.negative_tets = v.negative;
@@ -168,7 +184,8 @@ cleft_status cleft_report_create(cleft_context* context, const cleft_volume* vol
 {
     return guarded_create(context, out, [&](const Run& run) {
         const auto v = held(volume, "volume");
-        return cleft_report{{}, cleft::label_report(v->volume, to_stage(checked(mesh, "mesh"), *v), run)};
+        const LabelledMesh m = to_stage(checked(mesh, "mesh"), *v);
+        return cleft_report{{}, in_world(cleft::label_report(v->volume, m, run), v->frame)};
     });
 }
 

@@ -1,6 +1,7 @@
 // The box of a mesh and its sides.
 #pragma once
 
+#include "mesh/placement.hpp"
 #include "mesh/tet_mesh.hpp"
 
 #include <cmath>
@@ -21,10 +22,12 @@ struct BoundingBox {
     bool empty() const { return !(lo[0] <= hi[0]); }
     double longest() const { return empty() ? 0 : (hi - lo).maxCoeff(); }
     double volume() const { return empty() ? 0 : (hi - lo).prod(); }
-    double area() const
+    // In the world.
+    double area(const Placement& world) const
     {
         const Vec3 e = empty() ? Vec3(0, 0, 0) : Vec3(hi - lo);
-        return 2 * (e[0] * e[1] + e[1] * e[2] + e[2] * e[0]);
+        const Vec3 x(e[0], 0, 0), y(0, e[1], 0), z(0, 0, e[2]);
+        return 2 * (world.area(x, y) + world.area(y, z) + world.area(z, x));
     }
 
     // The sides that x lies in within `tolerance`, one bit each in the order of Side.

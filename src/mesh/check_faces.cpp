@@ -18,6 +18,7 @@ struct Subject {
     const LabelledMesh& mesh;
     const BoundingBox& box;
     const std::vector<Sign>& sign;
+    const Placement& world;
     double tolerance;
 
     const Vec3& point(int32_t p) const { return mesh.points[static_cast<size_t>(p)]; }
@@ -59,7 +60,7 @@ void check_hull_face(const Subject& s, const HalfFace& face, Part& part)
     if (s.sign[static_cast<size_t>(face.tet())] == Sign::unknown)
         return;
     const auto [a, b, c] = face_points(s.mesh.tets, face.id);
-    part.checks.hull_area += (s.point(b) - s.point(a)).cross(s.point(c) - s.point(a)).norm() / 2;
+    part.checks.hull_area += s.world.area(s.point(b) - s.point(a), s.point(c) - s.point(a)) / 2;
     if (!s.in_one_side({a, b, c}))
         part.checks.off_box.add(face.id);
 }
@@ -159,9 +160,10 @@ Tally find_open_edges(const Subject& s, const Part& faces)
 
 }  // namespace
 
-FaceChecks check_faces(const LabelledMesh& mesh, const BoundingBox& box, const std::vector<Sign>& sign, const Run& run)
+FaceChecks check_faces(const LabelledMesh& mesh, const BoundingBox& box, const std::vector<Sign>& sign,
+                       const Placement& world, const Run& run)
 {
-    const Subject subject{mesh, box, sign, kSideTolerance * box.longest()};
+    const Subject subject{mesh, box, sign, world, kSideTolerance * box.longest()};
     const Part faces = check_all_faces(subject, run);
     FaceChecks out = faces.checks;
     out.open_edges = find_open_edges(subject, faces);

@@ -3,6 +3,7 @@
 
 #include "base/run.hpp"
 #include "mesh/bounding_box.hpp"
+#include "mesh/placement.hpp"
 #include "mesh/tet_mesh.hpp"
 
 namespace cleft
@@ -55,6 +56,8 @@ struct FaceChecks {
     double hull_area = 0;
 };
 
-FaceChecks check_faces(const LabelledMesh& mesh, const BoundingBox& box, const std::vector<Sign>& sign, const Run& run);
+// The area is told in the world.
+FaceChecks check_faces(const LabelledMesh& mesh, const BoundingBox& box, const std::vector<Sign>& sign,
+                       const Placement& world, const Run& run);
 
 }  // namespace cleft

@@ -27,7 +27,7 @@ std::string text(const Vec3& x) { return "(" + text(x[0]) + ", " + text(x[1]) + 
 class Naming
 {
 public:
-    explicit Naming(const LabelledMesh& mesh) : mesh_(mesh) {}
+    Naming(const LabelledMesh& mesh, const Placement& world) : mesh_(mesh), world_(world) {}
 
     std::string tet(int64_t t) const
     {
@@ -47,21 +47,19 @@ public:
         const auto b = static_cast<int32_t>(points & INT32_MAX);
         return "the edge of the " + ordinal(a) + " and the " + ordinal(b) + " point at " + text(at(a) / 2 + at(b) / 2);
     }
-    std::string point(int64_t p) const
-    {
-        return "the " + ordinal(p) + " point at " + text(mesh_.points[static_cast<size_t>(p)]);
-    }
+    std::string point(int64_t p) const { return "the " + ordinal(p) + " point at " + text(at(p)); }
 
 private:
-    Vec3 at(int32_t p) const { return mesh_.points[static_cast<size_t>(p)]; }
+    Vec3 at(int64_t p) const { return world_.point(mesh_.points[static_cast<size_t>(p)]); }
     const LabelledMesh& mesh_;
+    const Placement& world_;
 };
 
 // Causes before their effects: a bad index explains a hole, a repeated point explains a crack.
-std::string first_fault(const LabelledMesh& mesh, const PointChecks& points, const TetChecks& tets,
-                        const FaceChecks& faces)
+std::string first_fault(const LabelledMesh& mesh, const Placement& world, const PointChecks& points,
+                        const TetChecks& tets, const FaceChecks& faces)
 {
-    const Naming name(mesh);
+    const Naming name(mesh, world);
     if (mesh.tets.empty())
         return "the mesh has no tetrahedra";
     if (!mesh.material.empty() && mesh.material.size() != mesh.tets.size())
@@ -91,9 +89,10 @@ std::string first_fault(const LabelledMesh& mesh, const PointChecks& points, con
 
 bool differ(double a, double b) { return !(std::abs(a - b) <= kSameMeasure * std::abs(b)); }
 
-std::string first_box_fault(const LabelledMesh& mesh, const FaceChecks& faces, const Validation& v)
+std::string first_box_fault(const LabelledMesh& mesh, const Placement& world, const FaceChecks& faces,
+                            const Validation& v)
 {
-    const Naming name(mesh);
+    const Naming name(mesh, world);
     if (faces.off_box.count)
         return name.face(faces.off_box.first) + " has nothing behind it and is in no side of the bounding box";
     if (faces.open_edges.count)
@@ -108,14 +107,14 @@ std::string first_box_fault(const LabelledMesh& mesh, const FaceChecks& faces, c
 
 }  // namespace
 
-Validation validate(const LabelledMesh& mesh, bool fills_box, const Run& run)
+Validation validate(const LabelledMesh& mesh, bool fills_box, const Run& run, const Placement& world)
 {
     run.report(0, "validating");
     const PointChecks points = check_points(mesh);
     run.report(0.2, "validating");
     const TetChecks tets = check_tets(mesh, run);
     run.report(0.4, "validating");
-    const FaceChecks faces = check_faces(mesh, points.box, tets.sign, run);
+    const FaceChecks faces = check_faces(mesh, points.box, tets.sign, world, run);
 
     Validation out;
     out.bad_index = tets.bad_index.count;
@@ -132,13 +131,13 @@ Validation validate(const LabelledMesh& mesh, bool fills_box, const Run& run)
     out.non_finite = points.non_finite.count;
     out.unused_points = points.unused.count;
     out.repeated_points = points.repeated.count;
-    out.volume = tets.volume;
-    out.box_volume = points.box.volume();
+    out.volume = world.volume(tets.volume);
+    out.box_volume = world.volume(points.box.volume());
     out.hull_area = faces.hull_area;
-    out.box_area = points.box.area();
-    out.first_fault = first_fault(mesh, points, tets, faces);
+    out.box_area = points.box.area(world);
+    out.first_fault = first_fault(mesh, world, points, tets, faces);
     if (out.first_fault.empty() && fills_box)
-        out.first_fault = first_box_fault(mesh, faces, out);
+        out.first_fault = first_box_fault(mesh, world, faces, out);
     run.report(1, "validating");
     return out;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/run.hpp"
+#include "mesh/placement.hpp"
 #include "mesh/tet_mesh.hpp"
 
 #include <string>
@@ -30,7 +31,7 @@ struct Validation {
     int64_t non_finite = 0;
     int64_t unused_points = 0;
     int64_t repeated_points = 0;  // used points equal to another one, by rounding to 1e-9 of the longest side
-    // The volume is the sum of signed volumes.
+    // In the world; the volume is the sum of signed volumes.
     double volume = 0, box_volume = 0, hull_area = 0, box_area = 0;
     std::string first_fault;  // one sentence naming the first fault and its place; empty if the mesh is valid
 
@@ -39,7 +40,7 @@ struct Validation {
 
 // With `fills_box`, hull faces off the bounding box, open interface edges, and a volume or hull area unlike the box's
 // (by 1e-9) are faults too; a mesh with a material stripped has them by right. An empty `material` stands for one
-// material.
-Validation validate(const LabelledMesh& mesh, bool fills_box, const Run& run);
+// material. Volumes, areas and places are told in the world, in which the mesh lies as `world` says.
+Validation validate(const LabelledMesh& mesh, bool fills_box, const Run& run, const Placement& world = {});
 
 }  // namespace cleft

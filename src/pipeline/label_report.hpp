@@ -12,7 +12,7 @@ namespace cleft
 struct LabelRow {
     int32_t label = 0;
     int64_t voxels = 0;
-    double voxel_volume = 0, mesh_volume = 0;
+    double voxel_volume = 0, mesh_volume = 0;  // in the frame of the voxels
     int64_t tets = 0;
     int64_t voxel_components = 0, mesh_components = 0;
     // Of more than kLargeComponent voxels: all, those without a tetrahedron, and those in several parts of the mesh.
