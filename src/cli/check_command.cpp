@@ -3,14 +3,15 @@
 #include "findings.hpp"
 #include "guarded.hpp"
 #include "json_report.hpp"
+#include "output_conflicts.hpp"
 #include "output_files.hpp"
+#include "standard_output.hpp"
 #include "summary.hpp"
 
 #include "cleft/cleft_io.h"
 
 #include <CLI/CLI.hpp>
 
-#include <iostream>
 #include <memory>
 
 namespace cleft_cli
@@ -26,6 +27,7 @@ struct CheckArguments {
 
 int run_check(const CheckArguments& arguments)
 {
+    refuse_conflicts({arguments.mesh}, {}, arguments.run.json);
     check_json_output(arguments.run.json);
     Session session(arguments.run);
     cleft_validation validation = {};
@@ -51,8 +53,8 @@ int run_check(const CheckArguments& arguments)
     });
     session.clear_progress();
     if (arguments.run.prints())
-        std::cout << validation_lines(validation, fault) << mesh_lines(found) << "\n"
-                  << dihedral_histogram(found.quality);
+        print_summary_text(validation_lines(validation, fault) + mesh_lines(found) + "\n" +
+                           dihedral_histogram(found.quality));
     if (!arguments.run.json.empty()) {
         auto report = report_head("check");
         report["inputs"] = {arguments.mesh};

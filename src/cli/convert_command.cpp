@@ -3,12 +3,13 @@
 #include "guarded.hpp"
 #include "json_report.hpp"
 #include "option_arguments.hpp"
+#include "output_conflicts.hpp"
 #include "output_files.hpp"
+#include "standard_output.hpp"
 #include "text.hpp"
 
 #include <CLI/CLI.hpp>
 
-#include <iostream>
 #include <memory>
 
 namespace cleft_cli
@@ -26,6 +27,7 @@ struct ConvertArguments {
 int run_convert(const ConvertArguments& arguments)
 {
     const Options options = arguments.options.make();
+    refuse_conflicts({arguments.from}, {arguments.to}, arguments.run.json);
     const OutputFile output = checked_mesh_output(arguments.to, arguments.msh_version);
     check_json_output(arguments.run.json);
     Session session(arguments.run);
@@ -40,11 +42,9 @@ int run_convert(const ConvertArguments& arguments)
             return cleft_mesh_strip(session.context(), mesh.get(), options.get(), out);
         });
     });
-    session.timed("write", "writing", [&] { write_mesh(session, mesh.get(), {output}); });
+    StagedOutputs staged;
+    session.timed("write", "writing", [&] { write_mesh(session, mesh.get(), {output}, staged); });
     session.clear_progress();
-    if (arguments.run.prints())
-        std::cout << grouped(cleft_mesh_tet_count(mesh.get())) << " tetrahedra, "
-                  << grouped(cleft_mesh_point_count(mesh.get())) << " points written to " << arguments.to << "\n";
     if (!arguments.run.json.empty()) {
         auto report = report_head("convert");
         report["inputs"] = {arguments.from};
@@ -52,8 +52,12 @@ int run_convert(const ConvertArguments& arguments)
         report["points"] = cleft_mesh_point_count(mesh.get());
         report["tets"] = cleft_mesh_tet_count(mesh.get());
         add_run(report, session);
-        write_json(report, arguments.run.json);
+        write_json(report, arguments.run.json, staged);
     }
+    if (arguments.run.prints())
+        print_summary_text(grouped(cleft_mesh_tet_count(mesh.get())) + " tetrahedra, " +
+                           grouped(cleft_mesh_point_count(mesh.get())) + " points written to " + arguments.to + "\n");
+    staged.commit();
     return EXIT_OK;
 }
 

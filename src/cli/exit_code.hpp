@@ -38,6 +38,7 @@ struct Failure : std::runtime_error {
     }
     int exit_code;
     cleft_status status;
+    bool is_reported = true;  // in the JSON file, too
 };
 
 inline Failure usage_failure(const std::string& sentence) { return {EXIT_USAGE, CLEFT_ERROR_OPTION, sentence}; }

@@ -13,7 +13,7 @@ namespace
 int tell_failure(const std::string& command, const RunArguments& arguments, const Failure& failure)
 {
     std::fprintf(stderr, "cleft %s: %s\n", command.c_str(), failure.what());
-    if (arguments.json.empty())
+    if (arguments.json.empty() || !failure.is_reported)
         return failure.exit_code;
     nlohmann::ordered_json report = report_head(command);
     report["error"] = {{"exit_code", failure.exit_code},

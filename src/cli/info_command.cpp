@@ -3,13 +3,15 @@
 #include "findings.hpp"
 #include "guarded.hpp"
 #include "json_report.hpp"
+#include "output_conflicts.hpp"
 #include "output_files.hpp"
+#include "standard_output.hpp"
 #include "summary.hpp"
 #include "volume_arguments.hpp"
 
 #include <CLI/CLI.hpp>
 
-#include <iostream>
+#include <cstdio>
 #include <memory>
 
 namespace cleft_cli
@@ -50,7 +52,7 @@ int tell_volume(Session& session, const InfoArguments& arguments)
     });
     session.clear_progress();
     if (arguments.run.prints())
-        std::cout << volume_line(found) << affine_lines(found) << "\n" << labels_table(found);
+        print_summary_text(volume_line(found) + affine_lines(found) + "\n" + labels_table(found));
     if (!arguments.run.json.empty()) {
         auto report = report_head("info");
         report["inputs"] = arguments.input.inputs;
@@ -73,7 +75,7 @@ int tell_mesh(Session& session, const InfoArguments& arguments)
     });
     session.clear_progress();
     if (arguments.run.prints())
-        std::cout << mesh_lines(found) << "\n" << dihedral_histogram(found.quality) << "\n" << labels_table(found);
+        print_summary_text(mesh_lines(found) + "\n" + dihedral_histogram(found.quality) + "\n" + labels_table(found));
     if (!arguments.run.json.empty()) {
         auto report = report_head("info");
         report["inputs"] = arguments.input.inputs;
@@ -98,6 +100,7 @@ Command add_info_command(CLI::App& app)
     parser.footer("Examples:\n  cleft info atlas.nii.gz\n  cleft info atlas.vtu --json -\n\n" +
                   std::string(exit_code_help()));
     const auto run = [arguments] {
+        refuse_conflicts(arguments->input.inputs, {}, arguments->run.json);
         check_json_output(arguments->run.json);
         Session session(arguments->run);
         return is_mesh(*arguments) ? tell_mesh(session, *arguments) : tell_volume(session, *arguments);

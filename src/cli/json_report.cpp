@@ -1,16 +1,36 @@
 #include "json_report.hpp"
 
+#include "standard_output.hpp"
+
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cstdio>
-#include <fstream>
-#include <iostream>
+#include <cerrno>
+#include <cstring>
 
 namespace cleft_cli
 {
 
 using Json = nlohmann::ordered_json;
+
+namespace
+{
+
+void write_text(const std::string& text, const std::string& path, int mode)
+{
+    const int descriptor = open(path.c_str(), mode | O_CLOEXEC, 0666);
+    int error = descriptor < 0 ? errno : write_all(descriptor, text);
+    if (descriptor >= 0 && close(descriptor) != 0 && error == 0)
+        error = errno;
+    if (error == 0)
+        return;
+    Failure failure(EXIT_CANNOT_WRITE, CLEFT_ERROR_FILE, "cannot write '" + path + "': " + std::strerror(error));
+    failure.is_reported = false;
+    throw failure;
+}
+
+}  // namespace
 
 Json report_head(const std::string& command)
 {
@@ -138,24 +158,23 @@ void add_run(Json& report, const Session& session)
     report["warnings"] = session.warnings();
 }
 
-void write_json(const Json& report, const std::string& path)
+void write_json(const Json& report, const std::string& path, StagedOutputs& staged)
 {
     const std::string text = report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-    if (path == "-") {
-        std::cout << text << std::flush;
-        return;
-    }
     struct stat status = {};
-    const bool device = stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
-    const std::string part = device ? path : path + ".part" + std::to_string(getpid());
-    std::ofstream file(part, std::ios::binary);
-    file << text;
-    file.close();
-    if (!file || (!device && std::rename(part.c_str(), path.c_str()) != 0)) {
-        if (!device)
-            unlink(part.c_str());
-        throw Failure(EXIT_CANNOT_WRITE, CLEFT_ERROR_FILE, "'" + path + "' cannot be written");
-    }
+    if (path == "-")
+        print_report(text);
+    else if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
+        write_text(text, path, O_WRONLY);
+    else
+        staged.write(path, [&](const std::string& place) { write_text(text, place, O_WRONLY | O_CREAT | O_EXCL); });
+}
+
+void write_json(const Json& report, const std::string& path)
+{
+    StagedOutputs staged;
+    write_json(report, path, staged);
+    staged.commit();
 }
 
 }  // namespace cleft_cli

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "findings.hpp"
+#include "staged_outputs.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -26,7 +27,8 @@ nlohmann::ordered_json contacts_json(const std::vector<cleft_contact>& contacts)
 // Adds what the run cost and told: stages, metrics, warnings.
 void add_run(nlohmann::ordered_json& report, const Session& session);
 
-// "-" is standard output. Throws Failure.
+// "-" is standard output. A file is to be committed when all else is done. Throws Failure.
+void write_json(const nlohmann::ordered_json& report, const std::string& path, StagedOutputs& staged);
 void write_json(const nlohmann::ordered_json& report, const std::string& path);
 
 }  // namespace cleft_cli

@@ -2,6 +2,7 @@
 #include "commands.hpp"
 #include "exit_code.hpp"
 #include "label_lists.hpp"
+#include "standard_output.hpp"
 
 #include "cleft/cleft.h"
 
@@ -9,6 +10,8 @@
 
 #include <cstdio>
 #include <exception>
+#include <iostream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -50,7 +53,11 @@ int parse_and_run(int argc, char** argv)
         // CLI11 takes the arguments in reverse order.
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? cleft_cli::EXIT_OK : cleft_cli::EXIT_USAGE;
+        std::ostringstream text;
+        if (app.exit(error, text, std::cerr) != 0)
+            return cleft_cli::EXIT_USAGE;
+        cleft_cli::print_summary_text(text.str());
+        return cleft_cli::EXIT_OK;
     }
     for (const Command& command : commands)
         if (command.parser->parsed())
@@ -62,8 +69,12 @@ int parse_and_run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+    cleft_cli::make_streams_safe();
     try {
         return parse_and_run(argc, argv);
+    } catch (const cleft_cli::Failure& failure) {
+        std::fprintf(stderr, "cleft: %s\n", failure.what());
+        return failure.exit_code;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "cleft: %s\n", error.what());
         return cleft_cli::EXIT_USAGE;

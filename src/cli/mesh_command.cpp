@@ -4,7 +4,9 @@
 #include "guarded.hpp"
 #include "json_report.hpp"
 #include "option_arguments.hpp"
+#include "output_conflicts.hpp"
 #include "output_files.hpp"
+#include "standard_output.hpp"
 #include "summary.hpp"
 #include "text.hpp"
 #include "volume_arguments.hpp"
@@ -13,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <memory>
 
 namespace cleft_cli
@@ -50,6 +51,9 @@ std::vector<OutputFile> checked_outputs(const MeshArguments& arguments)
 {
     if (arguments.outputs.empty() && !arguments.estimate)
         throw usage_failure("--output is required (or --estimate)");
+    std::vector<std::string> inputs = arguments.input.inputs;
+    inputs.insert(inputs.end(), {arguments.sizing_file, arguments.background_file});
+    refuse_conflicts(inputs, arguments.outputs, arguments.run.json);
     std::vector<OutputFile> outputs;
     for (const std::string& path : arguments.outputs)
         outputs.push_back(checked_mesh_output(path, arguments.msh_version));
@@ -151,11 +155,12 @@ int tell_estimate(Session& session, const MeshArguments& arguments, const cleft_
     const Estimate estimate = estimated(session, arguments, volume, found.voxel_count(), sizing.get(), background);
     session.clear_progress();
     if (arguments.run.prints()) {
-        std::cout << volume_line(found) << left("Estimate", 11) << grouped(std::llround(estimate.tets))
-                  << " tetrahedra, about " << bytes_text(estimate.bytes) << " of memory\n";
+        std::string text = volume_line(found) + left("Estimate", 11) + grouped(std::llround(estimate.tets)) +
+                           " tetrahedra, about " + bytes_text(estimate.bytes) + " of memory\n";
         if (estimate.whole_tets > 1.01 * estimate.tets)
-            std::cout << left("", 11) << "of " << grouped(std::llround(estimate.whole_tets))
-                      << " with the labels that are left out\n";
+            text += left("", 11) + "of " + grouped(std::llround(estimate.whole_tets)) +
+                    " with the labels that are left out\n";
+        print_summary_text(text);
     }
     if (!arguments.run.json.empty()) {
         auto report = report_head("mesh");
@@ -240,24 +245,26 @@ void warn_of_lost_labels(Session& session, const MeshArguments& arguments, const
     }
 }
 
-void print_summary(const Session& session, const MeshArguments& arguments, const Result& result)
+void print_summary(const Session& session, const MeshArguments& arguments, const Result& result,
+                   const StagedOutputs& staged)
 {
     const auto left_out = [&](int32_t label) { return arguments.left_out(label); };
     const std::size_t limit = arguments.run.verbose ? result.report.labels.size() : labels_shown;
-    std::cout << volume_line(result.volume) << mesh_lines(result.mesh) << "\n"
-              << dihedral_histogram(result.mesh.quality) << "\n"
-              << label_report_table(result.report.labels, left_out, limit) << "\n";
+    std::string text = volume_line(result.volume) + mesh_lines(result.mesh) + "\n" +
+                       dihedral_histogram(result.mesh.quality) + "\n" +
+                       label_report_table(result.report.labels, left_out, limit) + "\n";
     if (arguments.run.verbose)
-        std::cout << stages_table(session) << "\n";
-    std::cout << time_line(session, result.mesh.tets);
+        text += stages_table(session) + "\n";
+    text += time_line(session, result.mesh.tets);
     for (const OutputFile& output : result.outputs) {
-        const double bytes = file_bytes(output.path);
-        std::cout << left("Written", 11) << output.path << (bytes > 0 ? " (" + bytes_text(bytes) + ")" : "") << "\n";
+        const double bytes = staged.bytes(output.path);
+        text += left("Written", 11) + output.path + (bytes > 0 ? " (" + bytes_text(bytes) + ")" : "") + "\n";
     }
+    print_summary_text(text);
 }
 
 void write_report(const Session& session, const MeshArguments& arguments, const cleft_options* options,
-                  const Result& result)
+                  const Result& result, StagedOutputs& staged)
 {
     auto report = report_head("mesh");
     report["inputs"] = arguments.input.inputs;
@@ -274,7 +281,7 @@ void write_report(const Session& session, const MeshArguments& arguments, const 
         label_reports_json(result.report.labels, [&](int32_t label) { return arguments.left_out(label); });
     report["contacts"] = contacts_json(result.report.contacts);
     add_run(report, session);
-    write_json(report, arguments.run.json);
+    write_json(report, arguments.run.json, staged);
 }
 
 int run_mesh(MeshArguments& arguments)
@@ -313,13 +320,15 @@ int run_mesh(MeshArguments& arguments)
         warn_of_contacts(session, result.report.contacts);
     }
     volume.reset();
-    session.timed("write", "writing", [&] { write_mesh(session, mesh.get(), result.outputs); });
+    StagedOutputs staged;
+    session.timed("write", "writing", [&] { write_mesh(session, mesh.get(), result.outputs, staged); });
 
     session.clear_progress();
-    if (arguments.run.prints())
-        print_summary(session, arguments, result);
     if (!arguments.run.json.empty())
-        write_report(session, arguments, options.get(), result);
+        write_report(session, arguments, options.get(), result, staged);
+    if (arguments.run.prints())
+        print_summary(session, arguments, result, staged);
+    staged.commit();
     return EXIT_OK;
 }
 

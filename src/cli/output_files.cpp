@@ -68,10 +68,12 @@ void check_extension(const std::string& path, int32_t direction)
 void check_place(const std::string& path)
 {
     struct stat status = {};
-    if (stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode))
-        throw cannot_write("'" + path + "' is a folder");
-    const std::size_t slash = path.rfind('/');
-    const std::string folder = slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+    const bool is_there = stat(path.c_str(), &status) == 0;
+    if (!is_there && (errno == ENAMETOOLONG || errno == ELOOP))
+        throw cannot_write("'" + path + "' cannot be written: " + std::strerror(errno));
+    if (is_there && !S_ISREG(status.st_mode))
+        throw cannot_write("'" + path + "' is " + (S_ISDIR(status.st_mode) ? "a folder" : "no regular file"));
+    const std::string folder = folder_of(link_target(path)).string();
     std::string probe = folder + "/.cleft-XXXXXX";
     const int file = mkstemp(probe.data());
     if (file < 0)
@@ -105,11 +107,12 @@ void check_json_output(const std::string& path)
         check_place(path);
 }
 
-void write_mesh(Session& session, const cleft_mesh* mesh, const std::vector<OutputFile>& outputs)
+void write_mesh(Session& session, const cleft_mesh* mesh, const std::vector<OutputFile>& outputs, StagedOutputs& staged)
 {
     for (const OutputFile& output : outputs)
-        session.check(cleft_io_write_mesh(session.context(), mesh, output.path.c_str(), output.format),
-                      EXIT_CANNOT_WRITE);
+        staged.write(output.path, [&](const std::string& to) {
+            session.check(cleft_io_write_mesh(session.context(), mesh, to.c_str(), output.format), EXIT_CANNOT_WRITE);
+        });
 }
 
 std::string format_help(int32_t direction)
@@ -118,12 +121,6 @@ std::string format_help(int32_t direction)
     for (const auto& row : formats(direction))
         help << "  " << left(row.extensions, 18) << " " << row.text << "\n";
     return help.str();
-}
-
-double file_bytes(const std::string& path)
-{
-    struct stat status = {};
-    return stat(path.c_str(), &status) == 0 ? static_cast<double>(status.st_size) : 0;
 }
 
 }  // namespace cleft_cli

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "session.hpp"
+#include "staged_outputs.hpp"
 
 #include "cleft/cleft_io.h"
 
@@ -23,10 +24,11 @@ void check_sizing_output(const std::string& path);
 // Nothing to check for "" and "-".
 void check_json_output(const std::string& path);
 
-void write_mesh(Session& session, const cleft_mesh* mesh, const std::vector<OutputFile>& outputs);
+// To be committed when all else is done.
+void write_mesh(Session& session, const cleft_mesh* mesh, const std::vector<OutputFile>& outputs,
+                StagedOutputs& staged);
 
 // The help text of formats that go in `direction` (CLEFT_IO_WRITES_MESH ...), from the component's table.
 std::string format_help(int32_t direction);
-double file_bytes(const std::string& path);
 
 }  // namespace cleft_cli

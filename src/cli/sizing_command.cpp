@@ -4,7 +4,9 @@
 #include "guarded.hpp"
 #include "json_report.hpp"
 #include "option_arguments.hpp"
+#include "output_conflicts.hpp"
 #include "output_files.hpp"
+#include "standard_output.hpp"
 #include "summary.hpp"
 #include "text.hpp"
 #include "volume_arguments.hpp"
@@ -13,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <memory>
 
 namespace cleft_cli
@@ -63,6 +64,7 @@ FieldFigures look_at_field(const cleft_sizing* sizing, const VolumeFindings& vol
 int run_sizing(const SizingArguments& arguments)
 {
     const Options options = arguments.options.make();
+    refuse_conflicts(arguments.input.inputs, {arguments.output}, arguments.run.json);
     check_sizing_output(arguments.output);
     check_json_output(arguments.run.json);
     Session session(arguments.run);
@@ -74,20 +76,17 @@ int run_sizing(const SizingArguments& arguments)
             return cleft_sizing_create(session.context(), volume.get(), options.get(), out);
         });
     });
+    StagedOutputs staged;
     session.timed("write", "writing", [&] {
-        session.check(cleft_io_write_sizing(session.context(), sizing.get(), arguments.output.c_str(),
-                                            arguments.input.world_number()),
-                      EXIT_CANNOT_WRITE);
+        staged.write(arguments.output, [&](const std::string& to) {
+            session.check(
+                cleft_io_write_sizing(session.context(), sizing.get(), to.c_str(), arguments.input.world_number()),
+                EXIT_CANNOT_WRITE);
+        });
     });
     const VolumeFindings found = look_at_volume(session, volume.get());
     const FieldFigures field = look_at_field(sizing.get(), found);
     session.clear_progress();
-    if (arguments.run.prints())
-        std::cout << volume_line(found) << left("Sizes", 11) << significant(field.least) << " to "
-                  << significant(field.greatest) << ", median " << significant(field.median) << "\n"
-                  << left("Estimate", 11) << grouped(std::llround(field.tets)) << " tetrahedra\n"
-                  << left("Written", 11) << arguments.output << " (" << bytes_text(file_bytes(arguments.output))
-                  << ")\n";
     if (!arguments.run.json.empty()) {
         auto report = report_head("sizing");
         report["inputs"] = arguments.input.inputs;
@@ -100,8 +99,15 @@ int run_sizing(const SizingArguments& arguments)
                             {"greatest", field.greatest},
                             {"expected_tets", field.tets}};
         add_run(report, session);
-        write_json(report, arguments.run.json);
+        write_json(report, arguments.run.json, staged);
     }
+    if (arguments.run.prints())
+        print_summary_text(volume_line(found) + left("Sizes", 11) + significant(field.least) + " to " +
+                           significant(field.greatest) + ", median " + significant(field.median) + "\n" +
+                           left("Estimate", 11) + grouped(std::llround(field.tets)) + " tetrahedra\n" +
+                           left("Written", 11) + arguments.output + " (" + bytes_text(staged.bytes(arguments.output)) +
+                           ")\n");
+    staged.commit();
     return EXIT_OK;
 }
 

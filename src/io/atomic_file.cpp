@@ -1,15 +1,19 @@
+// Files that are complete or not there: temporary names, renaming, and what was there before.
 #include "io/atomic_file.hpp"
 
 #include "base/error.hpp"
+#include "io/quiet_write.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -22,101 +26,125 @@ namespace fs = std::filesystem;
 namespace
 {
 
+constexpr int kMostLinks = 40;  // one after the other, as the kernel allows
+
 [[noreturn]] void cannot_write(const std::string& path, int error)
 {
     throw Error(CLEFT_ERROR_FILE, "cannot write '" + path + "': " + std::generic_category().message(error));
 }
 
-// The file that a path stands for: a symbolic link is followed, so that it stays a link.
-std::string target_of(const std::string& path)
+// The file that a path stands for: a symbolic link is followed, so that it stays a link, also where nothing is behind.
+fs::path target_of(const std::string& path)
 {
     std::error_code ignored;  // a file that is not there yet is no failure
-    std::error_code error;
-    const bool is_link = fs::is_symlink(fs::symlink_status(path, ignored));
-    const fs::path target = is_link ? fs::weakly_canonical(path, error) : fs::path(path);
-    if (error)
-        cannot_write(path, error.value());
+    fs::path target = path;
+    for (int links = 0; fs::is_symlink(fs::symlink_status(target, ignored)); ++links) {
+        std::error_code error;
+        const fs::path next = fs::read_symlink(target, error);
+        if (error || links == kMostLinks)
+            cannot_write(path, error ? error.value() : ELOOP);
+        target = target.parent_path() / next;
+    }
     const fs::file_status status = fs::status(target, ignored);
     if (fs::exists(status) && !fs::is_regular_file(status))
         throw Error(CLEFT_ERROR_FILE, "cannot write '" + path + "': it is no regular file");
-    return target.string();
+    return target;
+}
+
+// One whose files cannot be listed may still be written to.
+int open_folder(const fs::path& folder)
+{
+    const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    return descriptor < 0 && errno == EACCES ? open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC) : descriptor;
 }
 
 // A file that is replaced passes its permissions on.
-void keep_permissions(int descriptor, const std::string& old)
+void keep_permissions(int folder, const std::string& old, int descriptor)
 {
     struct stat status {
     };
-    if (stat(old.c_str(), &status) == 0 && fchmod(descriptor, status.st_mode & 07777) != 0)
+    if (fstatat(folder, old.c_str(), &status, 0) == 0 && fchmod(descriptor, status.st_mode & 07777) != 0)
         errno = 0;  // the new file then has the permissions of any new file
 }
 
-// Makes an empty file in the folder of `path`, under a name that nothing has, and opens it.
-int create_temporary(const std::string& path, std::string& name)
+// Calls take(name) with names that do not depend on that of the target, which may be as long as names can be, until
+// there is one that nothing has.
+template <class Take>
+bool take_free_name(const char* kind, std::string& name, const Take& take)
 {
     for (int i = 0;; ++i) {
-        name = path + ".part" + std::to_string(getpid()) + "-" + std::to_string(i);
-        const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (descriptor >= 0)
-            return descriptor;
+        name = std::string(".cleft-") + kind + std::to_string(getpid()) + "-" + std::to_string(i);
+        if (take(name.c_str()))
+            return true;
         if (errno != EEXIST)
-            cannot_write(path, errno);
+            return false;
     }
 }
 
-// What is at a path, kept within reach under a second name.
+// What a name stands for in a folder, kept within reach under a second name.
 class OldFile
 {
 public:
-    explicit OldFile(const std::string& path) : path_(path), is_there_(access(path.c_str(), F_OK) == 0)
+    OldFile(int folder, const std::string& name)
+        : folder_(folder), name_(name), is_there_(faccessat(folder, name.c_str(), F_OK, 0) == 0)
     {
-        for (int i = 0; is_there_ && name_.empty(); ++i) {
-            const std::string name = path + ".old" + std::to_string(getpid()) + "-" + std::to_string(i);
-            if (link(path.c_str(), name.c_str()) == 0)
-                name_ = name;
-            else if (errno != EEXIST)
-                return;  // no hard links here
-        }
+        const auto link_to = [&](const char* second) { return linkat(folder, name_.c_str(), folder, second, 0) == 0; };
+        if (is_there_ && !take_free_name("old", second_, link_to))
+            second_.clear();  // no hard links here
     }
     ~OldFile()
     {
-        if (!name_.empty())
-            unlink(name_.c_str());
+        if (!second_.empty())
+            unlinkat(folder_, second_.c_str(), 0);
     }
     OldFile(const OldFile&) = delete;
     OldFile& operator=(const OldFile&) = delete;
 
-    void put_back()
+    void put_back() noexcept
     {
         if (!is_there_)
-            unlink(path_.c_str());
-        else if (!name_.empty() && std::rename(name_.c_str(), path_.c_str()) == 0)
-            name_.clear();
+            unlinkat(folder_, name_.c_str(), 0);
+        else if (!second_.empty() && renameat(folder_, second_.c_str(), folder_, name_.c_str()) == 0)
+            second_.clear();
     }
 
 private:
-    std::string path_;
+    int folder_;
     std::string name_;
+    std::string second_;
     bool is_there_;
 };
 
-// Makes the renaming itself last. Some file systems cannot; the file is complete all the same.
-void flush_folder(const std::string& path)
-{
-    const fs::path folder = fs::path(path).parent_path();
-    const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0)
-        return;
-    (void)fsync(descriptor);
-    close(descriptor);
-}
-
 }  // namespace
 
-AtomicFile::AtomicFile(const std::string& path) : path_(target_of(path)), buffer_(std::make_unique<char[]>(capacity))
+AtomicFile::AtomicFile(const std::string& path) : path_(path), buffer_(std::make_unique<char[]>(capacity))
 {
-    descriptor_ = create_temporary(path_, temporary_);
-    keep_permissions(descriptor_, path_);
+    const fs::path target = target_of(path);
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    name_ = target.filename().string();
+    if (name_.empty())
+        cannot_write(path, EISDIR);
+    folder_ = open_folder(folder);
+    if (folder_ < 0)
+        cannot_write(path, errno);
+    const auto create = [&](const char* name) {
+        descriptor_ = openat(folder_, name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        return descriptor_ >= 0;
+    };
+    std::string name;
+    struct stat status {
+    };
+    int error = 0;
+    if (fstatat(folder_, name_.c_str(), &status, 0) != 0 && errno == ENAMETOOLONG)
+        error = errno;
+    else if (!take_free_name("part", name, create))
+        error = errno;
+    if (error != 0) {
+        close(folder_);
+        cannot_write(path, error);
+    }
+    temporary_.swap(name);
+    keep_permissions(folder_, name_, descriptor_);
 }
 
 AtomicFile::~AtomicFile()
@@ -124,10 +152,11 @@ AtomicFile::~AtomicFile()
     if (descriptor_ >= 0)
         close(descriptor_);
     if (!temporary_.empty())
-        unlink(temporary_.c_str());
+        unlinkat(folder_, temporary_.c_str(), 0);
+    close(folder_);
 }
 
-void AtomicFile::fail() const { cannot_write(path_, errno); }
+void AtomicFile::fail(int error) const { cannot_write(path_, error); }
 
 void AtomicFile::write(const void* data, size_t bytes)
 {
@@ -145,12 +174,8 @@ void AtomicFile::write(const void* data, size_t bytes)
 
 void AtomicFile::flush()
 {
-    for (size_t written = 0; written < used_;) {
-        const ssize_t n = ::write(descriptor_, buffer_.get() + written, used_ - written);
-        if (n < 0 && errno != EINTR)
-            fail();
-        written += n > 0 ? static_cast<size_t>(n) : 0;
-    }
+    if (const int error = write_quietly(descriptor_, buffer_.get(), used_))
+        fail(error);
     used_ = 0;
 }
 
@@ -159,15 +184,15 @@ void AtomicFile::finish()
 {
     flush();
     if (fsync(descriptor_) != 0)
-        fail();
+        fail(errno);
     if (close(std::exchange(descriptor_, -1)) != 0)
-        fail();
+        fail(errno);
 }
 
 void AtomicFile::take_name()
 {
-    if (std::rename(temporary_.c_str(), path_.c_str()) != 0)
-        fail();
+    if (renameat(folder_, temporary_.c_str(), folder_, name_.c_str()) != 0)
+        fail(errno);
     temporary_.clear();
 }
 
@@ -178,7 +203,7 @@ void AtomicFile::commit_all(const std::initializer_list<AtomicFile*>& files)
     std::vector<std::unique_ptr<OldFile>> old;
     if (files.size() > 1)  // of one file, the renaming itself is all or nothing
         for (const AtomicFile* file : files)
-            old.push_back(std::make_unique<OldFile>(file->path_));
+            old.push_back(std::make_unique<OldFile>(file->folder_, file->name_));
     size_t renamed = 0;
     try {
         for (AtomicFile* file : files) {
@@ -190,7 +215,9 @@ void AtomicFile::commit_all(const std::initializer_list<AtomicFile*>& files)
             old[i]->put_back();
         throw;
     }
-    flush_folder((*files.begin())->path_);
+    // Makes the renaming itself last. Some file systems cannot; the files are complete all the same.
+    for (const AtomicFile* file : files)
+        (void)fsync(file->folder_);
 }
 
 }  // namespace cleft::io

@@ -1,5 +1,6 @@
 // A file that appears under its name complete or not at all: written under a temporary name in the same folder, flushed
-// to the disk, then renamed. Unless it is committed, the destructor removes the temporary and the old file stays.
+// to the disk, then renamed. Unless it is committed, the destructor removes the temporary and the old file stays. The
+// folder is held open, so that nothing asks for memory once a file has its name.
 #pragma once
 
 #include <charconv>
@@ -67,12 +68,14 @@ private:
     void flush();
     void finish();
     void take_name();
-    [[noreturn]] void fail() const;
+    [[noreturn]] void fail(int error) const;
 
-    std::string path_;
-    std::string temporary_;
+    std::string path_;       // as the caller says it
+    std::string name_;       // of the target in its folder
+    std::string temporary_;  // likewise; empty if there is none
     std::unique_ptr<char[]> buffer_;
     size_t used_ = 0;
+    int folder_ = -1;
     int descriptor_ = -1;
 };
 

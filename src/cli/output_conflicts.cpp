@@ -1,0 +1,134 @@
+// Whether two paths are one file.
+#include "output_conflicts.hpp"
+
+#include "exit_code.hpp"
+#include "staged_outputs.hpp"
+
+#include <fnmatch.h>
+#include <sys/stat.h>
+
+#include <cctype>
+#include <fstream>
+
+namespace cleft_cli
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+// Nothing is written after it, nor a report of it: that may be what is in the way.
+Failure refused(const std::string& sentence)
+{
+    Failure failure = usage_failure(sentence);
+    failure.is_reported = false;
+    return failure;
+}
+
+struct Place {
+    std::string path;  // as the user says it
+    fs::path target;   // links followed
+    bool exists = false;
+    struct stat file = {};
+    struct stat folder = {};
+};
+
+Place place_of(const std::string& path)
+{
+    Place place;
+    place.path = path;
+    place.target = link_target(path);
+    place.exists = stat(place.target.c_str(), &place.file) == 0;
+    (void)stat(folder_of(place.target).c_str(), &place.folder);
+    return place;
+}
+
+bool same(const struct stat& a, const struct stat& b) { return a.st_dev == b.st_dev && a.st_ino == b.st_ino; }
+
+bool same_file(const Place& a, const Place& b)
+{
+    if (a.exists && b.exists)
+        return same(a.file, b.file);
+    return same(a.folder, b.folder) && a.target.filename() == b.target.filename();
+}
+
+// TetGen's meshes are three files of one name.
+std::vector<Place> files_of(const std::string& path)
+{
+    const fs::path as_path(path);
+    std::string extension = as_path.extension().string();
+    for (char& c : extension)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (extension != ".node" && extension != ".ele" && extension != ".face")
+        return {place_of(path)};
+    std::vector<Place> places = {place_of(path)};
+    for (const char* of : {".node", ".ele", ".face"})
+        places.push_back(place_of(fs::path(path).replace_extension(of).string()));
+    for (Place& place : places)
+        place.path = path;
+    return places;
+}
+
+// A pattern of slices as one of the shell: "%03d" matches whatever stands for it.
+std::string shell_pattern(const std::string& name)
+{
+    std::string pattern;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        std::size_t end = i + 1;
+        while (name[i] == '%' && end < name.size() && std::isdigit(static_cast<unsigned char>(name[end])) != 0)
+            ++end;
+        const bool is_number = name[i] == '%' && end < name.size() && name[end] == 'd';
+        if (is_number)
+            i = end;
+        else if (name[i] == '[' || name[i] == '\\')
+            pattern += '\\';
+        pattern += is_number ? '*' : name[i];
+    }
+    return pattern;
+}
+
+bool is_input(const Place& output, const std::string& input)
+{
+    for (const Place& place : files_of(input))
+        if (same_file(output, place))
+            return true;
+    const Place place = place_of(input);
+    const std::string name = fs::path(input).filename().string();
+    return output.exists && same(output.folder, place.folder) &&
+           fnmatch(shell_pattern(name).c_str(), output.target.filename().c_str(), 0) == 0;
+}
+
+bool is_report(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    char first = 0;
+    return !(file >> first) || first == '{';
+}
+
+}  // namespace
+
+void refuse_conflicts(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
+                      const std::string& json)
+{
+    std::vector<std::string> all = outputs;
+    if (!json.empty() && json != "-")
+        all.push_back(json);
+    std::vector<Place> taken;
+    for (const std::string& path : all) {
+        const std::vector<Place> files = files_of(path);
+        for (const Place& file : files) {
+            for (const std::string& input : inputs)
+                if (!input.empty() && is_input(file, input))
+                    throw refused("the output '" + path + "' is the input '" + input + "', or a file of it");
+            for (const Place& other : taken)
+                if (same_file(file, other))
+                    throw refused("the outputs '" + other.path + "' and '" + path + "' are one file");
+        }
+        taken.insert(taken.end(), files.begin(), files.end());
+    }
+    struct stat status = {};
+    if (!json.empty() && json != "-" && stat(json.c_str(), &status) == 0 && S_ISREG(status.st_mode) && !is_report(json))
+        throw refused("the report would replace '" + json + "', which is no report");
+}
+
+}  // namespace cleft_cli

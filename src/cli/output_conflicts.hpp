@@ -1,0 +1,15 @@
+// Outputs that would take the place of something: told before the work begins.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace cleft_cli
+{
+
+// Refuses, as a mistake of usage, an output that is an input or another output, by whatever path or link. Inputs may be
+// folders and patterns of slices. `json` is the path of the report, or "" or "-"; what it replaces must be a report.
+void refuse_conflicts(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
+                      const std::string& json);
+
+}  // namespace cleft_cli

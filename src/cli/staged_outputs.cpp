@@ -1,0 +1,163 @@
+// Outputs that appear together.
+#include "staged_outputs.hpp"
+
+#include "exit_code.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <system_error>
+
+namespace cleft_cli
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+const int most_links = 40;
+
+Failure cannot_write(const fs::path& path, int error)
+{
+    return {EXIT_CANNOT_WRITE, CLEFT_ERROR_FILE, "cannot write '" + path.string() + "': " + std::strerror(error)};
+}
+
+// One file on its way to its name.
+struct Move {
+    fs::path staged, target, old;
+    bool was_there = false;
+    bool done = false;
+};
+
+// Keeps what is at the target under a second name, in the folder that is removed at the end.
+void keep_old(Move& move, const fs::path& as)
+{
+    struct stat status = {};
+    if (lstat(move.target.c_str(), &status) != 0)
+        return;
+    move.was_there = true;
+    if (S_ISREG(status.st_mode))
+        (void)chmod(move.staged.c_str(), status.st_mode & 07777);  // not on every file system
+    if (link(move.target.c_str(), as.c_str()) == 0)
+        move.old = as;
+}
+
+void undo(const Move& move)
+{
+    if (!move.done)
+        return;
+    if (!move.was_there)
+        unlink(move.target.c_str());
+    else if (!move.old.empty())
+        (void)std::rename(move.old.c_str(), move.target.c_str());
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to)
+{
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+        text.replace(at, from.size(), to);
+    return text;
+}
+
+void flush_folder(const fs::path& folder)
+{
+    const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0)
+        return;
+    (void)fsync(descriptor);
+    close(descriptor);
+}
+
+}  // namespace
+
+fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+
+fs::path link_target(const std::string& path)
+{
+    std::error_code error;
+    fs::path target = path;
+    for (int links = 0; links < most_links && fs::is_symlink(fs::symlink_status(target, error)); ++links) {
+        const fs::path next = fs::read_symlink(target, error);
+        if (error)
+            break;
+        target = target.parent_path() / next;
+    }
+    return target;
+}
+
+StagedOutputs::~StagedOutputs()
+{
+    std::error_code ignored;
+    for (const Output& output : outputs_)
+        fs::remove_all(output.stage, ignored);
+}
+
+const StagedOutputs::Output& StagedOutputs::add(const std::string& path)
+{
+    const fs::path folder = folder_of(link_target(path));
+    std::string stage = (folder / ".cleft-XXXXXX").string();
+    outputs_.reserve(outputs_.size() + 1);
+    if (mkdtemp(stage.data()) == nullptr)
+        throw cannot_write(path, errno);
+    outputs_.push_back({path, folder, stage, fs::path(stage) / fs::path(path).filename()});
+    return outputs_.back();
+}
+
+void StagedOutputs::write(const std::string& path, const std::function<void(const std::string& place)>& write)
+{
+    const Output& output = add(path);
+    try {
+        write(output.staged.string());
+    } catch (const Failure& failure) {
+        const fs::path parent = fs::path(path).parent_path();
+        Failure told(failure.exit_code, failure.status,
+                     replaced(failure.what(), (output.stage / "").string(),
+                              parent.empty() ? std::string() : (parent / "").string()));
+        told.is_reported = failure.is_reported;
+        throw told;
+    }
+}
+
+double StagedOutputs::bytes(const std::string& path) const
+{
+    for (const Output& output : outputs_) {
+        std::error_code error;
+        const auto size = output.path == path ? fs::file_size(output.staged, error) : 0;
+        if (output.path == path && !error)
+            return static_cast<double>(size);
+    }
+    return 0;
+}
+
+void StagedOutputs::commit()
+{
+    std::vector<Move> moves;
+    for (const Output& output : outputs_) {
+        std::vector<fs::path> files;
+        for (const auto& entry : fs::directory_iterator(output.stage))
+            files.push_back(entry.path());
+        std::sort(files.begin(), files.end());
+        for (const fs::path& file : files) {
+            moves.push_back({file, link_target((fs::path(output.path).parent_path() / file.filename()).string()), {}});
+            keep_old(moves.back(), output.stage / ("old-" + std::to_string(moves.size())));
+        }
+    }
+    for (Move& move : moves) {
+        if (std::rename(move.staged.c_str(), move.target.c_str()) != 0) {
+            const int error = errno;
+            std::for_each(moves.begin(), moves.end(), undo);
+            throw cannot_write(move.target, error);
+        }
+        move.done = true;
+    }
+    for (const Output& output : outputs_)
+        flush_folder(output.folder);
+}
+
+}  // namespace cleft_cli

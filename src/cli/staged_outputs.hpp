@@ -1,0 +1,45 @@
+// The files of a run: all of them or none. Each is written into a folder of its own beside its target, and takes its
+// name when all are written.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cleft_cli
+{
+
+class StagedOutputs
+{
+public:
+    StagedOutputs() = default;
+    // Removes what was not committed.
+    ~StagedOutputs();
+    StagedOutputs(const StagedOutputs&) = delete;
+    StagedOutputs& operator=(const StagedOutputs&) = delete;
+
+    // Calls write(place) with the place to write to the file that is to be at `path`. It may put further files beside,
+    // which go along. The sentence of a Failure that it throws tells the paths that the user knows.
+    void write(const std::string& path, const std::function<void(const std::string& place)>& write);
+    // Of the file that was written for `path`.
+    double bytes(const std::string& path) const;
+    // Gives the files their names. All or none: if one fails, what was there before is put back.
+    void commit();
+
+private:
+    struct Output {
+        std::string path;
+        std::filesystem::path folder;  // of the target
+        std::filesystem::path stage;   // in `folder`
+        std::filesystem::path staged;  // in `stage`
+    };
+    const Output& add(const std::string& path);
+    std::vector<Output> outputs_;
+};
+
+// The file that a path stands for: symbolic links are followed, also where nothing is behind.
+std::filesystem::path link_target(const std::string& path);
+std::filesystem::path folder_of(const std::filesystem::path& path);
+
+}  // namespace cleft_cli

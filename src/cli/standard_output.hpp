@@ -1,0 +1,22 @@
+// What is printed: every byte arrives, or the command says that it does not.
+#pragma once
+
+#include <string>
+
+namespace cleft_cli
+{
+
+// Prints on standard output. Throws a Failure if it is full or closed. A reader that has gone away has read what it
+// wanted of a summary: that is none.
+void print_summary_text(const std::string& text);
+// The same for a report that a program reads, where a reader that has gone away is a failure, too.
+void print_report(const std::string& text);
+
+// All of a text to any descriptor; the answer is 0 or the error number.
+int write_all(int descriptor, const std::string& text);
+
+// To be called first: a closed standard stream must not become the next file that is opened, and a write that cannot
+// be done is to fail, rather than end the command.
+void make_streams_safe();
+
+}  // namespace cleft_cli

@@ -1,0 +1,59 @@
+// Writing that ends no process.
+#include "io/quiet_write.hpp"
+
+#include <pthread.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <ctime>
+
+namespace cleft::io
+{
+
+namespace
+{
+
+// Keeps SIGXFSZ from this thread, and takes back the one that came meanwhile.
+class SizeSignalBlocked
+{
+public:
+    SizeSignalBlocked() noexcept
+    {
+        sigemptyset(&signal_);
+        sigaddset(&signal_, SIGXFSZ);
+        sigset_t pending;
+        was_pending_ = sigpending(&pending) == 0 && sigismember(&pending, SIGXFSZ) == 1;
+        pthread_sigmask(SIG_BLOCK, &signal_, &before_);
+    }
+    ~SizeSignalBlocked()
+    {
+        const timespec at_once{};
+        while (!was_pending_ && sigtimedwait(&signal_, nullptr, &at_once) < 0 && errno == EINTR) {
+        }
+        pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+    }
+    SizeSignalBlocked(const SizeSignalBlocked&) = delete;
+    SizeSignalBlocked& operator=(const SizeSignalBlocked&) = delete;
+
+private:
+    sigset_t signal_{};
+    sigset_t before_{};
+    bool was_pending_ = false;
+};
+
+}  // namespace
+
+int write_quietly(int descriptor, const char* bytes, size_t count) noexcept
+{
+    const SizeSignalBlocked blocked;
+    for (size_t written = 0; written < count;) {
+        const ssize_t n = ::write(descriptor, bytes + written, count - written);
+        if (n < 0 && errno != EINTR)
+            return errno;
+        written += n > 0 ? static_cast<size_t>(n) : 0;
+    }
+    return 0;
+}
+
+}  // namespace cleft::io
