@@ -130,7 +130,8 @@ public:
     void check(cleft_status status) const
     {
         std::exception_ptr thrown;
-        std::swap(thrown, callbacks_->thrown);
+        if (callbacks_)  // not after a move
+            std::swap(thrown, callbacks_->thrown);
         if (thrown)
             std::rethrow_exception(thrown);
         if (status != CLEFT_OK)

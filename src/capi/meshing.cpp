@@ -57,19 +57,18 @@ void note_result(const Run& run, const LabelledMesh& mesh)
     run.note("mesh.tets", static_cast<double>(mesh.tets.size()));
 }
 
+// What is given is held by the caller.
 LabelledMesh meshed(const cleft_volume& volume, const cleft_sizing* sizing, const cleft_mesh* background,
                     const cleft::PipelineOptions& p, const Run& run)
 {
     if (background && p.tets > 0)
         run.say(CLEFT_LOG_WARNING, "tets has no effect on a background that is given");
     if (background)
-        return cleft::mesh_from_background(volume.volume,
-                                           checked_background(checked(background, "background"), volume.frame), p, run);
+        return cleft::mesh_from_background(volume.volume, checked_background(*background, volume.frame), p, run);
     if (sizing) {
-        const auto s = held(sizing, "sizing");
-        if (s->frame.grid.dims != volume.frame.grid.dims)
+        if (sizing->frame.grid.dims != volume.frame.grid.dims)
             throw Error(CLEFT_ERROR_ARGUMENT, "the sizing field and the volume have different dims");
-        return cleft::mesh_from_sizing(volume.volume, s->field, p, run);
+        return cleft::mesh_from_sizing(volume.volume, sizing->field, p, run);
     }
     cleft::SizingField field;
     {
@@ -99,10 +98,11 @@ cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volum
 {
     return guarded_create(context, out, [&](const Run& run) {
         const auto v = held(volume, "volume");
+        const auto from = held(background, "background");
         cleft::PipelineOptions p = pipeline_options(options);
         warn_of_unused_smooth(v->volume, options, run);
         p.improve.effort = cleft::Effort::off;
-        cleft::TetMesh mesh = checked_background(checked(background, "background"), v->frame);
+        cleft::TetMesh mesh = checked_background(*from, v->frame);
         cleft::repair_background(mesh, p, cleft::part_of(run, 0.0, 0.3));
         return to_user(cleft::cleave_and_improve(v->volume, mesh, p, cleft::part_of(run, 0.3, 1.0)), *v);
     });
@@ -113,9 +113,9 @@ cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volu
 {
     return guarded_create(context, out, [&](const Run& run) {
         const auto v = held(volume, "volume");
+        const auto from = held(mesh, "mesh");
         const cleft::PipelineOptions p = pipeline_options(options);
         warn_of_unused_smooth(v->volume, options, run);
-        const auto from = held(mesh, "mesh");
         LabelledMesh work = to_stage(*from, *v);
         const cleft::StageTimer timer(run, "improving");
         cleft::improve(work, v->volume, p.improve, run);
@@ -145,6 +145,8 @@ cleft_status cleft_mesh_volume(cleft_context* context, const cleft_volume* volum
     return guarded_create(context, out, [&](const Run& run) {
         const auto v = held(volume, "volume");
         const auto held_options = held_if_any(options, "options");
+        const auto held_sizing = held_if_any(sizing, "sizing");
+        const auto held_background = held_if_any(background, "background");
         const cleft::PipelineOptions p = pipeline_options(options, *v);
         warn_of_unknown_labels(v->volume.labels(), options, "volume", run);
         warn_of_unused_smooth(v->volume, options, run);

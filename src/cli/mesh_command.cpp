@@ -224,7 +224,7 @@ void warn_of_contacts(Session& session, const std::vector<cleft_contact>& contac
     if (contacts.size() > named)
         pairs += " and " + grouped(static_cast<int64_t>(contacts.size() - named)) + " more";
     session.warn(plural(static_cast<int64_t>(contacts.size()), "pair") +
-                 " of labels meet in the mesh, though no two of their voxels touch: " + pairs +
+                 " of labels meet in the mesh, though no two of their voxels share a face or an edge: " + pairs +
                  "; a smaller size opens the gap (--size-min, --label-size)");
 }
 

@@ -42,10 +42,10 @@ void require_all_labels(const Volume& volume, const LabelledMesh& mesh, const Pi
     }
     for (const LabelContact& contact : report.contacts)
         if (options.keeps(contact.first) && options.keeps(contact.second))
-            throw Error(CLEFT_ERROR_LABEL_LOST,
-                        name(contact.first) + " and " + name(contact.second) + " share " +
-                            std::to_string(contact.triangles) +
-                            " triangles, but no two of their voxels touch; a smaller size would keep them apart");
+            throw Error(CLEFT_ERROR_LABEL_LOST, name(contact.first) + " and " + name(contact.second) + " share " +
+                                                    std::to_string(contact.triangles) +
+                                                    " triangles, but no two of their voxels share a face or an edge; a "
+                                                    "smaller size would keep them apart");
 }
 
 // The least that the field asks for. Where only features ask for it, not the user, a lattice that would have more than

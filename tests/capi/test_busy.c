@@ -3,6 +3,7 @@
 #include "support/capi.h"
 
 #include <pthread.h>
+#include <stdbool.h>
 #include <string.h>
 
 enum { N = 12 };
@@ -19,12 +20,12 @@ typedef struct handles {
 
 static handles all_handles(void)
 {
-    static const int32_t strip = 1000;
+    static const int32_t strip[2] = {1000, 99}; /* the second is not there: a warning */
     handles h = {.context = new_context()};
     h.volume = ball_volume(h.context, N);
     assert_int_equal(cleft_options_create(&h.options), CLEFT_OK);
     assert_int_equal(cleft_options_set_integer(h.options, CLEFT_OPTION_BACKGROUND, CLEFT_BACKGROUND_LATTICE), CLEFT_OK);
-    assert_int_equal(cleft_options_set_strip(h.options, &strip, 1), CLEFT_OK);
+    assert_int_equal(cleft_options_set_strip(h.options, strip, 2), CLEFT_OK);
     assert_ok(h.context, cleft_sizing_create_constant(h.context, h.volume, 2, &h.sizing));
     assert_ok(h.context, cleft_background_create(h.context, h.sizing, h.options, &h.background));
     assert_ok(h.context, cleft_mesh_cleave(h.context, h.volume, h.background, h.options, &h.mesh));
@@ -54,6 +55,14 @@ static int destroying(double fraction, const char* stage, void* user)
     if (h->calls++ == 0)
         destroy_all(h);
     return 0;
+}
+
+/* Before a call has done anything: it warns of its options first. */
+static void destroying_at_a_warning(int32_t level, const char* sentence, void* user)
+{
+    (void)sentence;
+    if (level == CLEFT_LOG_WARNING)
+        destroying(0, NULL, user);
 }
 
 /* Each entry that calls back, by number; -1 if there are no more. */
@@ -101,14 +110,17 @@ static void destroy_made(int entry, void* made)
         cleft_report_destroy((cleft_report*)made);
 }
 
-static void what_a_callback_destroys_lives_until_the_call_ends(void** state)
+static void run_all_entries(bool at_warnings, int least_called)
 {
     int called = 0;
-    (void)state;
     for (int entry = 0;; ++entry) {
         handles h = all_handles();
         void* made = NULL;
-        assert_ok(h.context, cleft_context_set_progress(h.context, destroying, &h));
+        assert_int_equal(cleft_options_set_integer(h.options, CLEFT_OPTION_SMOOTH, 4), CLEFT_OK);
+        if (at_warnings)
+            assert_ok(h.context, cleft_context_set_log(h.context, destroying_at_a_warning, &h));
+        else
+            assert_ok(h.context, cleft_context_set_progress(h.context, destroying, &h));
         const cleft_status status = run_entry(entry, h, &made);
         called += h.calls > 0;
         if (h.calls == 0)
@@ -119,7 +131,14 @@ static void what_a_callback_destroys_lives_until_the_call_ends(void** state)
         assert_true(entry > 8 || made);
         destroy_made(entry, made);
     }
-    assert_true(called >= 9);
+    assert_true(called >= least_called);
+}
+
+static void what_a_callback_destroys_lives_until_the_call_ends(void** state)
+{
+    (void)state;
+    run_all_entries(false, 9);
+    run_all_entries(true, 6);
 }
 
 static int trying(double fraction, const char* stage, void* user)

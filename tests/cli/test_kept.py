@@ -95,7 +95,7 @@ class Contacts(CommandTest):
         [contact] = report["contacts"]
         self.assertEqual(contact["labels"], [1, 2])
         self.assertGreater(contact["triangles"], 0)
-        [warning] = [w for w in report["warnings"] if "no two of their voxels touch" in w]
+        [warning] = [w for w in report["warnings"] if "no two of their voxels share a face or an edge" in w]
         self.assertIn(f"1 and 2 ({contact['triangles']} triangle", warning)
         self.assertIn(warning, told)
         quiet, told = self.report_of("--size", 3.5, "--quiet")
