@@ -1,5 +1,7 @@
 #include "background/lattice.hpp"
 
+#include "background/bcc_cell.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -9,9 +11,6 @@ namespace cleft
 
 namespace
 {
-
-// Mean edge of the lattice over the side of its cell: 6 edges a point have length 1, 8 have length sqrt(3) / 2.
-const double kMeanEdge = (6 + 8 * std::sqrt(0.75)) / 14;
 
 class Lattice
 {

@@ -11,10 +11,10 @@ namespace cleft
 namespace
 {
 
-constexpr auto kLanes = static_cast<size_t>(kLeafSize);
+constexpr auto kLeafLanes = static_cast<size_t>(kLeafSize);
 
 struct Lanes {
-    std::array<float, kLanes> x{}, y{}, z{}, reach{};
+    std::array<float, kLeafLanes> x{}, y{}, z{}, reach{};
 };
 
 // The particles of a leaf in the frame of a group. Lanes without a particle reach nothing.
@@ -40,12 +40,12 @@ Lanes lanes_of(size_t first, size_t count, const ParticleSet& particles, const s
 // A particle meets itself at distance 0, where the weight is finite.
 CLEFT_WIDE_VECTORS void repel(const Lanes& leaf, const Places& places, const uint32_t* near, size_t count, Lanes& force)
 {
-    std::array<float, kLanes> fx{}, fy{}, fz{}, r2;
-    for (size_t i = 0; i < kLanes; ++i)
+    std::array<float, kLeafLanes> fx{}, fy{}, fz{}, r2;
+    for (size_t i = 0; i < kLeafLanes; ++i)
         r2[i] = leaf.reach[i] * leaf.reach[i];
     for (size_t n = 0; n < count; ++n) {
         const float x = places.x[near[n]], y = places.y[near[n]], z = places.z[near[n]];
-        for (size_t i = 0; i < kLanes; ++i) {
+        for (size_t i = 0; i < kLeafLanes; ++i) {
             const float dx = leaf.x[i] - x, dy = leaf.y[i] - y, dz = leaf.z[i] - z;
             const float s = std::max(dx * dx + dy * dy + dz * dz, 1e-12F);
             const float w = std::max(r2[i] - s, 0.0F) / (r2[i] * s * std::sqrt(s));
@@ -72,8 +72,8 @@ void near_repulsion(const std::vector<NearGroup>& groups, const ParticleSet& par
             const NearGroup& group = groups[static_cast<size_t>(g)];
             read_places(group, particles, extent, places);
             for (size_t leaf = 0; leaf < static_cast<size_t>(group.leaf_count); ++leaf) {
-                const size_t first = (static_cast<size_t>(group.first_leaf) + leaf) * kLanes;
-                const size_t count = std::min(kLanes, particles.size() - first);
+                const size_t first = (static_cast<size_t>(group.first_leaf) + leaf) * kLeafLanes;
+                const size_t count = std::min(kLeafLanes, particles.size() - first);
                 const Lanes own = lanes_of(first, count, particles, reach, group);
                 const size_t chosen = group.chosen_begin[leaf];
                 repel(own, places, group.chosen.data() + chosen, group.chosen_begin[leaf + 1] - chosen, f);

@@ -1,5 +1,7 @@
 #include "background/octree_tree.hpp"
 
+#include "background/bcc_cell.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,8 +11,6 @@ namespace cleft
 namespace
 {
 
-// Mean edge of a body-centred cubic lattice over the side of its cell.
-const double kMeanEdge = (6 + 8 * std::sqrt(0.75)) / 14;
 // A leaf may be this much larger than the least h in it: sides come in powers of two and the balance splits further;
 // with this factor the mean edge comes near h.
 constexpr double kSlack = 1.75;

@@ -1,5 +1,6 @@
 #include "background/repair.hpp"
 
+#include "base/degrees.hpp"
 #include "base/stage_timer.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/angle_notes.hpp"
@@ -20,8 +21,6 @@ constexpr double kSweepAngle = 22;  // degrees
 // Points whose tetrahedra are all better than this have no need of it.
 constexpr double kGoodAngle = 38;  // degrees
 constexpr size_t kEdgesTried = 2;  // the others never helped in 10,000 tries
-
-double sine(double degrees) { return std::sin(degrees * M_PI / 180); }
 
 class Repair
 {
@@ -67,7 +66,7 @@ private:
 // Passes over the tetrahedra with a worse angle, until none is left or nothing helps.
 void Repair::improve_bad(double angle, bool with_smoothing, double progress)
 {
-    const double target = sine(angle);
+    const double target = sine_of(angle);
     bad_.collect_all(mesh_, target, run_);
     bool changed = true;
     for (int pass = 0; pass < options_.passes && changed; ++pass) {
@@ -122,7 +121,7 @@ bool Repair::smooth_corners(int32_t t, double target)
 // sizes every tetrahedron weighs the same: a volume over the wanted volume is about one.
 void Repair::smooth_poor()
 {
-    const double good = sine(kGoodAngle);
+    const double good = sine_of(kGoodAngle);
     for (int32_t v = 0; v < mesh_.point_count(); ++v) {
         if (v % 2048 == 0)
             run_.report(0.2 + 0.4 * v / mesh_.point_count(), "background repair");
@@ -143,7 +142,7 @@ void Repair::move_to_centroid(int32_t v, const Mat3& tangent)
         return;
     const Vec3 from = mesh_.point(v);
     const Vec3 shift = tangent * (star_.centroid(from) - from);
-    double floor = sine(kSweepAngle);
+    double floor = sine_of(kSweepAngle);
     if (star_.worst_at(from + shift, floor) > floor) {
         mesh_.move(v, from + shift);
         return;

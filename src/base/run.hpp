@@ -5,6 +5,7 @@
 #include "base/metrics.hpp"
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -28,6 +29,13 @@ struct Run {
     {
         if (cancelled() || (repeat_progress && repeat_progress()))
             throw Error(CLEFT_ERROR_CANCELLED, "the run was cancelled");
+    }
+
+    // check() at every `period`-th item of a loop.
+    void check_at(int64_t item, int64_t period = 1 << 16) const
+    {
+        if (item % period == 0)
+            check();
     }
 
     // On the calling thread only: fraction in [0, 1] of the named stage; null: of the one named before.

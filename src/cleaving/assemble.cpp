@@ -14,7 +14,7 @@ namespace cleft
 namespace
 {
 
-constexpr int64_t kGrain = 2048;
+constexpr int64_t kTetsWritten = 2048;
 
 std::vector<uint8_t> vertices_in_use(const Centres& c)
 {
@@ -102,8 +102,8 @@ Plan plan_output(const Centres& c, const Run& run)
 {
     const auto n = static_cast<int64_t>(c.tets.size());
     Plan plan;
-    plan.begin.resize(static_cast<size_t>(chunk_count(n, kGrain)));
-    parallel_chunks(run, n, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
+    plan.begin.resize(static_cast<size_t>(chunk_count(n, kTetsWritten)));
+    parallel_chunks(run, n, kTetsWritten, [&](int64_t chunk, int64_t begin, int64_t end) {
         int64_t count = 0;
         for (auto t = static_cast<size_t>(begin); t < static_cast<size_t>(end); ++t) {
             const int32_t m = c.mixed_of[t];
@@ -178,16 +178,17 @@ LabelledMesh assemble(const Centres& c, const Run& run)
     mesh.points = std::move(numbering.points);
     mesh.tets = large_vector<Tet>(static_cast<size_t>(plan.tets));
     mesh.material = large_vector<Material>(mesh.tets.size());
-    parallel_chunks(run, static_cast<int64_t>(c.tets.size()), kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
-        TetWriter writer(c, numbering, mesh);
-        auto out = static_cast<size_t>(plan.begin[static_cast<size_t>(chunk)]);
-        for (auto t = static_cast<size_t>(begin); t < static_cast<size_t>(end); ++t) {
-            const int32_t m = c.mixed_of[t];
-            out += m < 0 ? writer.write_whole(t, out)
-                         : writer.write_fan(c.mixed[static_cast<size_t>(m)],
-                                            c.stencils.tets(c.fans[static_cast<size_t>(m)].stencil), out);
-        }
-    });
+    parallel_chunks(
+        run, static_cast<int64_t>(c.tets.size()), kTetsWritten, [&](int64_t chunk, int64_t begin, int64_t end) {
+            TetWriter writer(c, numbering, mesh);
+            auto out = static_cast<size_t>(plan.begin[static_cast<size_t>(chunk)]);
+            for (auto t = static_cast<size_t>(begin); t < static_cast<size_t>(end); ++t) {
+                const int32_t m = c.mixed_of[t];
+                out += m < 0 ? writer.write_whole(t, out)
+                             : writer.write_fan(c.mixed[static_cast<size_t>(m)],
+                                                c.stencils.tets(c.fans[static_cast<size_t>(m)].stencil), out);
+            }
+        });
     return mesh;
 }
 

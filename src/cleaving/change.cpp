@@ -12,13 +12,9 @@ namespace
 
 constexpr size_t kNear = 300;  // tetrahedra in which a search looks for what hangs together
 
-size_t at(int32_t i) { return static_cast<size_t>(i); }
-
-bool has(const Tet& tet, int32_t point) { return std::find(tet.begin(), tet.end(), point) != tet.end(); }
-
 bool share_face(const Tet& a, const Tet& b)
 {
-    return std::count_if(a.begin(), a.end(), [&](int32_t v) { return has(b, v); }) == 3;
+    return std::count_if(a.begin(), a.end(), [&](int32_t v) { return has_corner(b, v); }) == 3;
 }
 
 // Groups of one material that hang together over faces.
@@ -83,7 +79,7 @@ std::vector<Change> changes_at(const LabelledMesh& mesh, const PointStars::Range
     for (const int32_t other : link.pinched_edges()) {
         std::vector<int32_t> ring;
         std::copy_if(tets.begin(), tets.end(), std::back_inserter(ring),
-                     [&](int32_t t) { return has(mesh.tets[at(t)], other); });
+                     [&](int32_t t) { return has_corner(mesh.tets[at(t)], other); });
         add_changes(mesh, ring, changes);
     }
     std::stable_sort(changes.begin(), changes.end(),
@@ -145,7 +141,7 @@ int32_t HarmCheck::neighbour(int32_t tet, size_t corner) const
     const Tet& c = mesh_.tets[at(tet)];
     const int32_t x = c[(corner + 1) % 4], y = c[(corner + 2) % 4], z = c[(corner + 3) % 4];
     for (const int32_t t : stars_.at(x))
-        if (t != tet && has(mesh_.tets[at(t)], y) && has(mesh_.tets[at(t)], z))
+        if (t != tet && has_corner(mesh_.tets[at(t)], y) && has_corner(mesh_.tets[at(t)], z))
             return t;
     return -1;
 }

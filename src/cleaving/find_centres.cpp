@@ -10,7 +10,9 @@ namespace cleft
 namespace
 {
 
-constexpr int64_t kGrain = 4096;
+// What a thread does at once.
+constexpr int64_t kVerticesSampled = 4096;
+constexpr int64_t kCutsPlaced = 512;
 
 struct SampledVertices {
     std::vector<MaterialSet> materials;
@@ -24,8 +26,8 @@ SampledVertices sample_vertices(const Volume& volume, const std::vector<Vec3>& p
     SampledVertices out;
     out.materials = large_vector<MaterialSet>(points.size());
     out.count.resize(points.size());
-    std::vector<std::vector<MaterialValue>> chunks(static_cast<size_t>(chunk_count(n, kGrain)));
-    parallel_chunks(run, n, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
+    std::vector<std::vector<MaterialValue>> chunks(static_cast<size_t>(chunk_count(n, kVerticesSampled)));
+    parallel_chunks(run, n, kVerticesSampled, [&](int64_t chunk, int64_t begin, int64_t end) {
         Samples samples;
         for (auto v = static_cast<size_t>(begin); v < static_cast<size_t>(end); ++v) {
             volume.sample(points[v], samples);
@@ -225,7 +227,7 @@ Centres find_centres(const Volume& volume, const TetMesh& background, const Run&
     run.report(0.1, "cleaving: cuts");
     list_centres(c, run);
     run.report(0.15, "cleaving: cuts");
-    parallel_for(run, static_cast<int64_t>(c.edges.size()), kGrain / 8, [&](int64_t begin, int64_t end) {
+    parallel_for(run, static_cast<int64_t>(c.edges.size()), kCutsPlaced, [&](int64_t begin, int64_t end) {
         Samples scratch;
         for (int64_t e = begin; e < end; ++e)
             c.place_cut(c.edges[static_cast<size_t>(e)], scratch);

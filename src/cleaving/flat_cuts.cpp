@@ -10,13 +10,13 @@ namespace cleft
 namespace
 {
 
-constexpr int64_t kGrain = 2048;
+constexpr int64_t kTetsLookedAt = 2048;
 
 double mean_edge(const Centres& c, const Run& run)
 {
     const auto n = static_cast<int64_t>(c.tets.size());
-    std::vector<double> sums(static_cast<size_t>(chunk_count(n, kGrain)), 0.0);
-    parallel_chunks(run, n, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
+    std::vector<double> sums(static_cast<size_t>(chunk_count(n, kTetsLookedAt)), 0.0);
+    parallel_chunks(run, n, kTetsLookedAt, [&](int64_t chunk, int64_t begin, int64_t end) {
         for (auto t = static_cast<size_t>(begin); t < static_cast<size_t>(end); ++t)
             for (const auto& e : kEdgeCorners)
                 sums[static_cast<size_t>(chunk)] +=
@@ -36,8 +36,8 @@ std::vector<int32_t> find_flat(const Centres& c, double threshold, const Run& ru
     // corner of a triple point seen from a quadruple point, 0.02 * 0.04 / 3 * 0.06 / 6.
     constexpr double kLeastShare = 1e-6;
     const auto n = static_cast<int64_t>(c.mixed.size());
-    std::vector<std::vector<int32_t>> found(static_cast<size_t>(chunk_count(n, kGrain)));
-    parallel_chunks(run, n, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
+    std::vector<std::vector<int32_t>> found(static_cast<size_t>(chunk_count(n, kTetsLookedAt)));
+    parallel_chunks(run, n, kTetsLookedAt, [&](int64_t chunk, int64_t begin, int64_t end) {
         for (auto m = static_cast<size_t>(begin); m < static_cast<size_t>(end); ++m) {
             const Tet& t = c.corners(c.mixed[m].tet);
             if (orient(c.point(t[0]), c.point(t[1]), c.point(t[2]), c.point(t[3])) * kLeastShare > threshold)

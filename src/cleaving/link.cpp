@@ -7,13 +7,6 @@
 namespace cleft
 {
 
-namespace
-{
-
-size_t at(int32_t i) { return static_cast<size_t>(i); }
-
-}  // namespace
-
 void Link::Vertex::see(Material m)
 {
     if (m == first || m == second)

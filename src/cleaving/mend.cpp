@@ -10,11 +10,8 @@ namespace cleft
 namespace
 {
 
-constexpr int kRounds = 10;
+constexpr int kMendRounds = 10;
 constexpr int kMostDebt = 2;  // defects that the first of two changes may add
-constexpr size_t kPointsACheck = 4096;
-
-size_t at(int32_t i) { return static_cast<size_t>(i); }
 
 int count_defects(Link& link, const LabelledMesh& mesh, const PointStars& stars, int32_t point)
 {
@@ -53,7 +50,7 @@ public:
     // Returns the points that are still pinched.
     std::vector<int32_t> mend(std::vector<int32_t> pinched)
     {
-        for (int round = 0; round < kRounds && !pinched.empty(); ++round) {
+        for (int round = 0; round < kMendRounds && !pinched.empty(); ++round) {
             touched_.clear();
             for (const int32_t v : pinched) {
                 run_.check();
@@ -178,8 +175,7 @@ std::vector<int32_t> find_pinched(const LabelledMesh& mesh, const PointStars& st
     Link link(mesh.points.size());
     std::vector<int32_t> pinched;
     for (size_t i = 0; i < points.size(); ++i) {
-        if (i % kPointsACheck == 0)
-            run.check();
+        run.check_at(i, 4096);
         if (count_defects(link, mesh, stars, points[i]) > 0)
             pinched.push_back(points[i]);
     }

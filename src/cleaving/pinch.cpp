@@ -5,13 +5,6 @@
 namespace cleft
 {
 
-namespace
-{
-
-size_t at(int32_t i) { return static_cast<size_t>(i); }
-
-}  // namespace
-
 PinchCheck::Finding PinchCheck::look(const CutStar& star, const MaterialSet& before)
 {
     if (!load(star, before))

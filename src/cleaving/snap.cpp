@@ -12,8 +12,8 @@ namespace cleft
 namespace
 {
 
-constexpr double kReach = 0.5;  // how far a cut may be to be snapped to, in shortest edges at the vertex
-constexpr double kStay = 0.2;   // how close a cut must be to be taken over in place, in its edge
+constexpr double kSnapReach = 0.5;  // how far a cut may be to be snapped to, in shortest edges at the vertex
+constexpr double kStay = 0.2;       // how close a cut must be to be taken over in place, in its edge
 // The background is not warped below 13.3 or above 163.5 degrees, unless it gets better: tetrahedra between vertices
 // that all snapped are in the mesh as they are, and this keeps them within the bound of isosurface stuffing.
 constexpr double kLeastQuality = 0.23;
@@ -55,7 +55,7 @@ public:
     {
         const int passes = rule_ == Snap::quality ? kPasses : 1;
         for (int pass = 0; pass < passes; ++pass) {
-            const std::vector<int32_t> order = vertices_to_visit(c_, kReach, touched_, run_);
+            const std::vector<int32_t> order = vertices_to_visit(c_, kSnapReach, touched_, run_);
             for (size_t i = 0; i < order.size(); ++i) {
                 if (i % 128 == 0)
                     run_.report(0.3 + 0.5 * (pass + double(i) / double(order.size())) / passes, "cleaving: snapping");
@@ -88,7 +88,7 @@ private:
     double reach(int32_t edge) const
     {
         if (rule_ != Snap::safe)
-            return kReach * star_.shortest_edge();
+            return kSnapReach * star_.shortest_edge();
         const auto e = static_cast<size_t>(edge);
         return safe_reach_[e][c_.edges[e].upper == star_.vertex()];
     }
@@ -110,7 +110,7 @@ private:
                 const CutEdge& edge = c_.edges[static_cast<size_t>(e)];
                 const Vec3 direction = (c_.point(edge.upper) - c_.point(edge.lower)).normalized();
                 safe_reach_[static_cast<size_t>(e)][edge.upper == v] =
-                    kReach * std::min(alpha, star_.width_along(direction));
+                    kSnapReach * std::min(alpha, star_.width_along(direction));
             }
         }
     }
@@ -199,8 +199,8 @@ private:
             return false;
         tried_.push_back(materials);
         start /= static_cast<double>(choice.last - choice.first + 1);
-        auto x =
-            project_to_tie(c_.volume, before_.x, start, materials, frozen_, kReach * star_.shortest_edge(), scratch_);
+        auto x = project_to_tie(c_.volume, before_.x, start, materials, frozen_, kSnapReach * star_.shortest_edge(),
+                                scratch_);
         if (!x && choice.first == choice.last && keeps_walls(near_[choice.first].x))
             x = near_[choice.first].x;
         if (!x && !may_stay)

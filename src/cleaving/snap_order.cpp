@@ -9,16 +9,14 @@ namespace cleft
 namespace
 {
 
-constexpr size_t kSteps = 8;
-constexpr size_t kTetsACheck = size_t{1} << 16;  // between two looks for a cancel
+constexpr size_t kClasses = 8;
 
 // The square of the length of the shortest edge at each vertex that is touched.
 std::vector<float> shortest_edges(const Centres& c, const std::vector<uint8_t>& touched, const Run& run)
 {
     std::vector<float> shortest(c.points.size(), std::numeric_limits<float>::infinity());
     for (size_t k = 0; k < c.tets.size(); ++k) {
-        if (k % kTetsACheck == 0)
-            run.check();
+        run.check_at(k);
         const Tet& t = c.tets[k];
         const auto is_touched = [&](int32_t v) { return touched[static_cast<size_t>(v)] != 0; };
         if (std::none_of(t.begin(), t.end(), is_touched))
@@ -54,13 +52,13 @@ std::vector<int32_t> vertices_to_visit(const Centres& c, double reach, const std
                                        const Run& run)
 {
     const std::vector<float> nearest = nearest_cuts(c), shortest = shortest_edges(c, touched, run);
-    std::vector<int32_t> steps[kSteps];
+    std::vector<int32_t> steps[kClasses];
     for (size_t v = 0; v < nearest.size(); ++v) {
         if (!touched[v] || !(nearest[v] < std::numeric_limits<float>::infinity()))
             continue;
         const double ratio = std::sqrt(static_cast<double>(nearest[v]) / static_cast<double>(shortest[v])) / reach;
         if (ratio <= 1)
-            steps[std::min(static_cast<size_t>(ratio * kSteps), kSteps - 1)].push_back(static_cast<int32_t>(v));
+            steps[std::min(static_cast<size_t>(ratio * kClasses), kClasses - 1)].push_back(static_cast<int32_t>(v));
     }
     std::vector<int32_t> order;
     for (const auto& step : steps)

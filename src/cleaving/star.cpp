@@ -12,8 +12,6 @@ namespace cleft
 namespace
 {
 
-constexpr size_t kTetsACheck = size_t{1} << 16;  // between two looks for a cancel
-
 size_t place_in(const Tet& corners, int32_t v)
 {
     return static_cast<size_t>(std::find(corners.begin(), corners.end(), v) - corners.begin());
@@ -27,8 +25,7 @@ VertexTets::VertexTets(const Centres& c, const Run& run) : first_(large_vector(c
     for (const CutEdge& e : c.edges)
         is_at_cut[static_cast<size_t>(e.lower)] = is_at_cut[static_cast<size_t>(e.upper)] = 1;
     for (size_t t = 0; t < c.tets.size(); ++t) {
-        if (t % kTetsACheck == 0)
-            run.check();
+        run.check_at(t);
         for (const int32_t v : c.tets[t])
             first_[static_cast<size_t>(v) + 1] += is_at_cut[static_cast<size_t>(v)];
     }
@@ -37,8 +34,7 @@ VertexTets::VertexTets(const Centres& c, const Run& run) : first_(large_vector(c
     tets_ = large_vector<int32_t>(static_cast<size_t>(first_.back()));
     std::vector<int64_t> next(first_.begin(), first_.end() - 1);
     for (size_t t = 0; t < c.tets.size(); ++t) {
-        if (t % kTetsACheck == 0)
-            run.check();
+        run.check_at(t);
         for (const int32_t v : c.tets[t])
             if (is_at_cut[static_cast<size_t>(v)])
                 tets_[static_cast<size_t>(next[static_cast<size_t>(v)]++)] = static_cast<int32_t>(t);

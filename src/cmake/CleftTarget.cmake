@@ -8,6 +8,10 @@ function(cleft_compile_settings target)
         POSITION_INDEPENDENT_CODE ON)
     target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion
         $<$<BOOL:${CLEFT_WARNINGS_AS_ERRORS}>:-Werror>)
+    # Where several sources are compiled as one, gcc takes their anonymous namespaces for those of a header.
+    get_target_property(unity ${target} UNITY_BUILD)
+    target_compile_options(${target} PRIVATE
+        $<$<AND:$<BOOL:${unity}>,$<COMPILE_LANG_AND_ID:CXX,GNU>>:-Wno-subobject-linkage>)
     # errno is never read after a mathematical function: let sqrt be an instruction.
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O3 -fno-math-errno>)
     if(CLEFT_SANITIZE)

@@ -1,5 +1,6 @@
 #include "improving/fit_volumes.hpp"
 
+#include "base/degrees.hpp"
 #include "base/stage_timer.hpp"
 #include "improving/interface_triangles.hpp"
 #include "improving/material_offsets.hpp"
@@ -22,7 +23,7 @@ namespace
 // Smaller moves are not worth their price, in lengths of the root of the area around.
 constexpr double kLeastMove = 2e-3;
 // Later rounds make good at neighbours what a point could not give.
-constexpr int kRounds = 3;
+constexpr int kFitRounds = 3;
 // More rounds while a label of so many voxels is off by more than this share: one that is hardly thicker than the steps
 // of its interface comes close by and by.
 constexpr int kMostRounds = 8;
@@ -35,7 +36,6 @@ constexpr double kLeastShare = 0.2;
 constexpr double kLeastGrant = 0.1;
 // Interfaces of label maps go no further beyond the tie than this, in the least voxel spacing.
 constexpr double kMostOffset = 0.2;
-constexpr size_t kPointsACheck = 1 << 12;  // between two looks for a cancel
 
 // What the triangles at a point ask of it: to move by their heights along their normals.
 struct Wish {
@@ -45,21 +45,21 @@ struct Wish {
 };
 
 // A point of interfaces, and how far it has been moved from its place on the tie.
-struct InterfacePoint {
+struct FitPoint {
     int32_t number;
     bool stays = false;
     Vec3 moved{0, 0, 0};
 };
 
 // Numbers the corners of the triangles among themselves. Those of `astray`, which have no tie to be moved off, stay.
-std::vector<InterfacePoint> find_points(const LocalMesh& mesh, const std::vector<int32_t>& astray,
-                                        std::vector<InterfaceTriangle>& triangles)
+std::vector<FitPoint> find_points(const LocalMesh& mesh, const std::vector<int32_t>& astray,
+                                  std::vector<InterfaceTriangle>& triangles)
 {
     std::vector<int32_t> index(static_cast<size_t>(mesh.point_count()), 0);
     for (const InterfaceTriangle& t : triangles)
         for (const int32_t v : t.corners)
             index[static_cast<size_t>(v)] = 1;
-    std::vector<InterfacePoint> points;
+    std::vector<FitPoint> points;
     for (int32_t v = 0; v < mesh.point_count(); ++v)
         if (index[static_cast<size_t>(v)] == 1) {
             index[static_cast<size_t>(v)] = static_cast<int32_t>(points.size());
@@ -70,13 +70,13 @@ std::vector<InterfacePoint> find_points(const LocalMesh& mesh, const std::vector
             v = index[static_cast<size_t>(v)];
     std::vector<int32_t> staying = astray;
     std::sort(staying.begin(), staying.end());
-    for (InterfacePoint& p : points)
+    for (FitPoint& p : points)
         p.stays = std::binary_search(staying.begin(), staying.end(), p.number);
     return points;
 }
 
 std::vector<Wish> wishes(const LocalMesh& mesh, const std::vector<InterfaceTriangle>& triangles,
-                         const std::vector<InterfacePoint>& points)
+                         const std::vector<FitPoint>& points)
 {
     std::vector<Wish> out(points.size());
     const auto place = [&](int32_t i) -> const Vec3& { return mesh.point(points[static_cast<size_t>(i)].number); };
@@ -143,7 +143,7 @@ Contact& contact_of(std::vector<Contact>& contacts, const std::array<Material, 2
 // Adds to the offsets of the triangles what the labels miss. The heights are counted as granted in the first round;
 // later, what has not been granted will hardly be.
 void add_offsets(const LocalMesh& mesh, std::vector<double> missing, const Vec3& spacing,
-                 const std::vector<InterfacePoint>& points, bool first, std::vector<Contact> contacts,
+                 const std::vector<FitPoint>& points, bool first, std::vector<Contact> contacts,
                  std::vector<InterfaceTriangle>& triangles)
 {
     const auto place = [&](int32_t i) -> const Vec3& { return mesh.point(points[static_cast<size_t>(i)].number); };
@@ -206,7 +206,7 @@ public:
 
     // Moves points one after the other, as far as the shapes around allow. Returns the number that could not move.
     // What materials gain is taken off `missing`, unless that is empty.
-    int64_t grant(const std::vector<Wish>& wanted, std::vector<InterfacePoint>& points, std::vector<double>& missing,
+    int64_t grant(const std::vector<Wish>& wanted, std::vector<FitPoint>& points, std::vector<double>& missing,
                   const Run& run);
 
 private:
@@ -219,13 +219,12 @@ private:
     Smoother smoother_;
 };
 
-int64_t Granter::grant(const std::vector<Wish>& wanted, std::vector<InterfacePoint>& points,
-                       std::vector<double>& missing, const Run& run)
+int64_t Granter::grant(const std::vector<Wish>& wanted, std::vector<FitPoint>& points, std::vector<double>& missing,
+                       const Run& run)
 {
     int64_t held = 0;
     for (size_t i = 0; i < points.size(); ++i) {
-        if (i % kPointsACheck == 0)
-            run.check();
+        run.check_at(i, 1 << 12);
         if (points[i].stays)
             continue;
         const int32_t v = points[i].number;
@@ -293,20 +292,20 @@ void fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, cons
         return;
     const StageTimer timer(run, "fitting");
     run.report(0, "fitting volumes");
-    const double floor = std::sin(least_angle * M_PI / 180);
+    const double floor = sine_of(least_angle);
     const Meetings meetings = find_meetings(mesh, run);
     const std::vector<int32_t> astray = settle(mesh, volume, floor, meetings, run);
     std::vector<InterfaceTriangle> triangles = find_triangles(mesh, meetings, run);
     run.report(0.3, "fitting volumes");
     find_heights(mesh, volume, astray, triangles, run);
-    std::vector<InterfacePoint> points = find_points(mesh, astray, triangles);
+    std::vector<FitPoint> points = find_points(mesh, astray, triangles);
     const std::vector<Contact> contacts = find_contacts(triangles);
     Granter granter(mesh, floor);
     const std::vector<int64_t> voxels = volume.is_label_map() ? volume.voxel_counts() : std::vector<int64_t>();
     const Vec3 spacing = volume.grid().spacing;
     std::vector<double> missing = missing_volumes(mesh, voxels, spacing.prod());
     for (int round = 0; round < kMostRounds; ++round) {
-        if (round >= kRounds && !is_large_label_off(missing, voxels, spacing.prod()))
+        if (round >= kFitRounds && !is_large_label_off(missing, voxels, spacing.prod()))
             break;
         run.report(0.6 + 0.4 * round / kMostRounds, "fitting volumes");
         if (volume.is_label_map())

@@ -1,5 +1,6 @@
 #include "improving/improve.hpp"
 
+#include "base/degrees.hpp"
 #include "base/stage_timer.hpp"
 #include "improving/improver.hpp"
 #include "mesh/angle_notes.hpp"
@@ -45,7 +46,7 @@ void improve(LocalMesh& mesh, const Volume& volume, const ImproveOptions& option
         return;
     const StageTimer timer(run, "improving");
     run.report(0, "improving");
-    Improver improver(mesh, volume, std::sin(options.target_angle * M_PI / 180), run);
+    Improver improver(mesh, volume, sine_of(options.target_angle), run);
     note_angles(mesh, "improving", "before", run);
     int number = 0;
     for (const Search& search : searches_of(options.effort)) {

@@ -16,7 +16,7 @@ namespace
 
 // The interface is looked for within this share of a triangle's longest edge: a chord of length h on a sphere of radius
 // h lies h / 6 below it.
-constexpr double kReach = 0.3;
+constexpr double kReachOfTriangle = 0.3;
 // Steps of the search, in the least voxel spacing: label indicators are flat further away than that.
 constexpr double kStep = 0.4;
 constexpr double kCentroidShare = 0.75;
@@ -27,8 +27,7 @@ constexpr double kCentroidShare = 0.75;
 constexpr double kSlackOfFields = 0.00064;
 constexpr double kSlackShare = 0.45;
 constexpr double kMostCurved = 1.5;
-constexpr int64_t kGrain = 2048;
-constexpr int32_t kTetsACheck = 1 << 16;  // between two looks for a cancel
+constexpr int64_t kTrianglesFitted = 2048;
 
 // By how much the first material of a pair leads the second at a point; not ok if a third one wins there.
 struct Lead {
@@ -115,7 +114,7 @@ std::vector<InterfaceTriangle> find_triangles(const LocalMesh& mesh, const Meeti
     std::vector<InterfaceTriangle> triangles;
     triangles.reserve(static_cast<size_t>(mesh.slot_count()) / 8);
     for (int32_t t = 0; t < mesh.slot_count(); ++t) {
-        if (t % kTetsACheck == 0)
+        if (t % (1 << 16) == 0)
             run.report(0.2 * t / mesh.slot_count(), "fitting volumes");
         if (!mesh.alive(t))
             continue;
@@ -143,14 +142,15 @@ void find_heights(const LocalMesh& mesh, const Volume& volume, const std::vector
         is_astray[static_cast<size_t>(v)] = 1;
     std::vector<uint8_t> is_limited(triangles.size(), 0);
     const double step = kStep * volume.grid().spacing.minCoeff();
-    parallel_for(run, static_cast<int64_t>(triangles.size()), kGrain, [&](int64_t begin, int64_t end) {
+    parallel_for(run, static_cast<int64_t>(triangles.size()), kTrianglesFitted, [&](int64_t begin, int64_t end) {
         Samples samples;
         for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
             InterfaceTriangle& t = triangles[i];
             const Vec3 &a = mesh.point(t.corners[0]), &b = mesh.point(t.corners[1]), &c = mesh.point(t.corners[2]);
             const Vec3 normal = (b - a).cross(c - a).normalized();
             const double reach =
-                kReach * std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+                kReachOfTriangle *
+                std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
             const auto height_at = [&](const Vec3& x) {
                 return height_of_tie(volume, x, normal, t.pair, reach, step, samples);
             };

@@ -5,13 +5,11 @@ namespace cleft
 
 Meetings find_meetings(const LocalMesh& mesh, const Run& run)
 {
-    constexpr int32_t kTetsACheck = 1 << 16;  // between two looks for a cancel
     const auto points = static_cast<size_t>(mesh.point_count());
     Meetings out(points, Meeting::none);
     std::vector<std::array<Material, 2>> first_two(points);
     for (int32_t t = 0; t < mesh.slot_count(); ++t) {
-        if (t % kTetsACheck == 0)
-            run.check();
+        run.check_at(t);
         if (!mesh.alive(t))
             continue;
         const Material m = mesh.material(t);

@@ -19,7 +19,7 @@ constexpr int kOperations = 28;
 // An operation may leave a tetrahedron with this share of the worst quality before it.
 constexpr double kShare = 0.3;
 constexpr int kSweeps = 2;
-constexpr double kGain = 1e-3;
+constexpr double kRescueGain = 1e-3;
 
 }  // namespace
 
@@ -148,7 +148,7 @@ bool Improver::smooth_and_note(int32_t t)
 // Everything new or moved, and the bad tetrahedron if there still is one, is better than that was before.
 bool Improver::pays(const Tet& bad, double before)
 {
-    const double wanted = std::min(before + kGain, target_);
+    const double wanted = std::min(before + kRescueGain, target_);
     const int32_t t = find(bad);
     if (!(mesh_.worst(cavity_.created) >= wanted) || (t >= 0 && !(mesh_.quality(t) >= wanted)))
         return false;

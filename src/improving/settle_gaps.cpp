@@ -14,12 +14,11 @@ namespace cleft
 namespace
 {
 
-constexpr double kReach = 0.5;                      // how far to the nearest interface, in edge lengths
+constexpr double kReachOfGap = 0.5;                 // how far to the nearest interface, in edge lengths
 constexpr double kShares[] = {1, 0.5, 0.25, 0};     // of the way to the tie
 constexpr double kPartShares[] = {0.6, 0.3, 0.15};  // of the way to the interface
 constexpr double kSizeCounts = 0.1;                 // power of the voxels of a label by which a distance counts
-constexpr int kRounds = 10;                         // a point that is in the way may have moved on
-constexpr size_t kPointsACheck = 1 << 8;            // between two looks for a cancel
+constexpr int kGapRounds = 10;                      // a point that is in the way may have moved on
 
 // Where a point may go.
 struct Interface {
@@ -86,7 +85,7 @@ private:
         const auto to = materials.size() > 2 ? step_to_tie(volume_, x, materials, frozen, samples_) : std::nullopt;
         if (!to)
             return Vec3(0, 0, 0);
-        const double reach = kReach * star_.reach(x);
+        const double reach = kReachOfGap * star_.reach(x);
         const Vec3 way = *to - x;
         return std::min(1.0, reach / way.norm()) * way;
     }
@@ -124,7 +123,7 @@ private:
 
     bool project_to(const MaterialSet& pair, Vec3& x, unsigned frozen)
     {
-        const auto tie = project_to_tie(volume_, x, x, pair, frozen, kReach * star_.reach(x), samples_);
+        const auto tie = project_to_tie(volume_, x, x, pair, frozen, kReachOfGap * star_.reach(x), samples_);
         x = tie.value_or(x);
         return tie.has_value();
     }
@@ -169,8 +168,7 @@ std::vector<int32_t> points_in_gaps(const LocalMesh& mesh, GapSettler& settler, 
     for (const int32_t v : found)
         seen[static_cast<size_t>(v)] = 1;
     for (size_t i = 0; i < found.size(); ++i) {
-        if (i % kPointsACheck == 0)
-            run.check();
+        run.check_at(i, 1 << 8);
         for (const int32_t t : mesh.star(found[i]))
             for (const int32_t w : mesh.tet(t))
                 if (!std::exchange(seen[static_cast<size_t>(w)], uint8_t{1}) && settler.is_inside_another(w))
@@ -188,12 +186,11 @@ std::vector<int32_t> settle_gaps(LocalMesh& mesh, const Volume& volume, const st
     const std::vector<int32_t> found = points_in_gaps(mesh, settler, without_tie, run);
     std::vector<int32_t> left = found;
     int64_t moves = -1;
-    for (int round = 0; round < kRounds && settler.moves() != moves; ++round) {
+    for (int round = 0; round < kGapRounds && settler.moves() != moves; ++round) {
         moves = settler.moves();
         size_t kept = 0;
         for (size_t i = 0; i < left.size(); ++i) {
-            if (i % kPointsACheck == 0)
-                run.check();
+            run.check_at(i, 1 << 8);
             if (!settler.settle(left[i]))
                 left[kept++] = left[i];
         }

@@ -12,10 +12,9 @@ namespace
 {
 
 // Smaller moves are not worth their price, in lengths of the edges around.
-constexpr double kLeastMove = 5e-3;
-constexpr double kLeastShare = 0.1;
-constexpr int kRounds = 3;                // a point that is in the way may have moved on
-constexpr size_t kPointsACheck = 1 << 8;  // between two looks for a cancel
+constexpr double kLeastStep = 5e-3;
+constexpr double kLeastStepShare = 0.1;
+constexpr int kLineRounds = 3;  // a point that is in the way may have moved on
 
 class Settler
 {
@@ -36,10 +35,10 @@ public:
         const auto on_tie = project_to_tie(volume_, from, from, materials, mesh_.frozen(v), reach, samples_);
         if (!on_tie)
             return Place::without_tie;
-        if ((*on_tie - from).norm() < kLeastMove * reach)
+        if ((*on_tie - from).norm() < kLeastStep * reach)
             return Place::on_tie;
         const double least = std::min(floor_, star_.worst_at(from, -1));
-        for (double share = 1; share > kLeastShare; share *= 0.5) {
+        for (double share = 1; share > kLeastStepShare; share *= 0.5) {
             const Vec3 x = from + share * (*on_tie - from);
             if (star_.worst_at(x, least) > least) {
                 mesh_.move(v, x);
@@ -67,11 +66,10 @@ LinePoints settle_lines(LocalMesh& mesh, const Volume& volume, double floor, con
         if (meetings[static_cast<size_t>(v)] == Meeting::line)
             points.push_back(v);
     Settler settler(mesh, volume, floor);
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kLineRounds; ++round) {
         std::vector<int32_t> left;
         for (size_t i = 0; i < points.size(); ++i) {
-            if (i % kPointsACheck == 0)
-                run.check();
+            run.check_at(i, 1 << 8);
             const Settler::Place place = settler.settle(points[i]);
             if (place == Settler::Place::off_tie)
                 left.push_back(points[i]);

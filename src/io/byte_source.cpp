@@ -20,7 +20,6 @@ namespace
 {
 
 constexpr size_t buffer_bytes = size_t{1} << 18;
-constexpr uintmax_t greatest_ratio = 1032;  // of DEFLATE: 258 bytes from two bits
 
 [[noreturn]] void cannot_read(int error)
 {
@@ -176,7 +175,7 @@ void ByteSource::expect(uintmax_t bytes) const
     if (state_->is_plain()) {
         if (bytes > left)
             too_short(bytes - left);
-    } else if (bytes / greatest_ratio > left + 8) {  // some bits may be with zlib already
+    } else if (bytes / greatest_deflate_ratio > left + 8) {  // some bits may be with zlib already
         throw Error(CLEFT_ERROR_FORMAT,
                     "its header claims " + std::to_string(bytes) + " bytes, which its compressed data cannot hold");
     }

@@ -11,6 +11,9 @@
 namespace cleft::io
 {
 
+// zlib shrinks by this factor at most, 258 bytes to two bits: a longer claim is a damaged one.
+constexpr uintmax_t greatest_deflate_ratio = 1032;
+
 enum class Coding { plain, deflated };  // deflated: gzip (of several members, too) or a zlib stream
 
 class ByteSource

@@ -1,6 +1,7 @@
 // Takes DICOM files apart: explicit and implicit types, both byte orders, sequences, deflated and compressed files.
 #include "io/dicom_data.hpp"
 
+#include "io/byte_source.hpp"
 #include "io/text_scanner.hpp"
 
 #include <libdeflate.h>
@@ -20,7 +21,6 @@ constexpr uint32_t undefined_length = 0xFFFFFFFFu;
 constexpr DicomTag item_tag = 0xFFFEE000u;
 constexpr DicomTag item_end_tag = 0xFFFEE00Du;
 constexpr DicomTag sequence_end_tag = 0xFFFEE0DDu;
-constexpr DicomTag pixels_tag = 0x7FE00010u;
 constexpr int deepest = 16;  // sequences in sequences
 
 [[noreturn]] void refuse_damaged(const std::string& what)
@@ -162,7 +162,7 @@ private:
     size_t at_ = 0;
 };
 
-std::string trimmed(std::string_view bytes)
+std::string without_padding(std::string_view bytes)
 {
     const size_t end = bytes.find_last_not_of(std::string_view(" \0", 2));
     const size_t start = bytes.find_first_not_of(' ');
@@ -182,7 +182,6 @@ std::string inflated(std::string_view packed)
         libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
     if (!decompressor)
         throw std::bad_alloc();
-    constexpr size_t greatest_ratio = 1100;  // of deflate
     for (size_t room = 8 * packed.size() + 1000;; room *= 4) {
         std::string data(room, '\0');
         size_t size = 0;
@@ -192,7 +191,7 @@ std::string inflated(std::string_view packed)
             data.resize(size);
             return data;
         }
-        if (result != LIBDEFLATE_INSUFFICIENT_SPACE || room > greatest_ratio * packed.size() + 1000)
+        if (result != LIBDEFLATE_INSUFFICIENT_SPACE || room > greatest_deflate_ratio * packed.size() + 1000)
             refuse_damaged("its deflated data cannot be unpacked");
     }
 }
@@ -206,7 +205,7 @@ size_t read_meta(std::string_view bytes, std::string& transfer_syntax)
         const ElementHead head = reader.head();
         const DicomElement element = reader.element(head, 0);
         if (head.tag == 0x00020010u)
-            transfer_syntax = trimmed(element.bytes);
+            transfer_syntax = without_padding(element.bytes);
         size += reader.place();
     }
     return size;
@@ -234,7 +233,7 @@ const DicomElement* DicomData::find(DicomTag tag) const
 std::string DicomData::text(DicomTag tag) const
 {
     const DicomElement* element = find(tag);
-    return element ? trimmed(element->bytes) : std::string();
+    return element ? without_padding(element->bytes) : std::string();
 }
 
 std::vector<double> DicomData::numbers(DicomTag tag) const
@@ -243,14 +242,14 @@ std::vector<double> DicomData::numbers(DicomTag tag) const
     const std::string list = text(tag);
     for (size_t start = 0; !list.empty() && start <= list.size();) {
         const size_t end = std::min(list.find('\\', start), list.size());
-        const std::string word = trimmed(list.substr(start, end - start));
+        const std::string word = without_padding(list.substr(start, end - start));
         const char* from = word.c_str() + (word.substr(0, 1) == "+" ? 1 : 0);
         const char* const to = word.c_str() + word.size();
         double value = 0;
         const auto [stop, fault] = std::from_chars(from, to, value);
         all.push_back(value);
         if (fault != std::errc() || stop != to || !std::isfinite(value))
-            refuse_damaged("the element " + name_of(tag) + " holds '" + printable(word) + "', not a number");
+            refuse_damaged("the element " + name_of(tag) + " holds '" + ascii_of(word) + "', not a number");
         start = end + 1;
     }
     return all;
@@ -283,7 +282,7 @@ std::vector<DicomData> DicomData::items(DicomTag tag) const
     return all;
 }
 
-std::string printable(std::string text)
+std::string ascii_of(std::string text)
 {
     for (char& c : text)
         if (c < ' ' || c > '~')

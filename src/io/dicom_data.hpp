@@ -16,6 +16,14 @@ namespace cleft::io
 // Group and number of an element, 0x00280010.
 using DicomTag = uint32_t;
 
+// Elements that several readers look at.
+constexpr DicomTag pixels_tag = 0x7FE00010u;
+constexpr DicomTag shared_groups = 0x52009229u;
+constexpr DicomTag frame_groups = 0x52009230u;
+
+// A file that DICOM's rules or ours do not allow.
+[[noreturn]] inline void refuse_dicom(const std::string& sentence) { throw Error(CLEFT_ERROR_FORMAT, sentence); }
+
 struct DicomEncoding {
     bool implicit = false;  // elements do not tell their types
     bool big_endian = false;
@@ -62,7 +70,7 @@ struct DicomFile {
 };
 
 // Text of a file for a message: what is not ASCII, or has no sign, becomes '?'.
-std::string printable(std::string text);
+std::string ascii_of(std::string text);
 // May the file be DICOM, by its first bytes?
 bool is_dicom_head(std::string_view head);
 // Throws Errors that do not name the file.

@@ -80,7 +80,7 @@ void check_dicom_is_image(const DicomFile& file)
     if (!file.data.has(0x7FE00010u) && !file.data.has(0x7FE00008u) && !file.data.has(0x7FE00009u))
         throw Error(CLEFT_ERROR_FORMAT,
                     "the DICOM file holds no image" +
-                        (storage.empty() ? std::string() : " (its class is " + printable(storage) + ")"));
+                        (storage.empty() ? std::string() : " (its class is " + ascii_of(storage) + ")"));
 }
 
 Image read_dicom_frames(const DicomFile& file, std::vector<DicomPlane>& planes)

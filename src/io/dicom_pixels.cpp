@@ -12,11 +12,8 @@ namespace cleft::io
 namespace
 {
 
-constexpr DicomTag pixels_tag = 0x7FE00010u;
 constexpr DicomTag float_pixels_tag = 0x7FE00008u;
 constexpr DicomTag double_pixels_tag = 0x7FE00009u;
-
-[[noreturn]] void refuse(const std::string& sentence) { throw Error(CLEFT_ERROR_FORMAT, sentence); }
 
 Component component_of(const DicomFile& file, const DicomPixelFormat& format)
 {
@@ -33,7 +30,7 @@ Component component_of(const DicomFile& file, const DicomPixelFormat& format)
         case 32:
             return format.is_signed ? Component::int32 : Component::uint32;
         default:
-            refuse("its pixels have " + std::to_string(format.bits_allocated) + " bits, which cannot be read");
+            refuse_dicom("its pixels have " + std::to_string(format.bits_allocated) + " bits, which cannot be read");
     }
 }
 
@@ -47,7 +44,7 @@ std::string pairs_swapped(std::string_view bytes)
 }
 
 // Bits follow each other without gaps, also from one frame to the next, the first pixel in the lowest bit.
-void unpack_bits(std::string_view bytes, Image& image)
+void unpack_single_bits(std::string_view bytes, Image& image)
 {
     for (int64_t v = 0; v < image.field_size(); ++v) {
         const auto byte = static_cast<unsigned char>(bytes[static_cast<size_t>(v / 8)]);
@@ -70,14 +67,14 @@ void unpack_runs(std::string_view packed, std::byte* to, size_t step, int64_t co
     size_t at = 0;
     while (count > 0) {
         if (at >= packed.size())
-            refuse("the DICOM file is damaged: its packed pixels end too early");
+            refuse_dicom("the DICOM file is damaged: its packed pixels end too early");
         const auto code = static_cast<signed char>(packed[at++]);
         if (code == -128)
             continue;
         const int64_t length = std::min<int64_t>(code >= 0 ? code + 1 : 1 - code, count);
         const size_t wanted = code >= 0 ? static_cast<size_t>(length) : 1;
         if (packed.size() - at < wanted)
-            refuse("the DICOM file is damaged: its packed pixels end too early");
+            refuse_dicom("the DICOM file is damaged: its packed pixels end too early");
         for (int64_t i = 0; i < length; ++i, to += step)
             *to = static_cast<std::byte>(packed[at + (code >= 0 ? static_cast<size_t>(i) : 0)]);
         at += code >= 0 ? static_cast<size_t>(code) + 1 : 1;
@@ -93,8 +90,8 @@ void check_packed(const std::vector<std::string_view>& fragments, int64_t wanted
     for (const std::string_view fragment : fragments)
         there += static_cast<int64_t>(fragment.size());
     if (wanted / greatest_ratio > there)
-        refuse("the DICOM file is damaged: its packed pixels have " + std::to_string(there) + " bytes, too few for " +
-               std::to_string(wanted));
+        refuse_dicom("the DICOM file is damaged: its packed pixels have " + std::to_string(there) +
+                     " bytes, too few for " + std::to_string(wanted));
 }
 
 // One fragment a frame: a head of 16 numbers (how many planes, where each begins), then the planes, high bytes first.
@@ -102,19 +99,20 @@ void unpack_frames(const std::vector<std::string_view>& fragments, const DicomPi
 {
     const size_t planes = size_of(image.component);
     if (static_cast<int64_t>(fragments.size()) != format.frames + 1 || format.bits_allocated % 8 != 0)
-        refuse("its packed pixels are not one piece a frame, which cannot be read");
+        refuse_dicom("its packed pixels are not one piece a frame, which cannot be read");
     for (size_t f = 0; f + 1 < fragments.size(); ++f) {
         const std::string_view fragment = fragments[f + 1];
         std::array<uint32_t, 16> head{};
         if (fragment.size() < sizeof head)
-            refuse("the DICOM file is damaged: its packed pixels have no head");
+            refuse_dicom("the DICOM file is damaged: its packed pixels have no head");
         std::memcpy(head.data(), fragment.data(), sizeof head);
         if (head[0] != planes)
-            refuse("the DICOM file is damaged: its packed pixels have " + std::to_string(head[0]) + " planes of bytes");
+            refuse_dicom("the DICOM file is damaged: its packed pixels have " + std::to_string(head[0]) +
+                         " planes of bytes");
         std::byte* const frame = image.voxels.get() + f * static_cast<size_t>(format.frame_size()) * planes;
         for (size_t plane = 0; plane < planes; ++plane) {
             if (head[plane + 1] > fragment.size())
-                refuse("the DICOM file is damaged: a plane of its packed pixels lies beyond them");
+                refuse_dicom("the DICOM file is damaged: a plane of its packed pixels lies beyond them");
             unpack_runs(fragment.substr(head[plane + 1]), frame + (planes - 1 - plane), planes, format.frame_size());
         }
     }
@@ -156,12 +154,12 @@ DicomPixelFormat pixel_format_of(const DicomFile& file)
         format.frames = static_cast<int64_t>(std::clamp(frames.front(), 0.0, 1e6));
     const int64_t samples = data.short_number(0x00280002u, 1);
     if (samples != 1)
-        refuse("it has " + std::to_string(samples) + " numbers a voxel (colours or vectors); one is wanted");
+        refuse_dicom("it has " + std::to_string(samples) + " numbers a voxel (colours or vectors); one is wanted");
     if (format.bits_stored < 1 || format.bits_stored > format.high_bit + 1 || format.high_bit >= format.bits_allocated)
-        refuse("the DICOM file is damaged: of " + std::to_string(format.bits_allocated) + " bits, " +
-               std::to_string(format.bits_stored) + " are stored up to bit " + std::to_string(format.high_bit));
+        refuse_dicom("the DICOM file is damaged: of " + std::to_string(format.bits_allocated) + " bits, " +
+                     std::to_string(format.bits_stored) + " are stored up to bit " + std::to_string(format.high_bit));
     if (format.rows < 1 || format.columns < 1 || format.frames < 1)
-        refuse("the DICOM file does not tell how many rows, columns and frames its image has");
+        refuse_dicom("the DICOM file does not tell how many rows, columns and frames its image has");
     return format;
 }
 
@@ -179,8 +177,8 @@ Image pixels_of(const DicomFile& file, const DicomPixelFormat& format)
     const int64_t wanted = (format.frame_size() * format.frames * bits + 7) / 8;
     const auto there = static_cast<int64_t>(element.bytes.size());
     if (!element.encapsulated && there < wanted)
-        refuse("the DICOM file is damaged: its pixels have " + std::to_string(there) + " bytes, and not " +
-               std::to_string(wanted));
+        refuse_dicom("the DICOM file is damaged: its pixels have " + std::to_string(there) + " bytes, and not " +
+                     std::to_string(wanted));
     const bool compressed = element.encapsulated && !packed;
     if (element.encapsulated && packed)
         check_packed(element.fragments, wanted);
@@ -194,7 +192,7 @@ Image pixels_of(const DicomFile& file, const DicomPixelFormat& format)
     else if (element.encapsulated)
         unpack_frames(element.fragments, format, image);
     else if (format.bits_allocated == 1)
-        unpack_bits(plain, image);
+        unpack_single_bits(plain, image);
     else
         copy_plain(plain, file.data.is_big_endian(), image);
     if (!compressed && format.high_bit + 1 != format.bits_stored)

@@ -13,14 +13,10 @@ namespace cleft::io
 namespace
 {
 
-constexpr DicomTag shared_groups = 0x52009229u;
-constexpr DicomTag frame_groups = 0x52009230u;
 constexpr DicomTag position_group = 0x00209113u;
 constexpr DicomTag orientation_group = 0x00209116u;
 constexpr DicomTag measures_group = 0x00289110u;
 constexpr DicomTag values_group = 0x00289145u;
-
-[[noreturn]] void refuse(const std::string& sentence) { throw Error(CLEFT_ERROR_FORMAT, sentence); }
 
 // The numbers of an element in a group of the frame, else of all frames, else outside of groups.
 class FrameGroups
@@ -57,7 +53,7 @@ DicomPlane plane_of(const FrameGroups& groups)
         const Vector3 row{axes[0], axes[1], axes[2]};
         const Vector3 column{axes[3], axes[4], axes[5]};
         if (length(row) == 0 || length(column) == 0 || length(cross(row, column)) < 0.5 * length(row) * length(column))
-            refuse("the directions of its rows and columns lie on a line");
+            refuse_dicom("the directions of its rows and columns lie on a line");
         plane.along_row = times(1 / length(row), row);
         plane.along_column = times(1 / length(column), column);
     }
@@ -92,13 +88,13 @@ void check_alike(const DicomPlane& plane, const DicomPlane& first, const std::st
     constexpr double turned = 1e-3;
     constexpr double resized = 1e-3;
     if (!plane.placed)
-        refuse(who + " does not tell where it lies");
+        refuse_dicom(who + " does not tell where it lies");
     if (length(minus(plane.along_row, first.along_row)) > turned ||
         length(minus(plane.along_column, first.along_column)) > turned)
-        refuse(who + " is turned against " + other);
+        refuse_dicom(who + " is turned against " + other);
     if (std::abs(plane.row_spacing - first.row_spacing) > resized * first.row_spacing ||
         std::abs(plane.column_spacing - first.column_spacing) > resized * first.column_spacing)
-        refuse(who + " has another size of pixels than " + other);
+        refuse_dicom(who + " has another size of pixels than " + other);
 }
 
 struct Place {
@@ -140,7 +136,7 @@ DicomStack slots_of(const std::vector<DicomPlane>& planes, const std::vector<std
         const Vector3 expected = times(slot, step);
         const Vector3 there = minus(planes[place.plane].position, lowest.position);
         if (length(minus(there, expected)) > uneven * length(step))
-            refuse("its slices are not evenly spaced: is one missing? (" + who[place.plane] + ")");
+            refuse_dicom("its slices are not evenly spaced: is one missing? (" + who[place.plane] + ")");
         stack.slots[place.plane] = static_cast<int64_t>(slot);
     }
     return stack;
@@ -182,8 +178,8 @@ std::vector<DicomPlane> planes_of(const DicomFile& file, int64_t frames)
     const std::vector<DicomData> shared = file.data.items(shared_groups);
     const std::vector<DicomData> own = file.data.items(frame_groups);
     if (!own.empty() && static_cast<int64_t>(own.size()) != frames)
-        refuse("the DICOM file is damaged: it has " + std::to_string(frames) + " frames, but tells of " +
-               std::to_string(own.size()));
+        refuse_dicom("the DICOM file is damaged: it has " + std::to_string(frames) + " frames, but tells of " +
+                     std::to_string(own.size()));
     std::vector<DicomPlane> planes;
     for (int64_t f = 0; f < frames; ++f)
         planes.push_back(plane_of(FrameGroups(file.data, shared.empty() ? nullptr : &shared.front(),
@@ -196,8 +192,8 @@ DicomStack stack_of(const std::vector<DicomPlane>& planes, const std::vector<std
     const std::vector<Place> places = places_of(planes, who);
     for (size_t i = 1; i < places.size(); ++i)
         if (places[i].height - places[i - 1].height < same_place(planes))
-            refuse(who[places[i - 1].plane] + " and " + who[places[i].plane] +
-                   " lie at the same place: a series over time, or of several contrasts, is no volume");
+            refuse_dicom(who[places[i - 1].plane] + " and " + who[places[i].plane] +
+                         " lie at the same place: a series over time, or of several contrasts, is no volume");
     return slots_of(planes, who, places, static_cast<int64_t>(places.size()));
 }
 
@@ -215,7 +211,7 @@ DicomStack loose_stack_of(const std::vector<DicomPlane>& planes, const std::vect
     const double height = places.back().height - places.front().height;
     const double steps = std::round(height / loose_step(planes.front(), gaps, notes));
     if (steps + 1 > most_slices)
-        refuse("its slices are not evenly spaced");
+        refuse_dicom("its slices are not evenly spaced");
     DicomStack stack = slots_of(planes, who, places, static_cast<int64_t>(std::max(1.0, steps)) + 1);
     stack.geometry.notes = std::move(notes);
     return stack;

@@ -19,11 +19,7 @@ namespace
 
 constexpr DicomTag class_tag = 0x00080016u;
 constexpr DicomTag segments_tag = 0x00620002u;
-constexpr DicomTag shared_groups = 0x52009229u;
-constexpr DicomTag frame_groups = 0x52009230u;
 constexpr DicomTag identification_group = 0x0062000Au;
-
-[[noreturn]] void refuse(const std::string& sentence) { throw Error(CLEFT_ERROR_FORMAT, sentence); }
 
 std::string utf8_of(const std::string& text, const std::string& characters)
 {
@@ -69,12 +65,12 @@ std::vector<int32_t> segments_of_frames(const DicomFile& file, int64_t frames,
     for (const DicomData& frame : file.data.items(frame_groups))
         all.push_back(segment_in({frame}, shared));
     if (static_cast<int64_t>(all.size()) != frames)
-        refuse("the segmentation has " + std::to_string(frames) + " frames, but tells of " +
-               std::to_string(all.size()));
+        refuse_dicom("the segmentation has " + std::to_string(frames) + " frames, but tells of " +
+                     std::to_string(all.size()));
     for (const int32_t number : all)
         if (segments.count(number) == 0)
-            refuse("the segmentation has a frame of a segment " + std::to_string(number) +
-                   ", which is not in its list");
+            refuse_dicom("the segmentation has a frame of a segment " + std::to_string(number) +
+                         ", which is not in its list");
     return all;
 }
 
@@ -143,7 +139,7 @@ Image read_dicom_segmentation(const DicomFile& file)
     const std::string type = file.data.text(0x00620001u);
     const bool fractional = type == "FRACTIONAL";
     if (type != "BINARY" && !fractional && type != "LABELMAP")
-        refuse("it is a DICOM segmentation of the type '" + printable(type) + "', which cannot be read");
+        refuse_dicom("it is a DICOM segmentation of the type '" + ascii_of(type) + "', which cannot be read");
     const DicomPixelFormat format = pixel_format_of(file);
     Image frames = pixels_of(file, format);
     const std::vector<DicomPlane> planes = planes_of(file, format.frames);
@@ -168,8 +164,8 @@ Image read_dicom_segmentation(const DicomFile& file)
         return labels;
     }
     if (frames.component != Component::uint8)
-        refuse("its segmentation has pixels of " + std::to_string(format.bits_allocated) +
-               " bits, which cannot be read");
+        refuse_dicom("its segmentation has pixels of " + std::to_string(format.bits_allocated) +
+                     " bits, which cannot be read");
     labels.component = Component::uint16;
     allocate_voxels(labels);
     std::fill_n(labels.voxels.get(), labels.bytes(), std::byte{0});

@@ -19,8 +19,6 @@ namespace fs = std::filesystem;
 namespace
 {
 
-[[noreturn]] void refuse(const std::string& sentence) { throw Error(CLEFT_ERROR_FORMAT, sentence); }
-
 struct SliceFile {
     std::string path;
     double number = 0;  // in the series
@@ -36,7 +34,7 @@ struct Series {
 };
 
 // Files that are no DICOM at all are passed over, and DICOM without voxels, too; damaged DICOM is an error.
-bool read_header(const std::string& path, DicomFile& file)
+bool read_dicom_header(const std::string& path, DicomFile& file)
 {
     const std::string head = first_bytes_of(path);
     if (!is_dicom_head(head))
@@ -81,7 +79,7 @@ std::vector<Series> series_in(const std::string& folder)
     std::vector<Series> list;
     for (const std::string& path : files_in(folder)) {
         DicomFile file;
-        if (!read_header(path, file))
+        if (!read_dicom_header(path, file))
             continue;
         naming_file(path, [&] {
             const std::vector<double> number = file.data.numbers(0x00200013u);
@@ -97,10 +95,10 @@ std::string names_of(const std::vector<Series>& list)
     std::string text;
     for (size_t s = 0; s < std::min(told, list.size()); ++s) {
         const Series& series = list[s];
-        text += std::string(s > 0 ? "; " : "") + "'" + printable(series.description) + "' (" +
-                (series.modality.empty() ? "" : printable(series.modality) + ", ") +
+        text += std::string(s > 0 ? "; " : "") + "'" + ascii_of(series.description) + "' (" +
+                (series.modality.empty() ? "" : ascii_of(series.modality) + ", ") +
                 std::to_string(series.files.size()) + (series.files.size() == 1 ? " file" : " files") + " of " +
-                series.size + ", UID " + printable(series.uid) + ", " +
+                series.size + ", UID " + ascii_of(series.uid) + ", " +
                 fs::path(series.files.front().path).filename().string() + " ...)";
     }
     return text + (list.size() > told ? "; and " + std::to_string(list.size() - told) + " more" : "");
@@ -116,8 +114,8 @@ DicomStack stack_by_number(const Series& series, std::vector<DicomPlane> planes,
                      [&](size_t a, size_t b) { return series.files[a].number < series.files[b].number; });
     for (size_t slot = 1; slot < order.size(); ++slot)
         if (series.files[order[slot]].number == series.files[order[slot - 1]].number)
-            refuse("its slices do not tell where they lie, and '" + series.files[order[slot - 1]].path + "' and '" +
-                   series.files[order[slot]].path + "' have the same number");
+            refuse_dicom("its slices do not tell where they lie, and '" + series.files[order[slot - 1]].path +
+                         "' and '" + series.files[order[slot]].path + "' have the same number");
     DicomStack stack;
     stack.slots.resize(planes.size());
     for (size_t slot = 0; slot < order.size(); ++slot)
@@ -131,8 +129,8 @@ DicomStack stack_by_number(const Series& series, std::vector<DicomPlane> planes,
 void add_slice(const Image& slice, size_t number, const std::string& first, Image& volume)
 {
     if (slice.dims[2] != 1)
-        refuse("it holds " + std::to_string(slice.dims[2]) +
-               " frames, but a series in a folder is of single slices: read that file alone");
+        refuse_dicom("it holds " + std::to_string(slice.dims[2]) +
+                     " frames, but a series in a folder is of single slices: read that file alone");
     if (number == 0) {
         volume.dims[0] = slice.dims[0];
         volume.dims[1] = slice.dims[1];
@@ -143,7 +141,7 @@ void add_slice(const Image& slice, size_t number, const std::string& first, Imag
         if (std::find(volume.notes.begin(), volume.notes.end(), note) == volume.notes.end())
             volume.notes.push_back(note);
     if (slice.component != volume.component)
-        refuse("it has another type of voxels than '" + first + "'");
+        refuse_dicom("it has another type of voxels than '" + first + "'");
     std::memcpy(volume.voxels.get() + number * slice.bytes(), slice.voxels.get(), slice.bytes());
 }
 

@@ -1,6 +1,7 @@
 // Formats of volumes that are not read, but known: each is called by its name, with a way to turn it into one that is.
 #include "base/error.hpp"
 #include "io/file_name.hpp"
+#include "io/header_values.hpp"
 #include "io/image_readers.hpp"
 
 namespace cleft::io
@@ -29,7 +30,7 @@ constexpr const char* by_png = "save its slices as .png or .tif";
 constexpr const char* by_check = "'cleft check FILE' reads it";
 constexpr const char* by_unzip = "decompress it first";
 
-constexpr Foreign table[] = {
+constexpr Foreign foreign_formats[] = {
     {"\0\0\0\1"sv, ".mgz .mgh .mgh.gz ", "a volume of FreeSurfer (MGH)",
      "'mri_convert FILE STEM.nii.gz' converts it, or in Python nibabel.save(nibabel.load('FILE'), 'STEM.nii.gz')"},
     {"\x93NUMPY"sv, "", "an array of NumPy", by_numpy},
@@ -101,13 +102,7 @@ std::string kind_of_vtk_xml(const FileHead& head)
     return std::string(text.substr(begin + 6, std::min<size_t>(text.find('"', begin + 6) - begin - 6, 40)));
 }
 
-void replace_all(std::string& text, const std::string& from, const std::string& to)
-{
-    for (size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-        text.replace(at, from.size(), to);
-}
-
-[[noreturn]] void refuse(const std::string& path, const std::string& name, std::string way)
+[[noreturn]] void refuse_foreign(const std::string& path, const std::string& name, std::string way)
 {
     const std::string file = path.substr(path.find_last_of('/') + 1);
     replace_all(way, "STEM", file.substr(0, file.size() - extension_of(path).size()));
@@ -119,7 +114,7 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
 
 bool has_foreign_mark(const FileHead& head)
 {
-    for (const Foreign& row : table)
+    for (const Foreign& row : foreign_formats)
         if (!row.mark.empty() && fits(row, head))
             return true;
     return false;
@@ -127,7 +122,7 @@ bool has_foreign_mark(const FileHead& head)
 
 bool is_foreign_format(const FileHead& head)
 {
-    for (const Foreign& row : table)
+    for (const Foreign& row : foreign_formats)
         if (fits(row, head))
             return true;
     return is_vtk_xml(head) || head.gzip;
@@ -135,15 +130,15 @@ bool is_foreign_format(const FileHead& head)
 
 Image refuse_foreign_format(const std::string& path, const FileHead& head)
 {
-    for (const Foreign& row : table)
+    for (const Foreign& row : foreign_formats)
         if (fits(row, head))
-            refuse(path, row.name, row.way);
+            refuse_foreign(path, row.name, row.way);
     if (!is_vtk_xml(head))
-        refuse(path, "compressed by gzip as a whole", "decompress it first, if it is a volume");
+        refuse_foreign(path, "compressed by gzip as a whole", "decompress it first, if it is a volume");
     const std::string kind = kind_of_vtk_xml(head);
     for (const std::string_view image : xml_images)
         if (kind == image)
-            refuse(path, "VTK XML (" + kind + ")", by_paraview);
+            refuse_foreign(path, "VTK XML (" + kind + ")", by_paraview);
     throw Error(CLEFT_ERROR_UNSUPPORTED, "it is VTK XML of kind '" + kind + "', not a volume");
 }
 

@@ -31,7 +31,7 @@ constexpr cleft_io_format_description row(cleft_io_format format, int32_t direct
     return {sizeof(cleft_io_format_description), format, directions, 0, name, extensions, text};
 }
 
-constexpr cleft_io_format_description table[] = {
+constexpr cleft_io_format_description formats[] = {
     row(CLEFT_FORMAT_VTU, both, "vtu", ".vtu", "VTK XML, tetrahedra with their material; binary, compressed"),
     row(CLEFT_FORMAT_VTP, out, "vtp", ".vtp", "VTK XML, interface triangles with their materials; binary, compressed"),
     row(CLEFT_FORMAT_VTK, both, "vtk", ".vtk", "VTK legacy, tetrahedra with their material; text"),
@@ -60,13 +60,13 @@ constexpr cleft_io_format_description table[] = {
 
 }  // namespace
 
-int32_t format_count() { return static_cast<int32_t>(std::size(table)); }
+int32_t format_count() { return static_cast<int32_t>(std::size(formats)); }
 
-const cleft_io_format_description& format_row(int32_t index) { return table[index]; }
+const cleft_io_format_description& format_row(int32_t index) { return formats[index]; }
 
 const cleft_io_format_description* find_format(cleft_io_format format)
 {
-    for (const auto& entry : table)
+    for (const auto& entry : formats)
         if (format > 0 && entry.format == format)
             return &entry;
     return nullptr;
@@ -74,7 +74,7 @@ const cleft_io_format_description* find_format(cleft_io_format format)
 
 const cleft_io_format_description* format_of_path(const std::string& path, int32_t directions)
 {
-    for (const auto& entry : table)
+    for (const auto& entry : formats)
         if (entry.format > 0 && (entry.directions & directions) && has_extension(entry, extension_of(path)))
             return &entry;
     return nullptr;
@@ -82,7 +82,7 @@ const cleft_io_format_description* format_of_path(const std::string& path, int32
 
 bool is_volume_path(const std::string& path)
 {
-    for (const auto& entry : table)
+    for (const auto& entry : formats)
         if ((entry.directions & CLEFT_IO_READS_VOLUME) && has_extension(entry, extension_of(path)))
             return true;
     return false;
@@ -91,7 +91,7 @@ bool is_volume_path(const std::string& path)
 std::string extensions_with(int32_t direction)
 {
     std::string text;
-    for (const auto& entry : table)
+    for (const auto& entry : formats)
         if ((entry.directions & direction) && text.find(entry.extensions) == std::string::npos)
             text += (text.empty() ? "" : " ") + std::string(entry.extensions);
     return text;

@@ -9,7 +9,11 @@
 namespace cleft::io
 {
 
+// A text in front of voxels that is longer than this is no header.
+constexpr uintmax_t longest_text_header = uintmax_t{1} << 26;
+
 std::string_view trimmed(std::string_view text);
+void replace_all(std::string& text, const std::string& from, const std::string& to);
 std::string in_small_letters(std::string_view text);
 std::vector<std::string> words_of(std::string_view text);
 

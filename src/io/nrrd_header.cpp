@@ -15,8 +15,6 @@ namespace
 {
 
 constexpr size_t most_axes = 16;
-constexpr uintmax_t longest_header = uintmax_t{1} << 26;
-
 struct TypeName {
     Component component;
     std::vector<std::string_view> names;
@@ -108,7 +106,7 @@ public:
             attached = line.empty();
             if (!attached)
                 take_line(line);
-            if (source_.position() > longest_header)
+            if (source_.position() > longest_text_header)
                 throw Error(CLEFT_ERROR_FORMAT, "its header has no end");
         }
         if (list_)

@@ -12,7 +12,7 @@ namespace cleft::io
 namespace
 {
 
-constexpr size_t header_bytes = 256;
+constexpr size_t gipl_header_bytes = 256;
 constexpr uint32_t marks[] = {719555000, 4026526128};
 
 Component component_of(uint16_t type)
@@ -31,7 +31,7 @@ Component component_of(uint16_t type)
 
 bool is_gipl(const FileHead& head)
 {
-    if (head.content.size() < header_bytes)
+    if (head.content.size() < gipl_header_bytes)
         return false;
     const auto mark = BinaryHeader(head.content, true).at<uint32_t>(252);
     return mark == marks[0] || mark == marks[1];
@@ -59,7 +59,7 @@ Image read_gipl(const std::string& path, const FileHead& head)
     data.attached = true;
     data.files = {path};
     data.encoding = head.gzip ? VoxelData::Encoding::deflated : VoxelData::Encoding::raw;
-    data.skip = header_bytes;
+    data.skip = gipl_header_bytes;
     read_voxels(data, image);
     return image;
 }

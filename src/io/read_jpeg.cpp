@@ -16,7 +16,7 @@ namespace
 
 // What libjpeg's calls share. They are left by longjmp, which passes over destructors: so the functions that call
 // libjpeg have none to run.
-struct Decoder {
+struct JpegDecoder {
     jpeg_decompress_struct jpeg{};
     jpeg_error_mgr errors{};
     jpeg_progress_mgr progress{};
@@ -24,10 +24,10 @@ struct Decoder {
     char message[JMSG_LENGTH_MAX] = {};
     bool created = false;
 
-    Decoder() = default;
-    Decoder(const Decoder&) = delete;
-    Decoder& operator=(const Decoder&) = delete;
-    ~Decoder()
+    JpegDecoder() = default;
+    JpegDecoder(const JpegDecoder&) = delete;
+    JpegDecoder& operator=(const JpegDecoder&) = delete;
+    ~JpegDecoder()
     {
         if (created)
             jpeg_destroy_decompress(&jpeg);
@@ -36,7 +36,7 @@ struct Decoder {
 
 [[noreturn]] void leave(j_common_ptr jpeg)
 {
-    auto* decoder = static_cast<Decoder*>(jpeg->client_data);
+    auto* decoder = static_cast<JpegDecoder*>(jpeg->client_data);
     (*jpeg->err->format_message)(jpeg, decoder->message);
     std::longjmp(decoder->leave, 1);
 }
@@ -56,12 +56,12 @@ void check_scans(j_common_ptr jpeg)
     constexpr int most_scans = 500;
     if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number <= most_scans)
         return;
-    auto* decoder = static_cast<Decoder*>(jpeg->client_data);
+    auto* decoder = static_cast<JpegDecoder*>(jpeg->client_data);
     std::snprintf(decoder->message, sizeof decoder->message, "more than %d scans", most_scans);
     std::longjmp(decoder->leave, 1);
 }
 
-bool read_header(Decoder& decoder, std::FILE* file)
+bool read_jpeg_header(JpegDecoder& decoder, std::FILE* file)
 {
     if (setjmp(decoder.leave))
         return false;
@@ -79,7 +79,7 @@ bool read_header(Decoder& decoder, std::FILE* file)
     return true;
 }
 
-bool read_rows(Decoder& decoder, std::byte* voxels)
+bool read_rows(JpegDecoder& decoder, std::byte* voxels)
 {
     if (setjmp(decoder.leave))
         return false;
@@ -93,12 +93,12 @@ bool read_rows(Decoder& decoder, std::byte* voxels)
     return true;
 }
 
-[[noreturn]] void damaged(const Decoder& decoder)
+[[noreturn]] void damaged(const JpegDecoder& decoder)
 {
     throw Error(CLEFT_ERROR_FORMAT, std::string("it is damaged or cut short (libjpeg: '") + decoder.message + "')");
 }
 
-void check_kind(const Decoder& decoder, uintmax_t file_bytes)
+void check_jpeg(const JpegDecoder& decoder, uintmax_t file_bytes)
 {
     constexpr double most_expansion = 4096;  // a block of 64 voxels takes about a bit
     if (decoder.jpeg.num_components != 1)
@@ -118,10 +118,10 @@ Image read_jpeg(const std::string& path, const FileHead& head)
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file)
         throw Error(CLEFT_ERROR_FILE, "it cannot be opened");
-    Decoder decoder;
-    if (!read_header(decoder, file.get()))
+    JpegDecoder decoder;
+    if (!read_jpeg_header(decoder, file.get()))
         damaged(decoder);
-    check_kind(decoder, head.size);
+    check_jpeg(decoder, head.size);
     Image image;
     image.dims = {decoder.jpeg.image_width, decoder.jpeg.image_height, 1};
     allocate_voxels(image);

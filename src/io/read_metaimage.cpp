@@ -16,8 +16,6 @@ namespace cleft::io
 namespace
 {
 
-constexpr uintmax_t longest_header = uintmax_t{1} << 26;
-
 using Fields = std::map<std::string, std::string>;
 
 struct MetaHeader {
@@ -28,7 +26,7 @@ struct MetaHeader {
 
 bool is_list(const std::string& value) { return value.substr(0, 4) == "LIST"; }
 
-MetaHeader read_header(const std::string& path)
+MetaHeader read_meta_header(const std::string& path)
 {
     TextSource source(path);
     MetaHeader header;
@@ -36,7 +34,7 @@ MetaHeader read_header(const std::string& path)
     while (header.fields.count("ElementDataFile") == 0) {
         if (!source.next_line(line))
             throw Error(CLEFT_ERROR_FORMAT, "its header has no field 'ElementDataFile', or is cut short");
-        if (source.position() > longest_header)
+        if (source.position() > longest_text_header)
             throw Error(CLEFT_ERROR_FORMAT, "its header has no end");
         if (trimmed(line).empty())
             continue;
@@ -342,7 +340,7 @@ bool is_metaimage(const FileHead& head)
 
 Image read_metaimage(const std::string& path, const FileHead&)
 {
-    const MetaHeader header = read_header(path);
+    const MetaHeader header = read_meta_header(path);
     const std::vector<int64_t> sizes = sizes_of(header.fields);
     Image image;
     image.component = component_of(header.fields);

@@ -14,7 +14,7 @@ namespace cleft::io
 namespace
 {
 
-constexpr size_t header_bytes = 1024;
+constexpr size_t mrc_header_bytes = 1024;
 constexpr size_t mark_place = 208;
 constexpr int32_t imod_stamp = 1146047817;
 
@@ -82,7 +82,7 @@ void set_place(const BinaryHeader& header, Image& image)
 
 bool is_mrc(const FileHead& head)
 {
-    return !head.gzip && head.content.size() >= header_bytes && head.text().substr(mark_place, 3) == "MAP";
+    return !head.gzip && head.content.size() >= mrc_header_bytes && head.text().substr(mark_place, 3) == "MAP";
 }
 
 Image read_mrc(const std::string& path, const FileHead& head)
@@ -107,7 +107,7 @@ Image read_mrc(const std::string& path, const FileHead& head)
     data.big_endian = stamp == 0x11;
     data.attached = true;
     data.files = {path};
-    data.skip = static_cast<int64_t>(header_bytes) + extension;
+    data.skip = static_cast<int64_t>(mrc_header_bytes) + extension;
     read_voxels(data, image);
     const auto is_high = [](std::byte byte) { return byte >= std::byte{128}; };
     if (size_of(image.component) == 1 && std::any_of(image.voxels.get(), image.voxels.get() + image.bytes(), is_high))

@@ -60,7 +60,7 @@ std::string partner(const std::string& path, const std::string& small, const std
 
 bool is_voxels_of_pair(const std::string& extension) { return extension == ".img" || extension == ".img.gz"; }
 
-NiftiHeader read_header(const std::string& path)
+NiftiHeader read_nifti_header(const std::string& path)
 {
     ByteSource source(path, coding_of(path));
     std::vector<unsigned char> bytes(nifti2_header_bytes);
@@ -73,13 +73,13 @@ NiftiHeader read_header(const std::string& path)
     return parse_nifti_header(bytes.data(), bytes.size());
 }
 
-struct Type {
+struct NiftiType {
     int code;
     int bits;
     Component component;
 };
 
-constexpr Type types[] = {
+constexpr NiftiType nifti_types[] = {
     {2, 8, Component::uint8},      {4, 16, Component::int16},    {8, 32, Component::int32},
     {16, 32, Component::float32},  {64, 64, Component::float64}, {256, 8, Component::int8},
     {512, 16, Component::uint16},  {768, 32, Component::uint32}, {1024, 64, Component::int64},
@@ -108,7 +108,7 @@ const char* refused_type(int code)
 
 Component component_of(const NiftiHeader& header)
 {
-    for (const Type& type : types) {
+    for (const NiftiType& type : nifti_types) {
         if (type.code != header.datatype)
             continue;
         if (type.bits != header.bitpix)
@@ -162,7 +162,7 @@ void check_dimensions(NiftiHeader& header)
         throw Error(CLEFT_ERROR_FORMAT, "it has " + std::to_string(axes) + " dimensions; at most four are wanted");
 }
 
-uintmax_t voxel_offset(const NiftiHeader& header)
+uintmax_t offset_of_voxels(const NiftiHeader& header)
 {
     const double least = header.single_file ? static_cast<double>(header.bytes() + nifti_extension_mark) : 0;
     const double offset = header.vox_offset;
@@ -208,7 +208,7 @@ void skip_extensions(ByteSource& source, const NiftiHeader& header, uintmax_t of
 
 void read_voxels(const std::string& path, const NiftiHeader& header, Image& image)
 {
-    const uintmax_t offset = voxel_offset(header);
+    const uintmax_t offset = offset_of_voxels(header);
     ByteSource source(path, coding_of(path));
     if (header.single_file) {
         source.skip(header.bytes());
@@ -251,7 +251,7 @@ bool is_nifti(const FileHead& head)
 Image read_nifti(const std::string& path, const FileHead& head)
 {
     Names names = names_of(path, head);
-    NiftiHeader header = read_header(names.header);
+    NiftiHeader header = read_nifti_header(names.header);
     if (header.single_file)
         names.voxels = names.header;
     else if (names.voxels == names.header)

@@ -1,5 +1,6 @@
 // Reads PNG pictures of one number a pixel by libpng, whose messages are kept.
 #include "base/error.hpp"
+#include "io/byte_source.hpp"
 #include "io/image_readers.hpp"
 
 #include <png.h>
@@ -19,27 +20,27 @@ constexpr size_t signature_bytes = 8;
 
 // What libpng's calls share. libpng leaves them by longjmp, which passes over destructors: so the functions that call
 // it have none to run.
-struct Decoder {
+struct PngDecoder {
     png_structp png = nullptr;
     png_infop info = nullptr;
     char error[200] = {};
 
-    Decoder() = default;
-    Decoder(const Decoder&) = delete;
-    Decoder& operator=(const Decoder&) = delete;
-    ~Decoder() { png_destroy_read_struct(&png, &info, nullptr); }
+    PngDecoder() = default;
+    PngDecoder(const PngDecoder&) = delete;
+    PngDecoder& operator=(const PngDecoder&) = delete;
+    ~PngDecoder() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
 [[noreturn]] void keep_error(png_structp png, png_const_charp message)
 {
-    auto* decoder = static_cast<Decoder*>(png_get_error_ptr(png));
+    auto* decoder = static_cast<PngDecoder*>(png_get_error_ptr(png));
     std::snprintf(decoder->error, sizeof decoder->error, "%s", message);
     png_longjmp(png, 1);
 }
 
 void drop_warning(png_structp, png_const_charp) {}
 
-bool read_header(Decoder& decoder, std::FILE* file)
+bool read_png_header(PngDecoder& decoder, std::FILE* file)
 {
     if (setjmp(png_jmpbuf(decoder.png)))
         return false;
@@ -49,7 +50,7 @@ bool read_header(Decoder& decoder, std::FILE* file)
     return true;
 }
 
-bool read_rows(Decoder& decoder, png_bytepp rows)
+bool read_rows(PngDecoder& decoder, png_bytepp rows)
 {
     if (setjmp(png_jmpbuf(decoder.png)))
         return false;
@@ -62,14 +63,13 @@ bool read_rows(Decoder& decoder, png_bytepp rows)
     return true;
 }
 
-[[noreturn]] void damaged(const Decoder& decoder)
+[[noreturn]] void damaged(const PngDecoder& decoder)
 {
     throw Error(CLEFT_ERROR_FORMAT, std::string("it is damaged or cut short (libpng: '") + decoder.error + "')");
 }
 
-void check_kind(const Decoder& decoder, uintmax_t file_bytes)
+void check_png(const PngDecoder& decoder, uintmax_t file_bytes)
 {
-    constexpr double most_expansion = 1100;  // of deflate
     const int colour = png_get_color_type(decoder.png, decoder.info);
     if (colour != PNG_COLOR_TYPE_GRAY && colour != PNG_COLOR_TYPE_PALETTE)
         throw Error(CLEFT_ERROR_FORMAT,
@@ -79,7 +79,7 @@ void check_kind(const Decoder& decoder, uintmax_t file_bytes)
                         "; one is wanted");
     const double decoded = static_cast<double>(png_get_rowbytes(decoder.png, decoder.info)) *
                            static_cast<double>(png_get_image_height(decoder.png, decoder.info));
-    if (decoded > most_expansion * static_cast<double>(file_bytes))
+    if (decoded > greatest_deflate_ratio * static_cast<double>(file_bytes))
         throw Error(CLEFT_ERROR_FORMAT, "it claims more voxels than its bytes can hold");
 }
 
@@ -112,14 +112,14 @@ Image read_png(const std::string& path, const FileHead& head)
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file)
         throw Error(CLEFT_ERROR_FILE, "it cannot be opened");
-    Decoder decoder;
+    PngDecoder decoder;
     decoder.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &decoder, keep_error, drop_warning);
     decoder.info = decoder.png ? png_create_info_struct(decoder.png) : nullptr;
     if (!decoder.info)
         throw std::bad_alloc();
-    if (!read_header(decoder, file.get()))
+    if (!read_png_header(decoder, file.get()))
         damaged(decoder);
-    check_kind(decoder, head.size);
+    check_png(decoder, head.size);
     Image image;
     image.dims = {png_get_image_width(decoder.png, decoder.info), png_get_image_height(decoder.png, decoder.info), 1};
     image.component = png_get_bit_depth(decoder.png, decoder.info) == 16 ? Component::uint16 : Component::uint8;

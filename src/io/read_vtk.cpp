@@ -114,7 +114,7 @@ void read_field(TextScanner& in, std::vector<CellArray>* arrays)
     }
 }
 
-void read_header(TextScanner& in, const std::string& path)
+void read_vtk_header(TextScanner& in, const std::string& path)
 {
     if (in.rest_of_line().substr(0, 14) != "# vtk DataFile")
         in.fail("a VTK file begins with '# vtk DataFile'");
@@ -130,7 +130,7 @@ void read_header(TextScanner& in, const std::string& path)
 MeshData read_vtk(const std::string& path)
 {
     TextScanner in(path);
-    read_header(in, path);
+    read_vtk_header(in, path);
     MeshData mesh;
     CellLists cells;
     std::vector<CellArray> arrays;

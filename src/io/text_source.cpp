@@ -12,7 +12,7 @@ namespace cleft::io
 namespace
 {
 
-constexpr size_t buffer_bytes = size_t{1} << 16;
+constexpr size_t text_buffer_bytes = size_t{1} << 16;
 constexpr size_t longest_line = size_t{1} << 24;
 constexpr size_t longest_word = 1024;
 
@@ -20,7 +20,7 @@ bool is_blank(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 }  // namespace
 
-TextSource::TextSource(const std::string& path) : source_(path, Coding::plain), buffer_(buffer_bytes)
+TextSource::TextSource(const std::string& path) : source_(path, Coding::plain), buffer_(text_buffer_bytes)
 {
     constexpr std::string_view mark = "\xef\xbb\xbf";
     peek_byte();

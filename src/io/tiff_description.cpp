@@ -3,6 +3,7 @@
 #include "io/tiff_description.hpp"
 
 #include "base/error.hpp"
+#include "io/header_values.hpp"
 #include "io/xml_scanner.hpp"
 
 #include <charconv>
@@ -231,12 +232,6 @@ TiffDescription tifffile_shape(const std::string& shape, std::string axes, const
         throw Error(CLEFT_ERROR_FORMAT, "tifffile says that its shape is (" + shape.substr(0, 80) +
                                             "), which has more than three axes: save one volume by itself");
     return found;
-}
-
-void replace_all(std::string& text, const std::string& from, const std::string& to)
-{
-    for (size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-        text.replace(at, from.size(), to);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "io/vtk_array.hpp"
 
 #include "base/error.hpp"
+#include "io/byte_source.hpp"
 #include "io/compressed_blocks.hpp"
 
 #include <algorithm>
@@ -12,9 +13,6 @@ namespace cleft::io
 
 namespace
 {
-
-// zlib shrinks by this factor at most: a longer claim is a damaged one.
-constexpr uint64_t greatest_ratio = 1100;
 
 [[noreturn]] void damaged(const XmlTag& array, const std::string& what)
 {
@@ -117,7 +115,7 @@ std::string read_compressed(Stored stored)
     for (uint64_t b = 0, at = 0; b < blocks; ++b) {
         const uint64_t size = b + 1 == blocks && last_bytes > 0 ? last_bytes : block_bytes;
         const uint64_t packed_size = stored.header_item(header, 3 + b);
-        if (size / greatest_ratio > packed_size)
+        if (size / greatest_deflate_ratio > packed_size)
             damaged(stored.array, "has a damaged header");
         bytes.resize(bytes.size() + size);
         if (!inflate_block(packed.data() + at, packed_size, bytes.data() + bytes.size() - size, size))

@@ -13,14 +13,14 @@ namespace cleft::io
 namespace
 {
 
-struct Type {
+struct VtkType {
     bool is_bit = false;
     bool is_numeric = true;
     Component component = Component::uint8;
 };
 
 // `long` has the size that it has on all systems but Windows. VTK writes its ids as 32-bit numbers.
-Type type_named(const std::string& name)
+VtkType type_named(const std::string& name)
 {
     static const std::map<std::string, Component> numbers{
         {"unsigned_char", Component::uint8}, {"char", Component::int8},
@@ -35,7 +35,7 @@ Type type_named(const std::string& name)
         {"vtktypeint64", Component::int64},  {"vtktypeuint64", Component::uint64},
         {"float", Component::float32},       {"double", Component::float64}};
     const std::string small = in_small_letters(name);
-    Type type;
+    VtkType type;
     if (small == "bit") {
         type.is_bit = true;
         return type;
@@ -88,7 +88,7 @@ void skip_strings(TextSource& source, bool binary, int64_t count)
     }
 }
 
-void skip_values(TextSource& source, bool binary, const Type& type, int64_t count)
+void skip_values(TextSource& source, bool binary, const VtkType& type, int64_t count)
 {
     if (!type.is_numeric)
         skip_strings(source, binary, count);
@@ -173,7 +173,7 @@ private:
                                                 std::to_string(wanted));
     }
 
-    void add(const std::string& array_name, const Type& type, int64_t components)
+    void add(const std::string& array_name, const VtkType& type, int64_t components)
     {
         VtkArray array;
         array.name = array_name;
@@ -192,7 +192,7 @@ private:
     void take_scalars()
     {
         const std::string array_name = name("a name of SCALARS");
-        const Type type = type_named(name("a type of SCALARS"));
+        const VtkType type = type_named(name("a type of SCALARS"));
         std::string rest;
         source_.next_line(rest);
         const std::string_view given = trimmed(rest);
@@ -207,7 +207,7 @@ private:
     void take_fixed(int64_t components, bool is_id)
     {
         const std::string array_name = name("a name");
-        const Type type = type_named(name("a type"));
+        const VtkType type = type_named(name("a type"));
         end_line();
         add(array_name, type, components);
         arrays_.back().is_id = is_id;
@@ -218,7 +218,7 @@ private:
         const std::string array_name = name("a name of COLOR_SCALARS");
         const int64_t components = vtk_count(source_, "COLOR_SCALARS");
         end_line();
-        add(array_name, Type{}, components);
+        add(array_name, VtkType{}, components);
         arrays_.back().is_colour = true;
     }
 
@@ -226,7 +226,7 @@ private:
     {
         const std::string array_name = name("a name of TEXTURE_COORDINATES");
         const int64_t components = vtk_count(source_, "TEXTURE_COORDINATES");
-        const Type type = type_named(name("a type"));
+        const VtkType type = type_named(name("a type"));
         end_line();
         add(array_name, type, components);
     }
@@ -236,7 +236,7 @@ private:
         name("a name of LOOKUP_TABLE");
         const int64_t colours = vtk_count(source_, "LOOKUP_TABLE");
         end_line();
-        skip_values(source_, binary_, Type{}, product(colours, 4));
+        skip_values(source_, binary_, VtkType{}, product(colours, 4));
     }
 
     void take_field()
@@ -251,7 +251,7 @@ private:
             }
             const int64_t components = vtk_count(source_, "FIELD");
             const int64_t tuples = vtk_count(source_, "FIELD");
-            const Type type = type_named(name("a type"));
+            const VtkType type = type_named(name("a type"));
             end_line();
             if (tuples != tuples_)
                 throw Error(CLEFT_ERROR_FORMAT, "its array '" + array_name.substr(0, 40) + "' has " +
@@ -282,7 +282,7 @@ int64_t vtk_count(TextSource& source, const char* what)
 
 Component vtk_number_type(const std::string& type)
 {
-    const Type found = type_named(type);
+    const VtkType found = type_named(type);
     if (found.is_bit || !found.is_numeric)
         throw Error(CLEFT_ERROR_FORMAT, "its coordinates are of the type '" + type + "'; numbers are wanted");
     return found.component;

@@ -8,7 +8,7 @@ namespace cleft::io
 namespace
 {
 
-void write_elements(const MeshView& mesh, AtomicFile& file)
+void write_msh22_elements(const MeshView& mesh, AtomicFile& file)
 {
     file.print("$Elements\n", mesh.triangle_count() + mesh.tet_count, '\n');
     int64_t element = 0;
@@ -40,7 +40,7 @@ void write_msh22(const MeshView& mesh, const std::string& path)
         file.print(i + 1, ' ', p[0], ' ', p[1], ' ', p[2], '\n');
     }
     file.print("$EndNodes\n");
-    write_elements(mesh, file);
+    write_msh22_elements(mesh, file);
     file.commit();
 }
 

@@ -19,7 +19,7 @@ void write_nodes(const MeshView& mesh, AtomicFile& file)
     }
 }
 
-void write_elements(const MeshView& mesh, AtomicFile& file)
+void write_ele(const MeshView& mesh, AtomicFile& file)
 {
     file.print(mesh.tet_count, " 4 1\n");
     for (int64_t t = 0; t < mesh.tet_count; ++t) {
@@ -54,7 +54,7 @@ void write_tetgen(const MeshView& mesh, const std::string& path)
     AtomicFile nodes(prefix + ".node");
     write_nodes(mesh, nodes);
     AtomicFile elements(prefix + ".ele");
-    write_elements(mesh, elements);
+    write_ele(mesh, elements);
     AtomicFile faces(prefix + ".face");
     write_faces(mesh, faces);
     AtomicFile::commit_all({&nodes, &elements, &faces});

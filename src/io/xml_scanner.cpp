@@ -14,14 +14,14 @@ namespace
 constexpr std::pair<char, std::string_view> entities[] = {
     {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&apos;"}};
 
-constexpr const char* blanks = " \t\r\n";
+constexpr const char* xml_blanks = " \t\r\n";
 
 // name="value" or name='value', any number of them.
 std::map<std::string, std::string> parse_attributes(std::string_view text)
 {
     std::map<std::string, std::string> attributes;
     for (size_t at = 0;;) {
-        at = text.find_first_not_of(blanks, at);
+        at = text.find_first_not_of(xml_blanks, at);
         const size_t equals = text.find('=', at);
         if (at == std::string_view::npos || equals == std::string_view::npos)
             return attributes;
@@ -30,7 +30,7 @@ std::map<std::string, std::string> parse_attributes(std::string_view text)
         if (close == std::string_view::npos)
             return attributes;
         std::string name(text.substr(at, equals - at));
-        name.erase(name.find_last_not_of(blanks) + 1);
+        name.erase(name.find_last_not_of(xml_blanks) + 1);
         attributes[name] = from_xml(text.substr(open + 1, close - open - 1));
         at = close + 1;
     }

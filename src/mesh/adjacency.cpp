@@ -11,8 +11,6 @@ namespace cleft
 namespace
 {
 
-constexpr int64_t kGrain = 2048;
-
 [[noreturn]] void refuse_crowded_face(const HalfFace* faces, size_t count)
 {
     throw Error(CLEFT_ERROR_INVALID_MESH, std::to_string(count) + " tetrahedra share one face: the " +
@@ -33,7 +31,7 @@ std::vector<std::array<int32_t, 4>> tet_neighbours(const std::vector<Tet>& tets,
     const auto link = [&](const HalfFace& from, const HalfFace& to) {
         neighbours[static_cast<size_t>(from.tet())][static_cast<size_t>(from.corner())] = to.tet();
     };
-    parallel_for(run, point_count, kGrain, [&](int64_t begin, int64_t end) {
+    parallel_for(run, point_count, FaceBuckets::points_at_once, [&](int64_t begin, int64_t end) {
         buckets.for_each_face(begin, end, [&](const HalfFace* faces, size_t count) {
             if (count > 2)
                 refuse_crowded_face(faces, count);

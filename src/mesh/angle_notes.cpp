@@ -1,5 +1,6 @@
 #include "mesh/angle_notes.hpp"
 
+#include "base/degrees.hpp"
 #include "mesh/quality.hpp"
 
 #include <algorithm>
@@ -12,9 +13,6 @@ namespace
 {
 
 constexpr double kCountBelow[] = {10, 15, 20, 25};
-constexpr int32_t kTetsACheck = 1 << 16;  // between two looks for a cancel
-
-double sine(double degrees) { return std::sin(degrees * M_PI / 180); }
 
 struct AngleSummary {
     double least = 180, greatest = 0;
@@ -37,7 +35,7 @@ struct AngleSummary {
             below[i] += *low < kCountBelow[i];
         // The quality is at most the sine of every angle.
         const double nearest = std::max({kCountBelow[3], std::min(least, 90.0), 180 - std::max(greatest, 90.0)});
-        of_no_interest = sine(nearest) * (1 + 1e-12);
+        of_no_interest = sine_of(nearest) * (1 + 1e-12);
     }
 };
 
@@ -50,8 +48,7 @@ void note_angles(const LocalMesh& mesh, const std::string& prefix, const std::st
     AngleSummary summary;
     for (int32_t t = 0; t < mesh.slot_count(); ++t)
         if (mesh.alive(t)) {
-            if (t % kTetsACheck == 0)
-                run.check();
+            run.check_at(t);
             summary.add(mesh, t);
         }
     const auto note = [&](const char* name, double value) { run.note(prefix + "." + name + "_" + when, value); };

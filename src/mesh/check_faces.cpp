@@ -10,7 +10,6 @@ namespace cleft
 namespace
 {
 
-constexpr int64_t kGrain = 2048;
 constexpr double kSideTolerance = 1e-6;  // of the longest side of the box
 
 // A mesh with what the checks of its faces need.
@@ -36,7 +35,7 @@ struct Subject {
     }
 };
 
-struct Part {
+struct FacesPart {
     FaceChecks checks;
     std::vector<uint32_t> ragged;      // faces of one tetrahedron or of more than two
     std::vector<uint32_t> interfaces;  // faces between two materials
@@ -53,7 +52,7 @@ int side_of_face(const Subject& s, const HalfFace& face)
     return odd ? -static_cast<int>(sign) : static_cast<int>(sign);
 }
 
-void check_hull_face(const Subject& s, const HalfFace& face, Part& part)
+void check_hull_face(const Subject& s, const HalfFace& face, FacesPart& part)
 {
     part.checks.hull.add(face.id);
     part.ragged.push_back(face.id);
@@ -65,7 +64,7 @@ void check_hull_face(const Subject& s, const HalfFace& face, Part& part)
         part.checks.off_box.add(face.id);
 }
 
-void check_shared_face(const Subject& s, const HalfFace& first, const HalfFace& second, Part& part)
+void check_shared_face(const Subject& s, const HalfFace& first, const HalfFace& second, FacesPart& part)
 {
     part.checks.shared.add(first.id);
     if (side_of_face(s, first) * side_of_face(s, second) > 0)
@@ -76,7 +75,7 @@ void check_shared_face(const Subject& s, const HalfFace& first, const HalfFace& 
     }
 }
 
-void check_face(const Subject& s, const HalfFace* face, size_t count, Part& part)
+void check_face(const Subject& s, const HalfFace* face, size_t count, FacesPart& part)
 {
     if (count == 1) {
         check_hull_face(s, face[0], part);
@@ -88,7 +87,7 @@ void check_face(const Subject& s, const HalfFace* face, size_t count, Part& part
     }
 }
 
-void append(Part& whole, Part&& part)
+void append(FacesPart& whole, FacesPart&& part)
 {
     whole.checks.hull.append(part.checks.hull);
     whole.checks.shared.append(part.checks.shared);
@@ -99,21 +98,21 @@ void append(Part& whole, Part&& part)
     whole.checks.hull_area += part.checks.hull_area;
     whole.ragged.insert(whole.ragged.end(), part.ragged.begin(), part.ragged.end());
     whole.interfaces.insert(whole.interfaces.end(), part.interfaces.begin(), part.interfaces.end());
-    part = Part();
+    part = FacesPart();
 }
 
-Part check_all_faces(const Subject& s, const Run& run)
+FacesPart check_all_faces(const Subject& s, const Run& run)
 {
     const auto point_count = static_cast<int64_t>(s.mesh.points.size());
     const FaceBuckets buckets(s.mesh.tets, point_count, run);
-    std::vector<Part> parts(static_cast<size_t>(chunk_count(point_count, kGrain)));
-    parallel_chunks(run, point_count, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
-        Part& part = parts[static_cast<size_t>(chunk)];
+    std::vector<FacesPart> parts(static_cast<size_t>(chunk_count(point_count, FaceBuckets::points_at_once)));
+    parallel_chunks(run, point_count, FaceBuckets::points_at_once, [&](int64_t chunk, int64_t begin, int64_t end) {
+        FacesPart& part = parts[static_cast<size_t>(chunk)];
         buckets.for_each_face(begin, end,
                               [&](const HalfFace* face, size_t count) { check_face(s, face, count, part); });
     });
-    Part whole;
-    for (Part& part : parts)
+    FacesPart whole;
+    for (FacesPart& part : parts)
         append(whole, std::move(part));
     return whole;
 }
@@ -134,7 +133,7 @@ std::vector<char> points_of_open_edges(const Subject& s, const std::vector<uint3
     return marked;
 }
 
-Tally find_open_edges(const Subject& s, const Part& faces)
+Tally find_open_edges(const Subject& s, const FacesPart& faces)
 {
     const std::vector<char> marked = points_of_open_edges(s, faces.ragged);
     std::vector<int64_t> edges;
@@ -164,7 +163,7 @@ FaceChecks check_faces(const LabelledMesh& mesh, const BoundingBox& box, const s
                        const Placement& world, const Run& run)
 {
     const Subject subject{mesh, box, sign, world, kSideTolerance * box.longest()};
-    const Part faces = check_all_faces(subject, run);
+    const FacesPart faces = check_all_faces(subject, run);
     FaceChecks out = faces.checks;
     out.open_edges = find_open_edges(subject, faces);
     return out;

@@ -11,16 +11,16 @@ namespace
 
 constexpr double kCells = 1e9;  // along the longest side: points of one cell are at the same place
 
-struct Place {
+struct PlaceInBox {
     uint64_t xy;
     uint32_t z;
     int32_t point;
 
-    bool same(const Place& o) const { return xy == o.xy && z == o.z; }
-    bool operator<(const Place& o) const { return xy != o.xy ? xy < o.xy : z != o.z ? z < o.z : point < o.point; }
+    bool same(const PlaceInBox& o) const { return xy == o.xy && z == o.z; }
+    bool operator<(const PlaceInBox& o) const { return xy != o.xy ? xy < o.xy : z != o.z ? z < o.z : point < o.point; }
 };
 
-Place place_of(const std::vector<Vec3>& points, size_t p, const BoundingBox& box)
+PlaceInBox place_in_box(const std::vector<Vec3>& points, size_t p, const BoundingBox& box)
 {
     // Halves, because the difference of two finite numbers may overflow.
     const double longest = (box.hi / 2 - box.lo / 2).maxCoeff();
@@ -34,11 +34,11 @@ Place place_of(const std::vector<Vec3>& points, size_t p, const BoundingBox& box
 
 void check_repeated(const std::vector<Vec3>& points, const std::vector<char>& used, PointChecks& out)
 {
-    std::vector<Place> places;
+    std::vector<PlaceInBox> places;
     places.reserve(points.size());
     for (size_t p = 0; p < points.size(); ++p)
         if (used[p] && points[p].allFinite())
-            places.push_back(place_of(points, p, out.box));
+            places.push_back(place_in_box(points, p, out.box));
     std::sort(places.begin(), places.end());
     for (size_t i = 1; i < places.size(); ++i)
         if (places[i].same(places[i - 1])) {

@@ -10,7 +10,7 @@ namespace cleft
 namespace
 {
 
-constexpr int64_t kGrain = 4096;
+constexpr int64_t kTetsChecked = 4096;
 constexpr double kFlatVolume = 1e-12;  // of the cube of the mean edge
 
 std::array<Vec3, 4> corners_of(const LabelledMesh& mesh, size_t t)
@@ -29,7 +29,7 @@ double sum_of_edges(const std::array<Vec3, 4>& x)
     return sum;
 }
 
-struct Part {
+struct TetsPart {
     TetChecks checks;
     double edges = 0;
     int64_t measured = 0;
@@ -37,16 +37,16 @@ struct Part {
 
 // The parts of measure(t, part) over all tetrahedra, joined in their order.
 template <class Measure>
-Part over_tets(const LabelledMesh& mesh, const Run& run, const Measure& measure)
+TetsPart over_tets(const LabelledMesh& mesh, const Run& run, const Measure& measure)
 {
     const auto count = static_cast<int64_t>(mesh.tets.size());
-    std::vector<Part> parts(static_cast<size_t>(chunk_count(count, kGrain)));
-    parallel_chunks(run, count, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
+    std::vector<TetsPart> parts(static_cast<size_t>(chunk_count(count, kTetsChecked)));
+    parallel_chunks(run, count, kTetsChecked, [&](int64_t chunk, int64_t begin, int64_t end) {
         for (int64_t t = begin; t < end; ++t)
             measure(static_cast<size_t>(t), parts[static_cast<size_t>(chunk)]);
     });
-    Part whole;
-    for (const Part& part : parts) {
+    TetsPart whole;
+    for (const TetsPart& part : parts) {
         whole.checks.bad_index.append(part.checks.bad_index);
         whole.checks.repeated_corner.append(part.checks.repeated_corner);
         whole.checks.negative.append(part.checks.negative);
@@ -59,10 +59,10 @@ Part over_tets(const LabelledMesh& mesh, const Run& run, const Measure& measure)
 }
 
 // Signs, bad indices, repeated corners and edges.
-Part check_corners(const LabelledMesh& mesh, std::vector<Sign>& sign, const Run& run)
+TetsPart check_corners(const LabelledMesh& mesh, std::vector<Sign>& sign, const Run& run)
 {
     const auto point_count = static_cast<int64_t>(mesh.points.size());
-    return over_tets(mesh, run, [&](size_t t, Part& part) {
+    return over_tets(mesh, run, [&](size_t t, TetsPart& part) {
         const auto place = static_cast<int64_t>(t);
         if (has_bad_index(mesh.tets[t], point_count))
             return part.checks.bad_index.add(place);
@@ -77,9 +77,9 @@ Part check_corners(const LabelledMesh& mesh, std::vector<Sign>& sign, const Run&
     });
 }
 
-Part check_volumes(const LabelledMesh& mesh, const std::vector<Sign>& sign, double flat_volume, const Run& run)
+TetsPart check_volumes(const LabelledMesh& mesh, const std::vector<Sign>& sign, double flat_volume, const Run& run)
 {
-    return over_tets(mesh, run, [&](size_t t, Part& part) {
+    return over_tets(mesh, run, [&](size_t t, TetsPart& part) {
         if (sign[t] == Sign::unknown)
             return;
         const std::array<Vec3, 4> x = corners_of(mesh, t);
@@ -97,9 +97,9 @@ Part check_volumes(const LabelledMesh& mesh, const std::vector<Sign>& sign, doub
 TetChecks check_tets(const LabelledMesh& mesh, const Run& run)
 {
     std::vector<Sign> sign(mesh.tets.size(), Sign::unknown);
-    const Part corners = check_corners(mesh, sign, run);
+    const TetsPart corners = check_corners(mesh, sign, run);
     const double mean_edge = corners.measured ? corners.edges / (6 * static_cast<double>(corners.measured)) : 0;
-    const Part volumes = check_volumes(mesh, sign, kFlatVolume * mean_edge * mean_edge * mean_edge, run);
+    const TetsPart volumes = check_volumes(mesh, sign, kFlatVolume * mean_edge * mean_edge * mean_edge, run);
 
     TetChecks out = volumes.checks;
     out.bad_index = corners.checks.bad_index;

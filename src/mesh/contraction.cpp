@@ -12,10 +12,6 @@ namespace
 
 constexpr Material kOutside = -1;
 
-size_t at(int32_t i) { return static_cast<size_t>(i); }
-
-bool has_corner(const Tet& tet, int32_t v) { return std::find(tet.begin(), tet.end(), v) != tet.end(); }
-
 void keep_different(std::vector<Material>& materials)
 {
     std::sort(materials.begin(), materials.end());

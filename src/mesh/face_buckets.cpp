@@ -10,7 +10,6 @@ namespace
 {
 
 constexpr size_t kMostTets = size_t{1} << 30;
-constexpr size_t kTetsACheck = size_t{1} << 16;  // between two looks for a cancel
 
 // The least point of the face opposite each corner.
 std::array<int32_t, 4> least_points(const Tet& t)
@@ -55,8 +54,7 @@ FaceBuckets::FaceBuckets(const std::vector<Tet>& tets, int64_t point_count, cons
     if (tets.size() >= kMostTets)
         throw Error(CLEFT_ERROR_TOO_LARGE, "a mesh of 2^30 or more tetrahedra is too large for 32-bit face numbers");
     for (size_t t = 0; t < tets.size(); ++t) {
-        if (t % kTetsACheck == 0)
-            run.check();
+        run.check_at(t);
         for_faces_of(t, point_count, [&](uint32_t, size_t least) { ++start_[least]; });
     }
     // Counts become ends; the filling below, from the last face to the first, turns the ends into starts.
@@ -65,8 +63,7 @@ FaceBuckets::FaceBuckets(const std::vector<Tet>& tets, int64_t point_count, cons
         s = end += s;
     ids_ = large_vector<uint32_t>(end);
     for (size_t t = tets.size(); t-- > 0;) {
-        if (t % kTetsACheck == 0)
-            run.check();
+        run.check_at(t);
         for_faces_of(t, point_count, [&](uint32_t face, size_t least) { ids_[--start_[least]] = face; });
     }
 }

@@ -15,8 +15,6 @@ namespace
 // Longer rings hardly ever have a good triangulation.
 constexpr size_t kLongestRing = 9;
 
-size_t at(int32_t i) { return static_cast<size_t>(i); }
-
 // The part of a ring between two boundary faces: its points, all its tetrahedra of one material. A ring within one
 // material is one arc too.
 struct Arc {

@@ -14,8 +14,6 @@ namespace cleft
 namespace
 {
 
-constexpr int64_t kGrain = 2048;
-
 struct InterfaceFace {
     std::array<Material, 2> pair;
     Triangle corners;
@@ -101,9 +99,9 @@ Interfaces extract_interfaces(const LabelledMesh& mesh, const Vec3& lo, const Ve
     const BoundingBox box{lo, hi};
     const std::vector<uint8_t> surface = surface_points(mesh, run);
     const FaceBuckets buckets(mesh.tets, point_count, run, &surface);
-    std::vector<Faces> parts(static_cast<size_t>(chunk_count(point_count, kGrain)));
+    std::vector<Faces> parts(static_cast<size_t>(chunk_count(point_count, FaceBuckets::points_at_once)));
     run.report(0.3, "extracting interfaces");
-    parallel_chunks(run, point_count, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
+    parallel_chunks(run, point_count, FaceBuckets::points_at_once, [&](int64_t chunk, int64_t begin, int64_t end) {
         Faces& part = parts[static_cast<size_t>(chunk)];
         buckets.for_each_face(begin, end,
                               [&](const HalfFace* face, size_t count) { add_face(mesh, face, count, box, part); });

@@ -17,10 +17,6 @@ namespace
 
 constexpr double kUnknown = 2;  // no quality
 
-size_t at(int32_t i) { return static_cast<size_t>(i); }
-
-bool has_corner(const Tet& t, int32_t v) { return t[0] == v || t[1] == v || t[2] == v || t[3] == v; }
-
 // The other two corners of a tetrahedron at the edge a b, in the order that makes a, b, c, d positive.
 Hinge hinge(const Tet& v, int32_t t, int32_t a, int32_t b)
 {

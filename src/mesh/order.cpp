@@ -14,7 +14,7 @@ namespace
 {
 
 constexpr int kBits = 21;  // a coordinate: three of them fit 64 bits
-constexpr int64_t kGrain = 8192;
+constexpr int64_t kItemsOrdered = 8192;
 
 struct Key {
     uint64_t value;
@@ -110,7 +110,7 @@ std::vector<Key> order_points(const LabelledMesh& mesh, const Run& run)
             box.add(mesh.points[p]);
             keys.push_back({0, static_cast<int32_t>(p)});
         }
-    parallel_for(run, static_cast<int64_t>(keys.size()), kGrain, [&](int64_t begin, int64_t end) {
+    parallel_for(run, static_cast<int64_t>(keys.size()), kItemsOrdered, [&](int64_t begin, int64_t end) {
         for (auto k = static_cast<size_t>(begin); k < static_cast<size_t>(end); ++k)
             keys[k].value = hilbert_index(mesh.points[static_cast<size_t>(keys[k].index)], box);
     });
@@ -149,7 +149,7 @@ void order_tets(LabelledMesh& mesh, const Run& run)
     const auto less = [&](int32_t a, int32_t b) {
         return mesh.tets[static_cast<size_t>(a)] < mesh.tets[static_cast<size_t>(b)];
     };
-    parallel_for(run, static_cast<int64_t>(mesh.points.size()), kGrain, [&](int64_t begin, int64_t end) {
+    parallel_for(run, static_cast<int64_t>(mesh.points.size()), kItemsOrdered, [&](int64_t begin, int64_t end) {
         for (auto p = static_cast<size_t>(begin); p < static_cast<size_t>(end); ++p)
             std::sort(order.begin() + start[p], order.begin() + start[p + 1], less);
     });
@@ -179,7 +179,7 @@ void order_spatially(LabelledMesh& mesh, const Run& run)
         points.push_back(mesh.points[static_cast<size_t>(key.index)]);
     }
     mesh.points.swap(points);
-    parallel_for(run, static_cast<int64_t>(mesh.tets.size()), kGrain, [&](int64_t begin, int64_t end) {
+    parallel_for(run, static_cast<int64_t>(mesh.tets.size()), kItemsOrdered, [&](int64_t begin, int64_t end) {
         for (auto t = static_cast<size_t>(begin); t < static_cast<size_t>(end); ++t) {
             Tet& tet = mesh.tets[t];
             for (int32_t& p : tet)

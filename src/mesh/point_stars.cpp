@@ -13,16 +13,13 @@ namespace cleft
 namespace
 {
 
-constexpr size_t kTetsACheck = size_t{1} << 16;  // between two looks for a cancel
-
 }  // namespace
 
 PointStars::PointStars(const std::vector<Tet>& tets, size_t point_count, const Run& run)
     : lists_(large_vector(point_count, List{0, 0, 0})), pool_(large_vector<int32_t>(4 * tets.size()))
 {
     for (size_t t = 0; t < tets.size(); ++t) {
-        if (t % kTetsACheck == 0)
-            run.check();
+        run.check_at(t);
         if (has_bad_index(tets[t], static_cast<int64_t>(point_count)) || has_repeated_corner(tets[t]))
             throw Error(CLEFT_ERROR_INVALID_MESH, "the " + ordinal(static_cast<int64_t>(t)) +
                                                       " tetrahedron does not have four different points of the mesh");
@@ -35,8 +32,7 @@ PointStars::PointStars(const std::vector<Tet>& tets, size_t point_count, const R
         begin += list.capacity;
     }
     for (size_t t = 0; t < tets.size(); ++t) {
-        if (t % kTetsACheck == 0)
-            run.check();
+        run.check_at(t);
         for (const int32_t v : tets[t]) {
             List& list = lists_[static_cast<size_t>(v)];
             pool_[list.begin + list.size++] = static_cast<int32_t>(t);

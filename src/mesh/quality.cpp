@@ -1,5 +1,6 @@
 #include "mesh/quality.hpp"
 
+#include "base/degrees.hpp"
 #include "base/parallel.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/angle_quality.hpp"
@@ -14,13 +15,12 @@ namespace cleft
 namespace
 {
 
-constexpr double kDegrees = 57.295779513082320877;
-constexpr int64_t kGrain = 4096;
+constexpr int64_t kTetsMeasured = 4096;
 
-using Corners = std::array<Vec3, 4>;
+using FourPoints = std::array<Vec3, 4>;
 
 // Outward normals of the faces of a positive tetrahedron, twice their areas long; face i is opposite corner i.
-std::array<Vec3, 4> face_normals(const Corners& x)
+std::array<Vec3, 4> face_normals(const FourPoints& x)
 {
     std::array<Vec3, 4> normals;
     for (size_t i = 0; i < 4; ++i) {
@@ -31,13 +31,13 @@ std::array<Vec3, 4> face_normals(const Corners& x)
     return normals;
 }
 
-double squared_edge(const Corners& x, size_t e)
+double squared_edge(const FourPoints& x, size_t e)
 {
     return (x[static_cast<size_t>(kEdgeCorners[e][1])] - x[static_cast<size_t>(kEdgeCorners[e][0])]).squaredNorm();
 }
 
 // The angle between two faces is atan2 of its sine and cosine, each times the lengths of both normals.
-std::array<double, 6> dihedral_angles(const Corners& x, double six_volumes)
+std::array<double, 6> angles_at_edges(const FourPoints& x, double six_volumes)
 {
     const std::array<Vec3, 4> normals = face_normals(x);
     std::array<double, 6> angles;
@@ -46,7 +46,7 @@ std::array<double, 6> dihedral_angles(const Corners& x, double six_volumes)
         const Vec3& second = normals[static_cast<size_t>(kEdgeOpposite[e][1])];
         // 0 - x, not -x: between faces of no area -x would be -0, and the angle 180 degrees.
         const double cosine = 0 - first.dot(second);
-        angles[e] = kDegrees * std::atan2(std::abs(six_volumes) * std::sqrt(squared_edge(x, e)), cosine);
+        angles[e] = kDegreesInRadian * std::atan2(std::abs(six_volumes) * std::sqrt(squared_edge(x, e)), cosine);
     }
     return angles;
 }
@@ -59,7 +59,7 @@ public:
     AngleBins()
     {
         for (size_t b = 0; b < cosine_.size(); ++b)
-            cosine_[b] = std::cos(static_cast<double>(5 * b) / kDegrees);
+            cosine_[b] = std::cos(static_cast<double>(5 * b) / kDegreesInRadian);
         for (size_t c = 0, b = 0; c < first_.size(); ++c) {
             while (b + 2 < cosine_.size() && 1 - static_cast<double>(c) / kCells <= cosine_[b + 1])
                 ++b;
@@ -82,20 +82,20 @@ private:
 
 // The summary of a run of tetrahedra; mean_edge holds the sum of the edges until the end. The extreme angles are kept
 // as the tetrahedra that have them.
-struct Part {
+struct QualityPart {
     Quality q;
     double greatest_cosine = -2, least_cosine = 2;
     size_t sharpest = 0, bluntest = 0;
 };
 
-Part empty_part()
+QualityPart empty_part()
 {
-    Part part;
+    QualityPart part;
     part.q.min_edge = part.q.min_volume = std::numeric_limits<double>::infinity();
     return part;
 }
 
-void add_cosines(const std::array<double, 6>& cosines, size_t tet, const AngleBins& bins, Part& part)
+void add_cosines(const std::array<double, 6>& cosines, size_t tet, const AngleBins& bins, QualityPart& part)
 {
     double greatest = -2, least = 2;
     for (const double c : cosines) {
@@ -137,7 +137,7 @@ void add_edges(const std::array<double, 6>& lengths, Quality& q)
 }
 
 // Circumradius |p| / (2 |6V|), inradius |6V| / (2 sum of areas).
-double radius_ratio(const Corners& x, const std::array<Vec3, 4>& normals, double six_volumes)
+double radius_ratio(const FourPoints& x, const std::array<Vec3, 4>& normals, double six_volumes)
 {
     Vec3 p = Vec3::Zero();
     double areas = 0;  // twice
@@ -149,7 +149,7 @@ double radius_ratio(const Corners& x, const std::array<Vec3, 4>& normals, double
 }
 
 // Returns the radius ratio.
-double add_tet(const Corners& x, size_t tet, const AngleBins& bins, Part& part)
+double add_tet(const FourPoints& x, size_t tet, const AngleBins& bins, QualityPart& part)
 {
     const std::array<Vec3, 4> normals = face_normals(x);
     const double six_volumes = -normals[3].dot(x[3] - x[0]);
@@ -171,7 +171,7 @@ double add_tet(const Corners& x, size_t tet, const AngleBins& bins, Part& part)
     return radius_ratio(x, normals, six_volumes);
 }
 
-void combine(const Part& part, Part& whole)
+void combine(const QualityPart& part, QualityPart& whole)
 {
     const Quality& from = part.q;
     Quality& to = whole.q;
@@ -200,9 +200,9 @@ void combine(const Part& part, Part& whole)
 }
 
 // The least and the greatest.
-std::array<double, 2> extreme_angles(const Corners& x)
+std::array<double, 2> extreme_angles(const FourPoints& x)
 {
-    const std::array<double, 6> angles = dihedral_angles(x, orient(x[0], x[1], x[2], x[3]));
+    const std::array<double, 6> angles = angles_at_edges(x, orient(x[0], x[1], x[2], x[3]));
     const auto [least, greatest] = std::minmax_element(angles.begin(), angles.end());
     return {*least, *greatest};
 }
@@ -255,12 +255,12 @@ double angle_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 
 std::array<double, 6> dihedral_angles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
-    return dihedral_angles({a, b, c, d}, orient(a, b, c, d));
+    return angles_at_edges({a, b, c, d}, orient(a, b, c, d));
 }
 
 double radius_ratio(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
-    const Corners x{a, b, c, d};
+    const FourPoints x{a, b, c, d};
     return radius_ratio(x, face_normals(x), orient(a, b, c, d));
 }
 
@@ -270,22 +270,22 @@ Quality measure_quality(const std::vector<Vec3>& points, const std::vector<Tet>&
         return {};
     run.report(0, "measuring quality");
     const auto corners = [&](size_t t) {
-        Corners x;
+        FourPoints x;
         for (size_t i = 0; i < 4; ++i)
             x[i] = points[static_cast<size_t>(tets[t][i])];
         return x;
     };
     const auto count = static_cast<int64_t>(tets.size());
     const AngleBins bins;
-    std::vector<Part> parts(static_cast<size_t>(chunk_count(count, kGrain)), empty_part());
+    std::vector<QualityPart> parts(static_cast<size_t>(chunk_count(count, kTetsMeasured)), empty_part());
     std::vector<double> ratios(tets.size());
-    parallel_chunks(run, count, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
+    parallel_chunks(run, count, kTetsMeasured, [&](int64_t chunk, int64_t begin, int64_t end) {
         for (auto t = static_cast<size_t>(begin); t < static_cast<size_t>(end); ++t)
             ratios[t] = add_tet(corners(t), t, bins, parts[static_cast<size_t>(chunk)]);
     });
     run.report(0.8, "measuring quality");
-    Part whole = empty_part();
-    for (const Part& part : parts)
+    QualityPart whole = empty_part();
+    for (const QualityPart& part : parts)
         combine(part, whole);
     Quality& q = whole.q;
     q.mean_edge /= 6 * static_cast<double>(count);

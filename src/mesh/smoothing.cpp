@@ -12,7 +12,7 @@ namespace cleft
 namespace
 {
 
-constexpr int kSteps = 4;         // directions tried for a point
+constexpr int kClimbs = 4;        // directions tried for a point
 constexpr int kHalvings = 4;      // trial lengths for a direction
 constexpr double kActive = 0.03;  // tetrahedra this near to the worst are improved together
 constexpr double kLeastGain = 1e-4;
@@ -119,7 +119,7 @@ Place Smoother::climb(const TetStar& star, const Vec3& x, double target, const M
                       const Projection& projection)
 {
     Place place{x, -1};
-    for (int i = 0; i < kSteps && place.worst < target; ++i)
+    for (int i = 0; i < kClimbs && place.worst < target; ++i)
         if (!step(star, place, tangent, projection))
             break;
     return place;

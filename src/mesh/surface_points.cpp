@@ -9,8 +9,6 @@ namespace cleft
 namespace
 {
 
-constexpr size_t kTetsACheck = size_t{1} << 16;  // between two looks for a cancel
-
 // The mixing of splitmix64 (Steele, Lea and Flood, 2014).
 uint64_t mix(uint64_t x)
 {
@@ -45,8 +43,7 @@ std::vector<uint8_t> points_inside(const std::vector<Tet>& tets, size_t point_co
 {
     std::vector<uint64_t> sum = large_vector(point_count, uint64_t{0});
     for (size_t t = 0; t < tets.size(); ++t) {
-        if (t % kTetsACheck == 0)
-            run.check();
+        run.check_at(t);
         if (!has_bad_index(tets[t], static_cast<int64_t>(point_count)))
             add_faces(tets[t], sum);
     }

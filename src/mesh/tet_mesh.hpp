@@ -3,6 +3,7 @@
 
 #include "base/vec.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -12,6 +13,11 @@ namespace cleft
 
 // Corners of a tetrahedron, positively oriented: det[b-a, c-a, d-a] > 0.
 using Tet = std::array<int32_t, 4>;
+
+inline bool has_corner(const Tet& tet, int32_t point) { return std::find(tet.begin(), tet.end(), point) != tet.end(); }
+
+// A number of a point, tetrahedron or corner as the standard library counts.
+constexpr size_t at(int32_t i) { return static_cast<size_t>(i); }
 
 // A dense material number of a volume, 0 .. count-1 (see Volume::labels for the user's values).
 using Material = int32_t;

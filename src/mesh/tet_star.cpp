@@ -9,13 +9,6 @@
 
 namespace cleft
 {
-namespace
-{
-
-size_t at(int32_t i) { return static_cast<size_t>(i); }
-
-}  // namespace
-
 void TetStar::load(const LocalMesh& mesh, int32_t v)
 {
     begin(mesh.star(v).size());

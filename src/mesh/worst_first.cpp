@@ -8,8 +8,6 @@ namespace cleft
 namespace
 {
 
-constexpr int32_t kTetsACheck = 1 << 16;  // between two looks for a cancel
-
 }  // namespace
 
 void WorstFirst::collect_all(const LocalMesh& mesh, double target, const Run& run)
@@ -18,8 +16,7 @@ void WorstFirst::collect_all(const LocalMesh& mesh, double target, const Run& ru
     list_.clear();
     changed_.assign(static_cast<size_t>(mesh.point_count()), now_);
     for (int32_t t = 0; t < mesh.slot_count(); ++t) {
-        if (t % kTetsACheck == 0)
-            run.check();
+        run.check_at(t);
         if (mesh.alive(t) && mesh.quality(t) < target)
             list_.push_back({mesh.quality(t), t, 0});
     }

@@ -12,7 +12,7 @@ namespace cleft
 namespace
 {
 
-constexpr int64_t kGrain = int64_t{1} << 16;
+constexpr int64_t kVoxelsClaimed = int64_t{1} << 16;
 
 using Fields = std::vector<std::vector<float>>;
 
@@ -37,8 +37,8 @@ float least(const Fields& fields)
 template <class Holds>
 int64_t count_voxels(int64_t voxels, const Run& run, const Holds& holds)
 {
-    std::vector<int64_t> counts(static_cast<size_t>(chunk_count(voxels, kGrain)), 0);
-    parallel_chunks(run, voxels, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
+    std::vector<int64_t> counts(static_cast<size_t>(chunk_count(voxels, kVoxelsClaimed)), 0);
+    parallel_chunks(run, voxels, kVoxelsClaimed, [&](int64_t chunk, int64_t begin, int64_t end) {
         for (int64_t v = begin; v < end; ++v)
             counts[static_cast<size_t>(chunk)] += holds(static_cast<size_t>(v));
     });
@@ -68,7 +68,7 @@ void check_masks(const Fields& fields, float low, int64_t voxels, const Run& run
 std::vector<uint8_t> ties(const Fields& fields, int64_t voxels, const Run& run)
 {
     std::vector<uint8_t> tied(static_cast<size_t>(voxels), 0);
-    parallel_for(run, voxels, kGrain, [&](int64_t begin, int64_t end) {
+    parallel_for(run, voxels, kVoxelsClaimed, [&](int64_t begin, int64_t end) {
         for (auto v = static_cast<size_t>(begin); v < static_cast<size_t>(end); ++v) {
             float most = fields[0][v];
             for (size_t k = 1; k < fields.size(); ++k) {

@@ -14,7 +14,7 @@ namespace cleft
 namespace
 {
 
-constexpr int64_t kChunk = int64_t{1} << 18;
+constexpr int64_t kVoxelsListed = int64_t{1} << 18;
 
 // Sets and maps over all values of a small type are arrays; 32-bit values are hashed.
 template <class Value>
@@ -98,10 +98,10 @@ std::vector<int32_t> distinct_labels(const Value* voxels, int64_t n, const Run& 
     ValueSet<Value> set;
     Value last = voxels[0];
     set.insert(last);
-    for (int64_t begin = 0; begin < n; begin += kChunk) {
+    for (int64_t begin = 0; begin < n; begin += kVoxelsListed) {
         run.report(0.0, "volume");
         // Labels come in runs: look at the first voxel of each.
-        for (int64_t i = begin; i < std::min(n, begin + kChunk); ++i)
+        for (int64_t i = begin; i < std::min(n, begin + kVoxelsListed); ++i)
             if (voxels[i] != last) {
                 last = voxels[i];
                 set.insert(last);
@@ -122,7 +122,7 @@ template <class Value, class Label>
 void dense_materials(const Value* voxels, int64_t n, const std::vector<int32_t>& labels, Label* out, const Run& run)
 {
     const ValueMap<Value, Label> map(labels);
-    parallel_for(run, n, kChunk, [&](int64_t begin, int64_t end) {
+    parallel_for(run, n, kVoxelsListed, [&](int64_t begin, int64_t end) {
         Value last = voxels[begin];
         Label place = map.at(last);
         for (int64_t i = begin; i < end; ++i) {

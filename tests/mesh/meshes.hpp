@@ -9,11 +9,10 @@
 namespace cleft_test
 {
 
+using cleft::at;
 using cleft::LabelledMesh;
 using cleft::Tet;
 using cleft::Vec3;
-
-inline size_t at(int32_t number) { return static_cast<size_t>(number); }
 
 inline Vec3 centroid(const LabelledMesh& mesh, size_t t)
 {
