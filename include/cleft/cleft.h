@@ -270,7 +270,7 @@ enum {
 };
 
 /** A label map: dims[0] * dims[1] * dims[2] voxels, x fastest, of one of the five integer types; any label values
- *  (within int32_t), up to 65,535 different ones.
+ *  (within int32_t), up to 65,535 different ones. Other values in their place give the same mesh in every bit.
  *  `affine` maps voxel indices to world coordinates: 3 rows of 4 numbers, world = A[:, 0:3] * index + A[:, 3], voxel
  *  centres at whole indices; it may flip or shear but not flatten. NULL: spacing 1, the corner of the box at the
  * origin. The box that is meshed ends where the voxels end, half a voxel beyond the outermost centres. Wanted sizes,

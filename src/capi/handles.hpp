@@ -79,6 +79,8 @@ struct cleft_options : cleft::capi::Handle<cleft::capi::Mark::options> {
 struct cleft_volume : cleft::capi::Handle<cleft::capi::Mark::volume> {
     cleft::Frame frame;
     cleft::Volume volume;
+    std::vector<cleft::Material> listed;  // Volume::listed
+    std::vector<int32_t> labels;          // of these
     cleft::capi::LabelNames names;
 };
 
@@ -101,4 +103,5 @@ struct cleft_surface : cleft::capi::Handle<cleft::capi::Mark::surface> {
 
 struct cleft_report : cleft::capi::Handle<cleft::capi::Mark::report> {
     cleft::LabelReport report;
+    std::vector<cleft::Material> listed;  // the material of each row that users see
 };

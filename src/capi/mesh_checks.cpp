@@ -179,13 +179,23 @@ const int32_t* cleft_surface_hull_sides(const cleft_surface* surface) noexcept
                                              : nullptr;
 }
 
+namespace
+{
+
+const cleft::LabelRow& row_at(const cleft_report& report, int64_t index)
+{
+    return report.report.rows[static_cast<size_t>(report.listed[static_cast<size_t>(index)])];
+}
+
+}  // namespace
+
 cleft_status cleft_report_create(cleft_context* context, const cleft_volume* volume, const cleft_mesh* mesh,
                                  cleft_report** out) noexcept
 {
     return guarded_create(context, out, [&](const Run& run) {
         const auto v = held(volume, "volume");
         const LabelledMesh m = to_stage(checked(mesh, "mesh"), *v);
-        return cleft_report{{}, in_world(cleft::label_report(v->volume, m, run), v->frame)};
+        return cleft_report{{}, in_world(cleft::label_report(v->volume, m, run), v->frame), v->listed};
     });
 }
 
@@ -199,7 +209,7 @@ int64_t cleft_report_count(const cleft_report* report) noexcept
 int64_t cleft_report_joined(const cleft_report* report, int64_t index) noexcept
 {
     const bool has_row = index >= 0 && index < cleft_report_count(report);
-    return has_row ? report->report.rows[static_cast<size_t>(index)].large_components_joined : 0;
+    return has_row ? row_at(*report, index).large_components_joined : 0;
 }
 
 cleft_status cleft_report_label(const cleft_report* report, int64_t index, cleft_label_report* out) noexcept
@@ -208,7 +218,7 @@ cleft_status cleft_report_label(const cleft_report* report, int64_t index, cleft
         cleft::check_struct_size(*required(out, "out"), "cleft_label_report");
         if (index < 0 || index >= static_cast<int64_t>(checked(report, "report").report.rows.size()))
             throw Error(CLEFT_ERROR_ARGUMENT, "there is no such row");
-        const cleft::LabelRow& from = report->report.rows[static_cast<size_t>(index)];
+        const cleft::LabelRow& from = row_at(*report, index);
         cleft_label_report row{};
         row.label = from.label;
         row.voxels = from.voxels;

@@ -40,6 +40,15 @@ cleft::Volume indicators(const void* const* fields, int64_t count, const cleft::
         typed, grid, labels ? std::vector<int32_t>(labels, labels + names) : std::vector<int32_t>(), run);
 }
 
+cleft_volume made_volume(const cleft::Frame& frame, cleft::Volume&& volume)
+{
+    std::vector<cleft::Material> listed = volume.listed();
+    std::vector<int32_t> labels;
+    for (const cleft::Material m : listed)
+        labels.push_back(volume.labels()[static_cast<size_t>(m)]);
+    return {{}, frame, std::move(volume), std::move(listed), std::move(labels), {}};
+}
+
 }  // namespace
 
 cleft_status cleft_volume_create_labels(cleft_context* context, cleft_type type, const void* voxels,
@@ -53,8 +62,7 @@ cleft_status cleft_volume_create_labels(cleft_context* context, cleft_type type,
         const cleft::Frame frame = cleft::make_frame(required(dims, "dims"), affine);
         const int kernel = static_cast<int>(option_value(options, CLEFT_OPTION_SMOOTH));
         const cleft::StageTimer timer(run, "volume");
-        return cleft_volume{
-            {}, frame, cleft::Volume::from_labels(voxel_type(type), voxels, frame.grid, kernel, run), {}};
+        return made_volume(frame, cleft::Volume::from_labels(voxel_type(type), voxels, frame.grid, kernel, run));
     });
 }
 
@@ -69,9 +77,9 @@ cleft_status cleft_volume_create_indicators(cleft_context* context, cleft_type t
         const cleft::Frame frame = cleft::make_frame(required(dims, "dims"), affine);
         const cleft::StageTimer timer(run, "volume");
         if (type == CLEFT_TYPE_FLOAT32)
-            return cleft_volume{{}, frame, indicators<float>(fields, count, frame.grid, labels, run), {}};
+            return made_volume(frame, indicators<float>(fields, count, frame.grid, labels, run));
         if (type == CLEFT_TYPE_FLOAT64)
-            return cleft_volume{{}, frame, indicators<double>(fields, count, frame.grid, labels, run), {}};
+            return made_volume(frame, indicators<double>(fields, count, frame.grid, labels, run));
         throw Error(CLEFT_ERROR_ARGUMENT, "indicator functions must be FLOAT32 or FLOAT64");
     });
 }
@@ -96,12 +104,12 @@ cleft_status cleft_volume_affine(const cleft_volume* volume, double affine[12]) 
 
 int64_t cleft_volume_label_count(const cleft_volume* volume) noexcept
 {
-    return is_sound(volume) ? static_cast<int64_t>(volume->volume.labels().size()) : 0;
+    return is_sound(volume) ? static_cast<int64_t>(volume->labels.size()) : 0;
 }
 
 const int32_t* cleft_volume_labels(const cleft_volume* volume) noexcept
 {
-    return is_sound(volume) ? volume->volume.labels().data() : nullptr;
+    return is_sound(volume) ? volume->labels.data() : nullptr;
 }
 
 int64_t cleft_volume_indicator_count(const cleft_volume* volume) noexcept
@@ -113,7 +121,7 @@ cleft_status cleft_volume_set_label_name(cleft_volume* volume, int32_t label, co
 {
     return guarded(nullptr, [&] {
         cleft_volume& v = checked(volume, "volume");
-        set_label_name(v.names, v.volume.labels(), label, name, "the volume");
+        set_label_name(v.names, v.labels, label, name, "the volume");
     });
 }
 
@@ -129,7 +137,8 @@ cleft_status cleft_volume_copy_voxel_counts(const cleft_volume* volume, int64_t*
         const std::vector<int64_t> all = checked(volume, "volume").volume.voxel_counts();
         if (capacity < static_cast<int64_t>(all.size()))
             throw Error(CLEFT_ERROR_BUFFER, "the buffer is too small");
-        std::copy(all.begin(), all.end(), counts);
+        std::transform(volume->listed.begin(), volume->listed.end(), counts,
+                       [&](cleft::Material m) { return all[static_cast<size_t>(m)]; });
     });
 }
 

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 namespace cleft
 {
@@ -29,6 +30,7 @@ size_t slot(Value value)
     return static_cast<size_t>(static_cast<std::make_unsigned_t<Value>>(value));
 }
 
+// Different values in the order in which they came.
 template <class Value>
 class ValueSet
 {
@@ -36,26 +38,20 @@ public:
     ValueSet() : seen_(value_count<Value>, 0) {}
     void insert(Value value)
     {
+        bool is_new = false;
         if constexpr (is_small<Value>)
-            seen_[slot(value)] = 1;
+            is_new = std::exchange(seen_[slot(value)], uint8_t{1}) == 0;
         else
-            hashed_.insert(value);
+            is_new = hashed_.insert(value).second;
+        if (is_new)
+            values_.push_back(value);
     }
-    bool too_many() const { return hashed_.size() > kGreatestLabelCount; }
-    std::vector<Value> ascending() const
-    {
-        std::vector<Value> values(hashed_.begin(), hashed_.end());
-        if constexpr (is_small<Value>)
-            for (size_t i = 0; i < seen_.size(); ++i)
-                if (seen_[i])
-                    values.push_back(static_cast<Value>(i));
-        std::sort(values.begin(), values.end());
-        return values;
-    }
+    const std::vector<Value>& values() const { return values_; }
 
 private:
     std::vector<uint8_t> seen_;
     std::unordered_set<Value> hashed_;
+    std::vector<Value> values_;
 };
 
 template <class Value, class Label>
@@ -106,15 +102,13 @@ std::vector<int32_t> distinct_labels(const Value* voxels, int64_t n, const Run& 
                 last = voxels[i];
                 set.insert(last);
             }
-        if (set.too_many())
+        if (set.values().size() > kGreatestLabelCount)
             refuse_count();
     }
-    const std::vector<Value> values = set.ascending();
-    if (values.size() > kGreatestLabelCount)
-        refuse_count();
+    const std::vector<Value>& values = set.values();
     if constexpr (std::is_same_v<Value, uint32_t>)
-        if (values.back() > uint32_t{INT32_MAX})
-            throw Error(CLEFT_ERROR_ARGUMENT, "label " + std::to_string(values.back()) + " is greater than 2147483647");
+        if (const uint32_t greatest = *std::max_element(values.begin(), values.end()); greatest > uint32_t{INT32_MAX})
+            throw Error(CLEFT_ERROR_ARGUMENT, "label " + std::to_string(greatest) + " is greater than 2147483647");
     return std::vector<int32_t>(values.begin(), values.end());
 }
 

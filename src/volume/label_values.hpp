@@ -11,7 +11,8 @@ namespace cleft
 
 constexpr size_t kGreatestLabelCount = 65535;
 
-// The different values among n voxels, ascending. Refuses values past INT32_MAX and more than 65,535 different ones.
+// The different values among n voxels in the order in which they come there: materials are numbered so, and another
+// choice of values gives the same mesh. Refuses values past INT32_MAX and more than 65,535 different ones.
 template <class Value>
 std::vector<int32_t> distinct_labels(const Value* voxels, int64_t n, const Run& run);
 

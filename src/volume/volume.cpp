@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <numeric>
 #include <string>
 #include <variant>
 
@@ -164,6 +165,17 @@ const Grid& Volume::grid() const
 }
 
 const std::vector<int32_t>& Volume::labels() const { return data_->labels; }
+
+std::vector<Material> Volume::listed() const
+{
+    std::vector<Material> materials(labels().size());
+    std::iota(materials.begin(), materials.end(), 0);
+    if (is_label_map())
+        std::sort(materials.begin(), materials.end(), [&](Material a, Material b) {
+            return labels()[static_cast<size_t>(a)] < labels()[static_cast<size_t>(b)];
+        });
+    return materials;
+}
 
 bool Volume::is_label_map() const { return !std::holds_alternative<IndicatorField>(data_->field); }
 

@@ -61,8 +61,10 @@ public:
     ~Volume();
 
     const Grid& grid() const;
-    // The user's value of each material, ascending for a label map.
+    // The user's value of each material. Materials of a label map are numbered as the voxels first have them.
     const std::vector<int32_t>& labels() const;
+    // The materials as users see them: ascending by label for a label map, in the order of the functions else.
+    std::vector<Material> listed() const;
     Material material_count() const { return static_cast<Material>(labels().size()); }
     bool is_label_map() const;
     // 0 for a label map, 1 for a signed function.

@@ -145,12 +145,21 @@ static void assert_same_reports(const result* a, const int32_t* in_a, const resu
     for (int i = 0; i < count; ++i) {
         cleft_label_report p = {.struct_size = sizeof p}, q = {.struct_size = sizeof q};
         assert_int_equal(cleft_report_label(a->report, i, &p), CLEFT_OK);
-        assert_int_equal(cleft_report_label(b->report, i, &q), CLEFT_OK);
         assert_int_equal(p.label, in_a[i]);
+        for (int row = 0; row < count && (row == 0 || q.label != in_b[i]); ++row)
+            assert_int_equal(cleft_report_label(b->report, row, &q), CLEFT_OK);
         assert_int_equal(q.label, in_b[i]);
         q.label = p.label;
         assert_memory_equal(&p, &q, sizeof p);
     }
+}
+
+static int is_ascending(const int32_t* labels, int count)
+{
+    for (int i = 1; i < count; ++i)
+        if (labels[i] < labels[i - 1])
+            return 0;
+    return 1;
 }
 
 /* The same mesh in every bit, but for the names of its labels. */
@@ -163,11 +172,25 @@ static void assert_same(const result* a, const int32_t* in_a, const result* b, c
     assert_memory_equal(cleft_mesh_tets(a->mesh), cleft_mesh_tets(b->mesh), sizeof(int32_t) * 4 * (size_t)tets);
     assert_same_labels(cleft_mesh_tet_labels(a->mesh), in_a, cleft_mesh_tet_labels(b->mesh), in_b, tets, count);
     assert_memory_equal(&a->validation, &b->validation, sizeof a->validation);
-    assert_same_surface(a, in_a, b, in_b, count);
+    if (is_ascending(in_b, count)) /* of two labels, the lesser one decides which way an interface looks */
+        assert_same_surface(a, in_a, b, in_b, count);
+    assert_int_equal(cleft_surface_interface_count(b->surface), cleft_surface_interface_count(a->surface));
+    assert_int_equal(cleft_surface_hull_count(b->surface), cleft_surface_hull_count(a->surface));
     assert_same_reports(a, in_a, b, in_b, count);
 }
 
-static void other_names_in_the_same_order_change_nothing_else(void** state)
+/* Names in any order: materials that tie must not look at them. */
+static void shuffle(uint32_t* random, int count, int32_t* labels)
+{
+    for (int i = count - 1; i > 0; --i) {
+        const int other = (int)(next_random(random) % (uint32_t)(i + 1));
+        const int32_t label = labels[i];
+        labels[i] = labels[other];
+        labels[other] = label;
+    }
+}
+
+static void other_names_change_nothing_else(void** state)
 {
     static const int32_t numbers[MAX_LABELS] = {0, 1, 2, 3, 4};
     enum { N = 9 };
@@ -178,39 +201,16 @@ static void other_names_in_the_same_order_change_nothing_else(void** state)
         random_materials(&random, N, count, materials);
         result plain = mesh_of(N, materials, numbers);
         assert_whole_surface(&plain);
-        for (int round = 0; round < 4; ++round) {
+        for (int round = 0; round < 6; ++round) {
             random_labels(&random, count, labels);
+            if (round > 1)
+                shuffle(&random, count, labels);
             result named = mesh_of(N, materials, labels);
             assert_whole_surface(&named);
             assert_same(&plain, numbers, &named, labels, count);
             release(&named);
         }
         release(&plain);
-    }
-}
-
-/* Where materials tie, the order of the labels may decide; nothing is lost by it. */
-static void names_in_another_order_lose_nothing(void** state)
-{
-    enum { N = 9 };
-    int32_t materials[N * N * N], labels[MAX_LABELS];
-    uint32_t random = 7;
-    (void)state;
-    for (int count = 2; count <= MAX_LABELS; ++count) {
-        random_materials(&random, N, count, materials);
-        for (int round = 0; round < 3; ++round) {
-            random_labels(&random, count, labels);
-            for (int i = count - 1; i > 0; --i) {
-                const int other = (int)(next_random(&random) % (uint32_t)(i + 1));
-                const int32_t label = labels[i];
-                labels[i] = labels[other];
-                labels[other] = label;
-            }
-            result named = mesh_of(N, materials, labels);
-            assert_whole_surface(&named);
-            assert_int_equal(cleft_mesh_label_count(named.mesh), count);
-            release(&named);
-        }
     }
 }
 
@@ -285,8 +285,7 @@ static void labels_beyond_32_bits_with_a_sign_are_refused(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(other_names_in_the_same_order_change_nothing_else),
-        cmocka_unit_test(names_in_another_order_lose_nothing),
+        cmocka_unit_test(other_names_change_nothing_else),
         cmocka_unit_test(half_and_half_meet_in_the_same_triangles_under_any_name),
         cmocka_unit_test(a_mesh_of_arrays_keeps_its_surface_under_any_name),
         cmocka_unit_test(labels_beyond_32_bits_with_a_sign_are_refused),

@@ -36,15 +36,16 @@ static void all_types_read_back(void**)
     assert_true(reads_back<int32_t>(VoxelType::int32, {-2147483647 - 1, 2147483647, -5, 0}));
 }
 
-static void materials_are_ascending_labels(void**)
+static void materials_are_numbered_as_the_voxels_have_them(void**)
 {
     const std::vector<int32_t> voxels{40, -3, 1000000, 40, 7, -3};
     Grid grid;
     grid.dims = {3, 2, 1};
     const Volume volume = Volume::from_labels(VoxelType::int32, voxels.data(), grid, 5, Run());
-    assert_true(volume.labels() == std::vector<int32_t>({-3, 7, 40, 1000000}));
-    assert_true(volume.voxel_counts() == std::vector<int64_t>({2, 1, 2, 1}));
-    assert_int_equal(volume.voxel_material(2), 3);
+    assert_true(volume.labels() == std::vector<int32_t>({40, -3, 1000000, 7}));
+    assert_true(volume.voxel_counts() == std::vector<int64_t>({2, 2, 1, 1}));
+    assert_true(volume.listed() == std::vector<Material>({1, 3, 0, 2}));  // ascending by label
+    assert_int_equal(volume.voxel_material(2), 2);
     assert_true(volume.is_label_map());
 }
 
@@ -159,7 +160,7 @@ int main()
 {
     const CMUnitTest tests[] = {
         cmocka_unit_test(all_types_read_back),
-        cmocka_unit_test(materials_are_ascending_labels),
+        cmocka_unit_test(materials_are_numbered_as_the_voxels_have_them),
         cmocka_unit_test(many_labels_are_kept_up_to_the_limit),
         cmocka_unit_test(too_many_labels_are_refused),
         cmocka_unit_test(labels_past_31_bits_are_refused),
