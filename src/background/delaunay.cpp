@@ -2,11 +2,10 @@
 
 #ifdef CLEFT_WITH_TETGEN
 
+#include "background/tetgen_run.hpp"
 #include "base/large_pages.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/predicates.hpp"
-
-#include <tetgen.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,39 +57,6 @@ double safe_scale(const std::vector<Vec3>& points)
     for (const Vec3& p : points)
         greatest = std::max(greatest, p.cwiseAbs().maxCoeff());
     return greatest > 0 ? std::ldexp(1.0, -std::ilogb(greatest)) : 1;
-}
-
-[[noreturn]] void throw_tetgen_error(int code)
-{
-    if (code == 1)
-        throw Error(CLEFT_ERROR_OUT_OF_MEMORY, "TetGen ran out of memory");
-    if (code == 10)
-        throw Error(CLEFT_ERROR_ARGUMENT, "TetGen found the points to be all but coplanar");
-    throw Error(CLEFT_ERROR_INTERNAL, "TetGen failed with its code " + std::to_string(code));
-}
-
-std::vector<Tet> run_tetgen(std::vector<Vec3>& scaled)
-{
-    // Quiet; zero-based; keep the numbering; no nodes, faces, boundary markers; the tolerance of its test of
-    // coplanarity.
-    char switches[] = "QzJNFBT1e-15";
-    tetgenio in, out;
-    // TetGen reads the points in place; its destructor must not free them, however this scope is left.
-    struct Lend {
-        tetgenio& io;
-        ~Lend() { io.pointlist = nullptr; }
-    } lend{in};
-    in.pointlist = scaled.data()->data();
-    in.numberofpoints = static_cast<int>(scaled.size());
-    try {
-        tetrahedralize(switches, &in, &out);
-    } catch (int code) {
-        throw_tetgen_error(code);
-    }
-    std::vector<Tet> tets(static_cast<size_t>(out.numberoftetrahedra));
-    for (size_t t = 0; t < tets.size(); ++t)
-        std::copy_n(out.tetrahedronlist + 4 * t, 4, tets[t].begin());
-    return tets;
 }
 
 // TetGen keeps its random state and error bounds in global variables.
