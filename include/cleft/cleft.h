@@ -29,6 +29,20 @@
  *    double, interleaved x y z. Labels (materials) are int32_t, the user's own values.
  *  - Sentences count from the first: "the 3rd point" is point 2 of an array that begins at 0.
  *  - Lengths are in the unit of the volume's world coordinates. Results are the same bytes for every thread count.
+ *
+ * Limits
+ *  - A volume: up to 2,147,483,647 voxels and 65,535 labels; spacings within 1e-15 to 1e15, the greatest no more than
+ *    1,000 times the least; world coordinates of its box up to 1e14 times the least distance between planes of voxels;
+ *    an affine whose columns, each divided by its length, have a determinant of 1e-6 or more in magnitude. Beyond:
+ *    CLEFT_ERROR_ARGUMENT or CLEFT_ERROR_TOO_LARGE.
+ *  - Sizes: within 1e-30 to 1e30. Those that ask for more than memory or 32-bit numbering hold: CLEFT_ERROR_TOO_LARGE.
+ *  - Indicator functions: finite; values beyond 1e30 in magnitude stand for "far away", see
+ *    cleft_volume_create_indicators().
+ *  - A mesh that is given to be cleaved or improved is validated whole first: CLEFT_ERROR_INVALID_MESH.
+ *  - A mesh that is given back has been checked: finite coordinates, no two points at one place, every tetrahedron
+ *    positively oriented by an exact predicate. Where the numbers of a world far from the origin cannot hold a mesh so,
+ *    the call fails with CLEFT_ERROR_ARGUMENT. Anything else that goes wrong is CLEFT_ERROR_INTERNAL, never a bad mesh.
+ *    The whole validation is cleft_mesh_validate().
  */
 #ifndef CLEFT_H
 #define CLEFT_H
@@ -284,7 +298,9 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_create_labels(cleft_context*
                                                                   cleft_volume** out) CLEFT_NOEXCEPT;
 /** `count` indicator functions (FLOAT32 or FLOAT64), one for each material; the largest wins at a point. count = 1: a
  *  signed function, inside (second label) where it is > 0. `labels`: what the materials are called, `count` values (two
- *  for count = 1, outside first), or NULL for 0, 1, 2, ... Values must be finite. Copied as float.
+ *  for count = 1, outside first), or NULL for 0, 1, 2, ... Values must be finite. Copied as float. Values beyond 1e30 in
+ *  magnitude, sentinels as FLT_MAX and DBL_MAX, stand for "far away": each counts as twice the greatest magnitude that
+ *  the functions have within 1e30 (1 if there is none or only 0), with its sign; a warning tells how many there are.
  *  Several functions of two values each, the lower the same in all, are masks: CLEFT_ERROR_ARGUMENT if voxels are in
  *  none of them (give the outside a mask of its own, or make a label map). Warnings: voxels are in several masks; other
  *  functions are equal and the greatest all over a region (the first holds); a single one is a mask. \since 0.1 */
@@ -333,10 +349,10 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_sample(const cleft_volume* v
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* volume,
                                                            const cleft_options* options,
                                                            cleft_sizing** out) CLEFT_NOEXCEPT;
-/** One size everywhere. The caller owns *out. \since 0.1 */
+/** One size everywhere, within 1e-30 to 1e30. The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_create_constant(cleft_context* context, const cleft_volume* volume,
                                                                     double size, cleft_sizing** out) CLEFT_NOEXCEPT;
-/** The user's own field: one positive finite value a voxel of the volume, x fastest, FLOAT32 or FLOAT64; taken as it
+/** The user's own field: one value a voxel of the volume, within 1e-30 to 1e30, x fastest, FLOAT32 or FLOAT64; taken as it
  *  is, and combined by minimum with the computed one if `combine` is nonzero (options as in cleft_sizing_create()).
  *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_create_values(cleft_context* context, const cleft_volume* volume,
@@ -383,12 +399,15 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_create(cleft_context* context,
 CLEFT_API void cleft_mesh_destroy(cleft_mesh* mesh) CLEFT_NOEXCEPT;
 
 /** Cleaves a background along the interfaces of a volume (option SNAP; with REPAIR above 0, poor tetrahedra of the
- *  background are repaired first). The background must be positively oriented and conforming; it need not fill the box.
- *  `options` may be NULL. The caller owns *out. \since 0.1 */
+ *  background are repaired first). The background must be positively oriented and conforming, else
+ *  CLEFT_ERROR_INVALID_MESH with the first fault; outside of the volume's box, CLEFT_ERROR_ARGUMENT. It need not fill
+ *  the box: a warning tells how much of it it fills, or that it reaches out. `options` may be NULL. The caller owns
+ *  *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volume,
                                                          const cleft_mesh* background, const cleft_options* options,
                                                          cleft_mesh** out) CLEFT_NOEXCEPT;
-/** Raises the worst dihedral angles of a cleaved mesh of this volume (option IMPROVE). The caller owns *out.
+/** Raises the worst dihedral angles of a cleaved mesh of this volume (option IMPROVE). CLEFT_ERROR_INVALID_MESH if the
+ *  mesh is not positively oriented and conforming. The caller owns *out.
  *  \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volume,
                                                           const cleft_mesh* mesh, const cleft_options* options,
@@ -483,7 +502,7 @@ typedef struct cleft_validation {
     uint32_t struct_size;
     int32_t valid;                /**< 1 if nothing is wrong */
     int64_t negative_tets;        /**< by an exact predicate */
-    int64_t flat_tets;            /**< exactly flat, or of less volume than 1e-12 of the cube of the mean edge */
+    int64_t flat_tets;            /**< exactly flat, or of less volume than 1e-12 of the cube of its mean edge */
     int64_t repeated_corners;     /**< tetrahedra that name a point twice */
     int64_t crowded_faces;        /**< faces of more than two tetrahedra */
     int64_t folded_faces;         /**< faces whose two tetrahedra lie on one side */

@@ -1,6 +1,7 @@
 #include "background/lattice.hpp"
 
 #include "background/bcc_cell.hpp"
+#include "base/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -98,7 +99,7 @@ std::array<int32_t, 3> cell_counts(const Vec3& extent, double size)
     }
     if (points > 4.0 * INT32_MAX)
         throw Error(CLEFT_ERROR_TOO_LARGE,
-                    "a lattice of size " + std::to_string(size) + " would have more than 2147483647 points");
+                    "a lattice of size " + number_text(size) + " would have more than 2147483647 points");
     return cells;
 }
 

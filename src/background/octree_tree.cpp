@@ -34,11 +34,23 @@ void split(Octree& tree, int32_t cell)
     tree.levels = std::max(tree.levels, parent.level + 1);
 }
 
-// Roots as large as the field and the box allow (four along the shortest side keep them nearly cubic), of a side that
-// halving brings to the least h: the finest leaves resolve what the field asks for, not up to kSlack less.
+// The greatest side of a root. Four along the shortest side of the box keep them nearly cubic; but where the box is so
+// flat that this alone would make millions of cells, two or one do.
+double greatest_root(const Vec3& extent)
+{
+    constexpr double kManyRoots = 1e6;
+    double side = extent.minCoeff();
+    for (const double along : {4.0, 2.0})
+        if (extent.prod() * std::pow(along / side, 3) <= kManyRoots)
+            return side / along;
+    return side;
+}
+
+// Roots as large as the field and the box allow, of a side that halving brings to the least h: the finest leaves
+// resolve what the field asks for, not up to kSlack less.
 Int3 root_counts(const Vec3& extent, const SizingField& field)
 {
-    const double most = std::min(field.greatest() * kSlack / kMeanEdge, extent.minCoeff() / 4);
+    const double most = std::min(field.greatest() * kSlack / kMeanEdge, greatest_root(extent));
     const double finest = field.least() / kMeanEdge;
     const double side =
         most > finest ? std::ldexp(finest, std::ilogb(most / finest)) : std::min(finest, extent.minCoeff());

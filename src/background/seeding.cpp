@@ -3,6 +3,7 @@
 #include "background/bcc_patches.hpp"
 #include "background/charge_cells.hpp"
 #include "background/delaunay.hpp"
+#include "base/number_text.hpp"
 #include "base/parallel.hpp"
 
 #include <cmath>
@@ -72,9 +73,9 @@ void refuse_too_many(double particles)
     constexpr double kTetsPerParticle = 6.1;
     if (particles <= static_cast<double>(kMostDelaunayPoints))
         return;
-    const double millions = std::min(kTetsPerParticle * particles / 1e6, 1e12);
+    const double millions = kTetsPerParticle * particles / 1e6;
     throw Error(CLEFT_ERROR_TOO_LARGE,
-                "the sizes ask for a background of about " + std::to_string(std::llround(millions)) +
+                "the sizes ask for a background of about " + count_text(millions) +
                     " million tetrahedra, and particles can make 360 million: give a greater size or size_min, or a "
                     "number of tetrahedra by tets");
 }

@@ -1,6 +1,8 @@
 #include "capi/mesh_frame.hpp"
 
 #include "base/error.hpp"
+#include "base/stage_timer.hpp"
+#include "mesh/quick_check.hpp"
 
 #include <algorithm>
 #include <string>
@@ -8,6 +10,30 @@
 
 namespace cleft::capi
 {
+
+namespace
+{
+
+void turn_round(std::vector<Tet>& tets)
+{
+    for (Tet& tet : tets)
+        std::swap(tet[2], tet[3]);
+}
+
+// A mesh that is sound in its own frame was spoilt by the rounding of world coordinates.
+[[noreturn]] void refuse_result(std::vector<Tet> tets, const std::vector<Vec3>& local, const Frame& frame,
+                                const std::string& fault, const Run& run)
+{
+    if (frame.flips())
+        turn_round(tets);
+    if (quick_fault(local, tets, run).empty())
+        throw Error(CLEFT_ERROR_ARGUMENT,
+                    "world coordinates are too coarse for tetrahedra of these sizes so far from the origin: " + fault +
+                        "; bring the origin nearer, or give a greater size");
+    throw Error(CLEFT_ERROR_INTERNAL, "the mesh came out wrong, and is not given back: " + fault);
+}
+
+}  // namespace
 
 std::vector<int32_t> distinct_labels(const std::vector<int32_t>& tet_labels)
 {
@@ -22,16 +48,21 @@ std::vector<int32_t> distinct_labels(const std::vector<int32_t>& tet_labels)
     return labels;
 }
 
-cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const std::vector<int32_t>& labels)
+cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const std::vector<int32_t>& labels, const Run& run)
 {
+    const StageTimer timer(run, "result_check");
     cleft_mesh out;
     out.frame = frame;
-    out.mesh = std::move(mesh);
-    for (Vec3& point : out.mesh.points)
-        point = frame.to_world(point);
+    out.mesh.tets = std::move(mesh.tets);
+    out.mesh.material = std::move(mesh.material);
+    out.mesh.points.reserve(mesh.points.size());
+    for (const Vec3& point : mesh.points)
+        out.mesh.points.push_back(frame.to_world(point));
     if (frame.flips())
-        for (Tet& tet : out.mesh.tets)
-            std::swap(tet[2], tet[3]);
+        turn_round(out.mesh.tets);
+    const std::string fault = quick_fault(out.mesh.points, out.mesh.tets, run);
+    if (!fault.empty())
+        refuse_result(std::move(out.mesh.tets), mesh.points, frame, fault, run);
     for (Material& m : out.mesh.material)
         m = labels[static_cast<size_t>(m)];
     out.labels = distinct_labels(out.mesh.material);
@@ -45,8 +76,7 @@ void to_local(const cleft_mesh& mesh, const Frame& frame, std::vector<Vec3>& poi
         points[i] = frame.to_local(mesh.mesh.points[i]);
     tets = mesh.mesh.tets;
     if (frame.flips())
-        for (Tet& tet : tets)
-            std::swap(tet[2], tet[3]);
+        turn_round(tets);
 }
 
 LabelledMesh to_stage(const cleft_mesh& mesh, const cleft_volume& volume)

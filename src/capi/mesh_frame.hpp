@@ -1,13 +1,16 @@
 // Between the meshes of the stages (local frame, dense materials) and those of the user (world, labels).
 #pragma once
 
+#include "base/run.hpp"
 #include "capi/handles.hpp"
 
 namespace cleft::capi
 {
 
-// World coordinates and labels for a stage's result; an affine that mirrors turns the tetrahedra round.
-cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const std::vector<int32_t>& labels);
+// World coordinates and labels for a stage's result; an affine that mirrors turns the tetrahedra round. What the user
+// gets is checked (quick_fault()): an Error if a stage went wrong, or if the numbers of the world, far from the origin,
+// do not tell the points apart.
+cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const std::vector<int32_t>& labels, const Run& run);
 
 // The points and tetrahedra of a user's mesh in the local frame of a volume.
 void to_local(const cleft_mesh& mesh, const Frame& frame, std::vector<Vec3>& points, std::vector<Tet>& tets);

@@ -1,10 +1,11 @@
 // The entries that make meshes from volumes: background, cleaving, improving, stripping, and all at once.
-#include "base/ordinal.hpp"
 #include "base/stage_timer.hpp"
 #include "capi/firewall.hpp"
+#include "capi/given_mesh.hpp"
 #include "capi/kept_labels.hpp"
 #include "capi/mesh_frame.hpp"
 #include "capi/options.hpp"
+#include "mesh/quick_check.hpp"
 #include "pipeline/number_search.hpp"
 
 #include <algorithm>
@@ -19,27 +20,10 @@ namespace
 {
 
 // A mesh of a volume, under the volume's labels and their names.
-cleft_mesh to_user(LabelledMesh&& mesh, const cleft_volume& volume)
+cleft_mesh to_user(LabelledMesh&& mesh, const cleft_volume& volume, const Run& run)
 {
-    cleft_mesh out = cleft::capi::to_user(std::move(mesh), volume.frame, volume.volume.labels());
+    cleft_mesh out = cleft::capi::to_user(std::move(mesh), volume.frame, volume.volume.labels(), run);
     add_label_names(out.names, volume.names, out.labels);
-    return out;
-}
-
-// Stages build on positively oriented, conforming backgrounds; a user's own mesh is looked at first.
-cleft::TetMesh checked_background(const cleft_mesh& mesh, const cleft::Frame& frame)
-{
-    cleft::TetMesh out;
-    to_local(mesh, frame, out.points, out.tets);
-    if (out.tets.empty())
-        throw Error(CLEFT_ERROR_ARGUMENT, "the background has no tetrahedra");
-    for (size_t t = 0; t < out.tets.size(); ++t) {
-        const auto p = [&](size_t i) -> const cleft::Vec3& { return out.points[static_cast<size_t>(out.tets[t][i])]; };
-        if (!((p(1) - p(0)).cross(p(2) - p(0)).dot(p(3) - p(0)) > 0))
-            throw Error(CLEFT_ERROR_INVALID_MESH,
-                        "the " + cleft::ordinal(static_cast<int64_t>(t)) +
-                            " tetrahedron of the background is flat or not positively oriented");
-    }
     return out;
 }
 
@@ -49,6 +33,14 @@ void require_kept(const LabelledMesh& mesh, const cleft::PipelineOptions& p)
     if (std::none_of(mesh.material.begin(), mesh.material.end(), [&](cleft::Material m) { return p.keeps(m); }))
         throw Error(CLEFT_ERROR_LABEL_LOST,
                     "none of the labels that are kept has a tetrahedron; a smaller size would keep them");
+}
+
+// What is left of a sound mesh is sound.
+void require_sound(const LabelledMesh& mesh, const Run& run)
+{
+    const std::string fault = cleft::quick_fault(mesh.points, mesh.tets, run);
+    if (!fault.empty())
+        throw Error(CLEFT_ERROR_INVALID_MESH, "the mesh is not valid: " + fault);
 }
 
 void note_result(const Run& run, const LabelledMesh& mesh)
@@ -64,7 +56,7 @@ LabelledMesh meshed(const cleft_volume& volume, const cleft_sizing* sizing, cons
     if (background && p.tets > 0)
         run.say(CLEFT_LOG_WARNING, "tets has no effect on a background that is given");
     if (background)
-        return cleft::mesh_from_background(volume.volume, checked_background(*background, volume.frame), p, run);
+        return cleft::mesh_from_background(volume.volume, checked_background(*background, volume.frame, run), p, run);
     if (sizing) {
         if (sizing->frame.grid.dims != volume.frame.grid.dims)
             throw Error(CLEFT_ERROR_ARGUMENT, "the sizing field and the volume have different dims");
@@ -89,7 +81,7 @@ cleft_status cleft_background_create(cleft_context* context, const cleft_sizing*
         cleft::TetMesh mesh = cleft::make_background(s->field, pipeline_options(options), run);
         LabelledMesh labelled{std::move(mesh.points), std::move(mesh.tets), {}};
         labelled.material.assign(labelled.tets.size(), 0);
-        return cleft::capi::to_user(std::move(labelled), s->frame, {0});
+        return cleft::capi::to_user(std::move(labelled), s->frame, {0}, run);
     });
 }
 
@@ -102,9 +94,9 @@ cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volum
         cleft::PipelineOptions p = pipeline_options(options);
         warn_of_unused_smooth(v->volume, options, run);
         p.improve.effort = cleft::Effort::off;
-        cleft::TetMesh mesh = checked_background(*from, v->frame);
+        cleft::TetMesh mesh = checked_background(*from, v->frame, run);
         cleft::repair_background(mesh, p, cleft::part_of(run, 0.0, 0.3));
-        return to_user(cleft::cleave_and_improve(v->volume, mesh, p, cleft::part_of(run, 0.3, 1.0)), *v);
+        return to_user(cleft::cleave_and_improve(v->volume, mesh, p, cleft::part_of(run, 0.3, 1.0)), *v, run);
     });
 }
 
@@ -116,10 +108,11 @@ cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volu
         const auto from = held(mesh, "mesh");
         const cleft::PipelineOptions p = pipeline_options(options);
         warn_of_unused_smooth(v->volume, options, run);
+        require_valid(*from, "mesh", run);
         LabelledMesh work = to_stage(*from, *v);
         const cleft::StageTimer timer(run, "improving");
         cleft::improve(work, v->volume, p.improve, run);
-        cleft_mesh result = cleft::capi::to_user(std::move(work), v->frame, v->volume.labels());
+        cleft_mesh result = cleft::capi::to_user(std::move(work), v->frame, v->volume.labels(), run);
         add_label_names(result.names, from->names, result.labels);
         add_label_names(result.names, v->names, result.labels);
         return result;
@@ -132,6 +125,7 @@ cleft_status cleft_mesh_strip(cleft_context* context, const cleft_mesh* mesh, co
     return guarded_create(context, out, [&](const Run& run) {
         const auto from = held(mesh, "mesh");
         const auto lists = held(options, "options");
+        require_sound(from->mesh, run);
         cleft_mesh copy = *from;
         strip_labels(copy, &*lists);
         warn_of_unknown_labels(from->labels, &*lists, "mesh", run);
@@ -152,7 +146,7 @@ cleft_status cleft_mesh_volume(cleft_context* context, const cleft_volume* volum
         warn_of_unused_smooth(v->volume, options, run);
         LabelledMesh mesh = meshed(*v, sizing, background, p, run);
         require_kept(mesh, p);
-        cleft_mesh result = to_user(std::move(mesh), *v);
+        cleft_mesh result = to_user(std::move(mesh), *v, run);
         strip_labels(result, options);
         note_result(run, result.mesh);
         return result;

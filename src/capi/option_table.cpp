@@ -1,13 +1,13 @@
 #include "capi/option_table.hpp"
 
-#include <cfloat>
+#include "volume/limits.hpp"
 
 namespace cleft::capi
 {
 
 namespace
 {
-constexpr double kMost = DBL_MAX;
+constexpr double kMost = kGreatestSize;
 constexpr double kWhole = 9007199254740992.0;  // 2^53: the whole numbers that a double holds exactly
 }  // namespace
 

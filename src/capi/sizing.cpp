@@ -54,8 +54,6 @@ cleft_status cleft_sizing_create_constant(cleft_context* context, const cleft_vo
         const auto v = held(volume, "volume");
         if (!std::isfinite(size))
             throw Error(CLEFT_ERROR_NOT_FINITE, "the size is NaN or infinite");
-        if (size <= 0)
-            throw Error(CLEFT_ERROR_ARGUMENT, "the size is " + cleft::text_of(size) + "; it must be above 0");
         SizingField field = cleft::constant_sizing(v->frame.grid, size);
         const double expected = cleft::expected_background_tets(field);
         return cleft_sizing{{}, v->frame, std::move(field), expected};

@@ -19,6 +19,8 @@ namespace
 constexpr double kReachOfTriangle = 0.3;
 // Steps of the search, in the least voxel spacing: label indicators are flat further away than that.
 constexpr double kStep = 0.4;
+// No search takes more steps: in voxels a thousand times as long as wide there would be hundreds.
+constexpr int kMostSteps = 64;
 constexpr double kCentroidShare = 0.75;
 // Fields of a user's own say where surfaces are to a small part of a voxel, and points on a ball cannot be on its
 // surface while it keeps its volume: there points give up so much less of their place, in radii of the curvature, which
@@ -56,7 +58,7 @@ std::optional<double> height_of_tie(const Volume& volume, const Vec3& x, const V
         return std::nullopt;
     const double direction = near.difference > 0 ? 1 : -1;
     double at = 0;
-    while (at < reach) {
+    for (int steps = 0; steps <= kMostSteps && at < reach; ++steps) {
         const double next = std::min(reach, at + step);
         const Lead far = side_at(volume, x + direction * next * normal, pair, samples);
         if (!far.ok)
@@ -152,7 +154,7 @@ void find_heights(const LocalMesh& mesh, const Volume& volume, const std::vector
                 kReachOfTriangle *
                 std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
             const auto height_at = [&](const Vec3& x) {
-                return height_of_tie(volume, x, normal, t.pair, reach, step, samples);
+                return height_of_tie(volume, x, normal, t.pair, reach, std::max(step, reach / kMostSteps), samples);
             };
             std::optional<double> height = height_at((a + b + c) / 3);
             for (const int32_t v : t.corners)

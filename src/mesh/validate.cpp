@@ -74,8 +74,6 @@ std::string first_fault(const LabelledMesh& mesh, const Placement& world, const 
         return name.point(points.non_finite.first) + " is not finite";
     if (points.repeated.count)
         return name.point(points.repeated.first) + " is at the place of the " + ordinal(points.repeated_of);
-    if (points.unused.count)
-        return name.point(points.unused.first) + " is in no tetrahedron";
     if (tets.negative.count)
         return name.tet(tets.negative.first) + " is inverted";
     if (tets.flat.count)
@@ -84,6 +82,8 @@ std::string first_fault(const LabelledMesh& mesh, const Placement& world, const 
         return name.face(faces.crowded.first) + " belongs to more than two tetrahedra";
     if (faces.folded.count)
         return name.face(faces.folded.first) + " has both its tetrahedra on one side";
+    if (points.unused.count)
+        return name.point(points.unused.first) + " is in no tetrahedron";
     return "";
 }
 

@@ -13,7 +13,8 @@ namespace cleft
 // Tetrahedra with a bad index take no part in the other counts; those with a point that is not finite take no part in
 // what needs coordinates. Sides of the bounding box are told with a tolerance of 1e-6 of its longest side.
 struct Validation {
-    // Tetrahedra. Negative or flat by the exact sign, but flat also with a volume below 1e-12 mean edge^3.
+    // Tetrahedra. Negative or flat by the exact sign, but flat also with a volume below 1e-12 of the cube of
+    // its own mean edge.
     int64_t bad_index = 0;        // with a point that is not there
     int64_t repeated_corner = 0;  // with the same point twice
     int64_t negative = 0;
@@ -36,6 +37,13 @@ struct Validation {
     std::string first_fault;  // one sentence naming the first fault and its place; empty if the mesh is valid
 
     bool valid() const { return first_fault.empty(); }
+    // Of a mesh that is not asked to fill its box, and has tetrahedra.
+    bool has_more_than_unused_points() const
+    {
+        return bad_index + repeated_corner + negative + flat + crowded_faces + folded_faces + non_finite +
+                   repeated_points >
+               0;
+    }
 };
 
 // With `fills_box`, hull faces off the bounding box, open interface edges, and a volume or hull area unlike the box's

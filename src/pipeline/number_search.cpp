@@ -1,6 +1,7 @@
 #include "pipeline/number_search.hpp"
 
 #include "background/lattice.hpp"
+#include "base/number_text.hpp"
 #include "base/stage_timer.hpp"
 
 #include <algorithm>
@@ -112,7 +113,7 @@ void warn_of_number(const LabelledMesh& mesh, const PipelineOptions& options, bo
         "the wanted number of tetrahedra, " + std::to_string(options.tets) + ", was not met: " + std::to_string(kept);
     if (is_limited)
         sentence += ", since the whole mesh, from which labels are left out, keeps to max_tets, " +
-                    std::to_string(std::llround(options.max_tets));
+                    count_text(options.max_tets);
     run.say(CLEFT_LOG_WARNING, sentence);
 }
 

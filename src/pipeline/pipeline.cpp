@@ -3,6 +3,7 @@
 #include "background/lattice.hpp"
 #include "background/octree.hpp"
 #include "background/repair.hpp"
+#include "base/number_text.hpp"
 #include "base/stage_timer.hpp"
 #include "improving/fit_volumes.hpp"
 #include "mesh/finish.hpp"
@@ -60,10 +61,9 @@ double lattice_size(const SizingField& field, const PipelineOptions& options, co
     if (size <= least)
         return least;
     const double asked = most * std::pow(size / least, 3);
-    run.say(CLEFT_LOG_WARNING, "a lattice of the least size, " + std::to_string(least) + ", has about " +
-                                   std::to_string(std::llround(asked)) + " tetrahedra: its size was raised to " +
-                                   std::to_string(size) + " to keep to max_tets, " +
-                                   std::to_string(std::llround(most)));
+    run.say(CLEFT_LOG_WARNING, "a lattice of the least size, " + number_text(least) + ", has about " +
+                                   count_text(asked) + " tetrahedra: its size was raised to " + number_text(size) +
+                                   " to keep to max_tets, " + count_text(most));
     return size;
 }
 
@@ -95,9 +95,9 @@ void warn_of_coarse_lattice(const SizingField& field, const Run& run)
 {
     constexpr double kCoarse = 1.1;
     if (field.scale > kCoarse && field.least() < field.greatest())
-        run.say(CLEFT_LOG_WARNING, "the lattice has one size, " + std::to_string(field.least()) +
+        run.say(CLEFT_LOG_WARNING, "the lattice has one size, " + number_text(field.least()) +
                                        ", which may lose the thinnest parts: a size of " +
-                                       std::to_string(field.least() / field.scale) +
+                                       number_text(field.least() / field.scale) +
                                        " resolves them, or a graded background with fewer tetrahedra");
 }
 

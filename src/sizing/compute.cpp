@@ -1,9 +1,11 @@
 #include "sizing/compute.hpp"
 
+#include "base/number_text.hpp"
 #include "base/stage_timer.hpp"
 #include "sizing/feature_size.hpp"
 #include "sizing/gradient_limit.hpp"
 #include "sizing/one_voxel.hpp"
+#include "volume/limits.hpp"
 
 #include <cmath>
 #include <limits>
@@ -16,8 +18,9 @@ namespace
 
 void check_size(const char* name, double value)
 {
-    if (!(value >= 0) || !std::isfinite(value))
-        throw Error(CLEFT_ERROR_OPTION, std::string(name) + " must be 0 or a positive, finite length");
+    if (value != 0 && !(value >= kLeastSize && value <= kGreatestSize))
+        throw Error(CLEFT_ERROR_OPTION, std::string(name) + " is " + number_text(value) + "; it must be 0, or within " +
+                                            number_text(kLeastSize) + " to " + number_text(kGreatestSize));
 }
 
 void check_options(const SizingOptions& options)
@@ -26,7 +29,8 @@ void check_options(const SizingOptions& options)
     check_size("size_min", options.size_min);
     check_size("size_max", options.size_max);
     check_size("interface_size", options.interface_size);
-    check_size("max_tets", options.max_tets);
+    if (!(options.max_tets >= 0) || !std::isfinite(options.max_tets))
+        throw Error(CLEFT_ERROR_OPTION, "max_tets must be 0 or a positive, finite number");
     if (options.size_max > 0 && options.size_max < options.size_min)
         throw Error(CLEFT_ERROR_OPTION, "size_max is less than size_min");
     if (!(options.feature_scale > 0) || !std::isfinite(options.feature_scale))
@@ -34,9 +38,7 @@ void check_options(const SizingOptions& options)
     if (!(options.gradation > 0) || !std::isfinite(options.gradation))
         throw Error(CLEFT_ERROR_OPTION, "gradation must be positive and finite");
     for (const auto& [label, size] : options.label_sizes)
-        if (!(size > 0) || !std::isfinite(size))
-            throw Error(CLEFT_ERROR_OPTION,
-                        "the size of label " + std::to_string(label) + " must be a positive, finite length");
+        check_size(("the size of label " + std::to_string(label)).c_str(), size);
 }
 
 // The values that a field may have, from the options and the box.
@@ -188,10 +190,9 @@ void keep_to_number(const Sources& from, Limits limits, SizingField& field, cons
         expected = expected_background_tets(field);
     }
     progress.run.note("sizing.raised_size_min", limits.least_feature);
-    progress.run.say(CLEFT_LOG_WARNING, "the features ask for about " + std::to_string(std::llround(asked)) +
-                                            " tetrahedra: the least size was raised to " +
-                                            std::to_string(limits.least_feature) + " to keep to max_tets, " +
-                                            std::to_string(std::llround(wanted)));
+    progress.run.say(CLEFT_LOG_WARNING,
+                     "the features ask for about " + count_text(asked) + " tetrahedra: the least size was raised to " +
+                         number_text(limits.least_feature) + " to keep to max_tets, " + count_text(wanted));
 }
 
 }  // namespace

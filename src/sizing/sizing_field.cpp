@@ -3,6 +3,7 @@
 #include "base/ordinal.hpp"
 #include "sizing/compute.hpp"
 #include "sizing/gradient_limit.hpp"
+#include "volume/limits.hpp"
 
 #include <cmath>
 #include <limits>
@@ -39,14 +40,16 @@ Error bad_sizing_value(double value, int64_t voxel, const Grid& grid)
     const std::string place = "the sizing value of " + voxel_in_words(voxel, grid.dims) + " is ";
     if (!std::isfinite(value))
         return Error(CLEFT_ERROR_NOT_FINITE, place + "NaN or infinite");
-    return Error(CLEFT_ERROR_ARGUMENT, place + text_of(value) + "; it must be above 0");
+    return Error(CLEFT_ERROR_ARGUMENT, place + text_of(value) + "; it must be within " + text_of(kLeastSize) + " to " +
+                                           text_of(kGreatestSize));
 }
 
 SizingField constant_sizing(const Grid& grid, double size)
 {
     check_sizing_grid(grid);
-    if (!(size > 0) || !std::isfinite(size))
-        throw Error(CLEFT_ERROR_ARGUMENT, "a constant size must be positive and finite");
+    if (!is_size(size))
+        throw Error(CLEFT_ERROR_ARGUMENT, "the size is " + number_text(size) + "; it must be within " +
+                                              number_text(kLeastSize) + " to " + number_text(kGreatestSize));
     return {grid, std::vector<float>(static_cast<size_t>(grid.size()), static_cast<float>(size)), 0.3};
 }
 
@@ -56,8 +59,8 @@ SizingField sizing_from_values(const Grid& grid, const double* values)
     SizingField field{grid, std::vector<float>(static_cast<size_t>(grid.size())), 0.3};
     for (size_t v = 0; v < field.h.size(); ++v) {
         field.h[v] = static_cast<float>(values[v]);
-        if (!(field.h[v] > 0) || !std::isfinite(field.h[v]))
-            throw bad_sizing_value(field.h[v], static_cast<int64_t>(v), grid);
+        if (!is_size(values[v]))
+            throw bad_sizing_value(values[v], static_cast<int64_t>(v), grid);
     }
     return field;
 }

@@ -2,9 +2,11 @@
 
 #include "base/error.hpp"
 #include "base/ordinal.hpp"
+#include "volume/limits.hpp"
 
 #include <Eigen/LU>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace cleft
@@ -45,7 +47,8 @@ Vec3 Frame::to_local(const Vec3& world) const
 {
     Vec3 local = inverse * (world - offset);
     const Vec3 extent = grid.extent();
-    const double tolerance = 1e-9 * extent.maxCoeff();
+    const double rounding = 2 * std::numeric_limits<double>::epsilon() * world.cwiseAbs().maxCoeff();
+    const double tolerance = 1e-9 * extent.maxCoeff() + rounding * inverse.cwiseAbs().maxCoeff();
     for (int axis = 0; axis < 3; ++axis) {
         if (std::abs(local[axis]) < tolerance)
             local[axis] = 0;
@@ -84,6 +87,7 @@ Frame make_frame(const int64_t dims[3], const double* affine)
         throw Error(CLEFT_ERROR_ARGUMENT, "the affine flattens the volume: its columns lie in one plane");
     frame.offset = origin - columns * Vec3(0.5, 0.5, 0.5);
     frame.inverse = frame.linear.inverse();
+    check_limits(frame);
     return frame;
 }
 

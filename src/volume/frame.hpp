@@ -18,8 +18,8 @@ struct Frame {
     Mat3 inverse = Mat3::Identity();
 
     Vec3 to_world(const Vec3& local) const { return linear * local + offset; }
-    // A point within 1e-9 of the longest side of a box plane is put exactly on it, so that planes survive the way to
-    // the world and back.
+    // A point within 1e-9 of the longest side of a box plane, or within the rounding of a place far from the origin, is
+    // put exactly on it, so that planes survive the way to the world and back.
     Vec3 to_local(const Vec3& world) const;
     bool flips() const { return linear.determinant() < 0; }
 };

@@ -1,9 +1,8 @@
 #include "volume/indicator_field.hpp"
 
-#include "base/ordinal.hpp"
-#include "base/parallel.hpp"
 #include "volume/indicator_blocks.hpp"
 #include "volume/indicator_claims.hpp"
+#include "volume/indicator_values.hpp"
 #include "volume/position.hpp"
 
 #include <algorithm>
@@ -136,24 +135,6 @@ Material greatest(size_t count, const Value& value)
     return static_cast<Material>(best);
 }
 
-template <class Value>
-std::vector<float> finite_copy(const Value* values, const Grid& grid, size_t field, const Run& run)
-{
-    const int64_t n = grid.size();
-    std::vector<float> out(static_cast<size_t>(n));
-    parallel_for(run, n, int64_t{1} << 16, [&](int64_t begin, int64_t end) {
-        for (int64_t i = begin; i < end; ++i) {
-            const auto f = static_cast<float>(values[i]);
-            if (!std::isfinite(f))
-                throw Error(CLEFT_ERROR_NOT_FINITE, "the " + ordinal(static_cast<int64_t>(field)) +
-                                                        " indicator function is NaN or infinite at " +
-                                                        voxel_in_words(i, grid.dims));
-            out[static_cast<size_t>(i)] = f;
-        }
-    });
-    return out;
-}
-
 // See IndicatorField::rest.
 int32_t find_rest(const std::vector<std::vector<float>>& field, const Run& run)
 {
@@ -190,10 +171,7 @@ IndicatorField make_indicators(const std::vector<const Value*>& fields, const Gr
 {
     IndicatorField out;
     out.grid = grid;
-    for (size_t k = 0; k < fields.size(); ++k) {
-        run.report(0.5 * static_cast<double>(k) / static_cast<double>(fields.size()), "volume");
-        out.field.push_back(finite_copy(fields[k], grid, k, run));
-    }
+    out.field = bounded_values(fields, grid, run);
     check_claims(out.field, grid, run);
     if (!out.is_signed())
         out.rest = find_rest(out.field, run);

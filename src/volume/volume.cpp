@@ -1,5 +1,6 @@
 #include "volume/volume.hpp"
 
+#include "base/number_text.hpp"
 #include "base/ordinal.hpp"
 #include "base/stage_timer.hpp"
 #include "volume/indicator_field.hpp"
@@ -36,7 +37,7 @@ void check_grid(const Grid& grid)
     for (int a = 0; a < 3; ++a)
         if (!(grid.spacing[a] > 0) || !std::isfinite(grid.spacing[a]))
             throw Error(CLEFT_ERROR_ARGUMENT, "the spacing along the " + ordinal(a) + " axis is " +
-                                                  std::to_string(grid.spacing[a]) + ", not a positive finite number");
+                                                  number_text(grid.spacing[a]) + ", not a positive finite number");
     const double voxels = double(grid.dims[0]) * double(grid.dims[1]) * double(grid.dims[2]);
     if (voxels > 0x1p56)
         throw std::bad_alloc();

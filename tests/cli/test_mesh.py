@@ -97,7 +97,7 @@ class Mesh(CommandTest):
         report, sentences = told(mickey, "--background", "lattice", "--tets", 9000)
         self.assertEqual(len(sentences), 1)
         least = report["metrics"]["sizing.least"]
-        self.assertIn("a size of %.6f resolves them" % least, sentences[0])
+        self.assertIn("a size of %.6g resolves them" % least, sentences[0])
         self.assertGreater(float(sentences[0].split("one size, ")[1].split(",")[0]), 3 * least)
         self.assertEqual(told(self.volume, "--background", "lattice")[1], [])
         self.assertEqual(told(mickey, "--background", "octree", "--tets", 9000)[1], [])

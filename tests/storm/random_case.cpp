@@ -47,6 +47,7 @@ public:
         else
             set_functions();
         set_options();
+        set_way();
         return std::move(made_);
     }
 
@@ -68,26 +69,27 @@ private:
 
     void set_affine()
     {
-        const double scale = one_in(4) ? std::pow(10, random_.between(-12, 12)) : 1;
-        const double stretch = one_in(3) ? 50 : one_in(2) ? 6 : 1;
+        const double scale = one_in(4) ? std::pow(10, random_.between(-16, 16)) : 1;
+        const double stretch = one_in(40) ? 2000 : one_in(3) ? 50 : one_in(2) ? 6 : 1;
         std::array<double, 3> spacing{};
         for (double& h : spacing)
             h = scale * std::pow(stretch, random_.unit());
         least_spacing_ = *std::min_element(spacing.begin(), spacing.end());
         const bool sheared = one_in(5), far = one_in(5);
+        const double distance = least_spacing_ * std::pow(10, random_.between(2, 15));
         for (size_t axis = 0; axis < 3; ++axis) {
             const double sign = one_in(4) ? -1 : 1;
             for (size_t row = 0; row < 3; ++row) {
                 const double turned = row == axis ? 1 : sheared ? random_.between(-0.3, 0.3) : 0;
                 made_.affine[4 * row + axis] = sign * spacing[axis] * turned;
             }
-            made_.affine[4 * axis + 3] = far ? least_spacing_ * random_.between(-1e8, 1e8) : 0;
+            made_.affine[4 * axis + 3] = far ? distance * random_.between(-1, 1) : 0;
         }
         if (one_in(6))  // axes of the voxels in another order than the world's
             for (size_t axis = 0; axis < 3; ++axis)
                 std::swap(made_.affine[axis], made_.affine[4 + axis]);
         tell("spacing " + number(spacing[0]) + " " + number(spacing[1]) + " " + number(spacing[2]) +
-             (sheared ? ", sheared" : "") + (far ? ", far" : ""));
+             (sheared ? ", sheared" : "") + (far ? ", as far as " + number(distance) : ""));
     }
 
     int32_t any_label()
@@ -175,13 +177,17 @@ private:
     void set_functions()
     {
         const auto count = static_cast<size_t>(one_in(3) ? 1 : pick(2, 6));
-        const uint64_t kind = random_.below(6);
-        static const char* const kNames[] = {"distances", "noise", "ties", "plateaus", "sentinels", "not finite"};
+        const uint64_t kind = random_.below(7);
+        static const char* const kNames[] = {"distances", "noise",      "ties",      "plateaus",
+                                             "sentinels", "not finite", "huge noise"};
+        sentinel_ = one_in(2) ? double{FLT_MAX} : std::pow(10, random_.between(0, 38));
+        scale_ = one_in(3) ? std::pow(10, random_.between(-44, 37)) : 1;
         prepare_pattern(count + 1);
         made_.functions.resize(count);
         for_each_voxel([&](const Voxel& v) {
             for (size_t f = 0; f < count; ++f)
-                made_.functions[f].push_back(function_at(kind, f, v));
+                made_.functions[f].push_back(static_cast<float>(std::clamp(
+                    scale_ * static_cast<double>(function_at(kind, f, v)), -double{FLT_MAX}, double{FLT_MAX})));
         });
         if (kind == 5)
             made_.functions[random_.below(count)][random_.below(static_cast<uint64_t>(made_.voxel_count()))] =
@@ -201,7 +207,9 @@ private:
             case 3:  // few values
                 return static_cast<float>(std::clamp(std::floor(distance), -1.0, 1.0));
             case 4:
-                return std::abs(distance) < 2 ? static_cast<float>(distance) : distance < 0 ? -FLT_MAX : FLT_MAX;
+                return static_cast<float>(std::abs(distance) < 2 ? distance : std::copysign(sentinel_, distance));
+            case 6:
+                return static_cast<float>(sentinel_ * random_.between(-1, 1));
             default:
                 return static_cast<float>(distance);
         }
@@ -244,6 +252,36 @@ private:
             made_.strip.push_back(made_.labels[random_.below(made_.labels.size())]);
     }
 
+    void set_way()
+    {
+        switch (random_.below(8)) {
+            case 0:
+                made_.way = Way::sizing;
+                for (int64_t v = 0; v < made_.voxel_count(); ++v)
+                    made_.sizes.push_back(least_spacing_ * random_.between(0.7, 4));
+                if (one_in(3))
+                    made_.sizes[random_.below(made_.sizes.size())] *= std::pow(10, random_.between(-9, 9));
+                tell("own sizes");
+                break;
+            case 1:
+                made_.way = Way::background;
+                tell("own background");
+                break;
+            case 2:
+                made_.way = Way::stages;
+                tell("stages");
+                break;
+            default:
+                break;
+        }
+        made_.constant_size = least_spacing_ * random_.between(0.8, 5);
+        made_.threads = one_in(4) ? 3 : 1;
+        if (one_in(10)) {
+            made_.cancel_at = pick(1, 60);
+            tell("cancel at " + std::to_string(made_.cancel_at));
+        }
+    }
+
     void option(const std::string& name, const std::string& value)
     {
         made_.options.emplace_back(name, value);
@@ -253,6 +291,7 @@ private:
     Random random_;
     Case made_;
     double least_spacing_ = 1;
+    double sentinel_ = 1, scale_ = 1;
     size_t sheet_axis_ = 0;
     int64_t thickness_ = 1;
     std::vector<std::array<double, 3>> seeds_;

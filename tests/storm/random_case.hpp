@@ -1,4 +1,4 @@
-// A random small volume with random options: the same for the same seed on every machine.
+// A random small volume with random options, and what is done with it: the same for the same seed on every machine.
 #pragma once
 
 #include "cleft/cleft.h"
@@ -12,6 +12,14 @@
 namespace storm
 {
 
+// How the mesh is made.
+enum class Way {
+    whole,       // one call
+    sizing,      // one call with a sizing field of the user's own
+    background,  // one call with a background of the user's own, poor and tampered with at times
+    stages,      // background, cleaving, improving and stripping, a call each
+};
+
 struct Case {
     std::array<int64_t, 3> dims{};
     std::array<double, 12> affine{};
@@ -19,6 +27,11 @@ struct Case {
     cleft_type type = CLEFT_TYPE_INT32;
     std::vector<int32_t> labels;
     std::vector<std::vector<float>> functions;
+    Way way = Way::whole;
+    std::vector<double> sizes;  // a user's own field, for Way::sizing
+    double constant_size = 0;   // of the background, for Way::stages and Way::background
+    int64_t cancel_at = 0;      // the call of the progress callback that asks to cancel; 0: none
+    int32_t threads = 1;
     // Options by name.
     std::vector<std::pair<std::string, std::string>> options;
     std::vector<std::pair<int32_t, double>> label_sizes;

@@ -1,0 +1,103 @@
+// Checks the meshes of users before a stage works on them.
+#include "capi/given_mesh.hpp"
+
+#include "base/number_text.hpp"
+#include "base/ordinal.hpp"
+#include "capi/mesh_frame.hpp"
+#include "mesh/bounding_box.hpp"
+#include "mesh/quick_check.hpp"
+#include "mesh/validate.hpp"
+#include "pipeline/pipeline.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace cleft::capi
+{
+
+namespace
+{
+
+void drop_unused_points(TetMesh& mesh)
+{
+    std::vector<int32_t> number(mesh.points.size(), -1);
+    for (const Tet& tet : mesh.tets)
+        for (const int32_t p : tet)
+            number[static_cast<size_t>(p)] = 0;
+    int32_t kept = 0;
+    for (size_t p = 0; p < mesh.points.size(); ++p)
+        if (number[p] == 0) {
+            number[p] = kept;
+            mesh.points[static_cast<size_t>(kept++)] = mesh.points[p];
+        }
+    mesh.points.resize(static_cast<size_t>(kept));
+    for (Tet& tet : mesh.tets)
+        for (int32_t& p : tet)
+            p = number[static_cast<size_t>(p)];
+}
+
+// How a background lies in the box of the volume.
+struct Cover {
+    double volume = 0;  // of its tetrahedra
+    BoundingBox box;    // of its points
+
+    explicit Cover(const TetMesh& mesh)
+    {
+        for (const Vec3& x : mesh.points)
+            box.add(x);
+        for (const Tet& tet : mesh.tets) {
+            const auto p = [&](size_t i) -> const Vec3& { return mesh.points[static_cast<size_t>(tet[i])]; };
+            volume += (p(1) - p(0)).cross(p(2) - p(0)).dot(p(3) - p(0)) / 6;
+        }
+    }
+};
+
+// Tetrahedra that overlap without sharing faces show themselves where they have more volume than their box.
+void check_cover(const Cover& cover, const Vec3& extent, const Run& run)
+{
+    constexpr double kSame = 1e-6;  // relative
+    const auto is_outside = [&](int axis) { return cover.box.hi[axis] <= 0 || cover.box.lo[axis] >= extent[axis]; };
+    if (is_outside(0) || is_outside(1) || is_outside(2))
+        throw Error(CLEFT_ERROR_ARGUMENT, "the background lies outside of the volume's box");
+    if (cover.volume > (1 + kSame) * cover.box.volume())
+        throw Error(CLEFT_ERROR_INVALID_MESH,
+                    "the background is not valid: its tetrahedra overlap, for their volume is " +
+                        number_text(cover.volume / cover.box.volume()) + " times that of their box");
+    const Vec3 margin = kSame * extent;
+    if ((cover.box.lo.array() < -margin.array()).any() || (cover.box.hi.array() > (extent + margin).array()).any())
+        run.say(CLEFT_LOG_WARNING,
+                "the background reaches out of the volume's box; there the labels at the sides of the "
+                "box hold on");
+    else if (cover.volume < (1 - kSame) * extent.prod())
+        run.say(CLEFT_LOG_WARNING, "the background fills " + number_text(100 * cover.volume / extent.prod()) +
+                                       " % of the volume's box; the mesh fills no more");
+}
+
+}  // namespace
+
+void require_valid(const cleft_mesh& mesh, const char* whose, const Run& run)
+{
+    if (mesh.mesh.tets.empty())
+        throw Error(CLEFT_ERROR_ARGUMENT, std::string("the ") + whose + " has no tetrahedra");
+    const Validation found = validate(mesh.mesh, false, part_of(run, 0, 0));
+    if (!found.first_fault.empty() && found.has_more_than_unused_points())
+        throw Error(CLEFT_ERROR_INVALID_MESH, std::string("the ") + whose + " is not valid: " + found.first_fault);
+}
+
+TetMesh checked_background(const cleft_mesh& mesh, const Frame& frame, const Run& run)
+{
+    require_valid(mesh, "background", run);
+    TetMesh out;
+    to_local(mesh, frame, out.points, out.tets);
+    drop_unused_points(out);
+    const std::string fault = quick_fault(out.points, out.tets, run);
+    if (!fault.empty())
+        throw Error(CLEFT_ERROR_INVALID_MESH,
+                    "the background is too fine for its distance from the origin: in the frame "
+                    "of the volume " +
+                        fault);
+    check_cover(Cover(out), frame.grid.extent(), run);
+    return out;
+}
+
+}  // namespace cleft::capi

@@ -1,0 +1,17 @@
+// The check that every result of the library passes before a user gets it: cheap, and exact. The whole one, of faces,
+// hull and interfaces too, is validate().
+#pragma once
+
+#include "base/run.hpp"
+#include "mesh/tet_mesh.hpp"
+
+#include <string>
+
+namespace cleft
+{
+
+// "" if all coordinates are finite, no two points are at one place, and every tetrahedron is positively oriented by the
+// exact predicate; else the first fault in words. All point numbers must be in range.
+std::string quick_fault(const std::vector<Vec3>& points, const std::vector<Tet>& tets, const Run& run);
+
+}  // namespace cleft

@@ -1,0 +1,95 @@
+// Takes in the values of indicator functions, and makes sentinels a little more than the band they lie around.
+#include "volume/indicator_values.hpp"
+
+#include "base/number_text.hpp"
+#include "base/ordinal.hpp"
+#include "base/parallel.hpp"
+#include "volume/limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cleft
+{
+
+namespace
+{
+
+constexpr int64_t kValuesChecked = int64_t{1} << 16;
+
+// What the values of a field, or of several, are like.
+struct Range {
+    double greatest = 0;  // magnitude of those within the limit
+    int64_t far = 0;      // number of those beyond
+
+    void add(const Range& other)
+    {
+        greatest = std::max(greatest, other.greatest);
+        far += other.far;
+    }
+};
+
+template <class Value>
+Range range_of(const Value* values, const Grid& grid, size_t field, const Run& run)
+{
+    std::vector<Range> parts(static_cast<size_t>(chunk_count(grid.size(), kValuesChecked)));
+    parallel_chunks(run, grid.size(), kValuesChecked, [&](int64_t chunk, int64_t begin, int64_t end) {
+        Range& part = parts[static_cast<size_t>(chunk)];
+        for (int64_t i = begin; i < end; ++i) {
+            const double magnitude = std::abs(static_cast<double>(values[i]));
+            if (!std::isfinite(magnitude))
+                throw Error(CLEFT_ERROR_NOT_FINITE, "the " + ordinal(static_cast<int64_t>(field)) +
+                                                        " indicator function is NaN or infinite at " +
+                                                        voxel_in_words(i, grid.dims));
+            if (magnitude > kGreatestValue)
+                ++part.far;
+            else
+                part.greatest = std::max(part.greatest, magnitude);
+        }
+    });
+    Range whole;
+    for (const Range& part : parts)
+        whole.add(part);
+    return whole;
+}
+
+void warn_of_far_values(int64_t count, double far, const Run& run)
+{
+    run.say(CLEFT_LOG_WARNING,
+            std::to_string(count) +
+                (count == 1 ? " value of the indicator functions is" : " values of the indicator functions are") +
+                " beyond " + number_text(kGreatestValue) + " and taken as far away, " + number_text(far) +
+                " of the same sign");
+}
+
+}  // namespace
+
+template <class Value>
+std::vector<std::vector<float>> bounded_values(const std::vector<const Value*>& fields, const Grid& grid,
+                                               const Run& run)
+{
+    Range range;
+    for (size_t k = 0; k < fields.size(); ++k)
+        range.add(range_of(fields[k], grid, k, run));
+    const double far = range.greatest > 0 ? kFarValue * range.greatest : 1;
+    if (range.far > 0)
+        warn_of_far_values(range.far, far, run);
+    std::vector<std::vector<float>> out;
+    for (size_t k = 0; k < fields.size(); ++k) {
+        run.report(0.5 * static_cast<double>(k) / static_cast<double>(fields.size()), "volume");
+        out.emplace_back(static_cast<size_t>(grid.size()));
+        parallel_for(run, grid.size(), kValuesChecked, [&, values = fields[k]](int64_t begin, int64_t end) {
+            for (int64_t i = begin; i < end; ++i) {
+                const auto f = static_cast<double>(values[i]);
+                out[k][static_cast<size_t>(i)] =
+                    static_cast<float>(std::abs(f) > kGreatestValue ? std::copysign(far, f) : f);
+            }
+        });
+    }
+    return out;
+}
+
+template std::vector<std::vector<float>> bounded_values(const std::vector<const float*>&, const Grid&, const Run&);
+template std::vector<std::vector<float>> bounded_values(const std::vector<const double*>&, const Grid&, const Run&);
+
+}  // namespace cleft

@@ -1,0 +1,19 @@
+// The values of indicator functions as the stages use them: finite floats whose products do not overflow.
+#pragma once
+
+#include "base/run.hpp"
+#include "volume/grid.hpp"
+
+#include <vector>
+
+namespace cleft
+{
+
+// Copies of the fields. NaN and infinity are an Error. Values beyond kGreatestValue, which stand for "far away", become
+// kFarValue times the greatest magnitude that all the fields have within it, of their sign; a warning tells of them.
+// Taken as they are they would draw the cubic interpolation over zero where the field has none.
+template <class Value>
+std::vector<std::vector<float>> bounded_values(const std::vector<const Value*>& fields, const Grid& grid,
+                                               const Run& run);
+
+}  // namespace cleft

@@ -1,0 +1,292 @@
+// Makes the volume of a case, meshes it in the case's way, and looks at each mesh that comes back.
+#include "storm/trial.hpp"
+
+#include "storm/mesh_checker.hpp"
+
+#include <cstdlib>
+#include <utility>
+
+namespace storm
+{
+
+namespace
+{
+
+// A background of the user's own, as arrays.
+struct Arrays {
+    std::vector<double> points;
+    std::vector<int32_t> tets;
+};
+
+// What is done to a background before it is given back.
+enum class Tampering { none, holes, shift, repeat, turn, count };
+
+bool makes_invalid(Tampering tampering) { return tampering == Tampering::repeat || tampering == Tampering::turn; }
+
+void tamper(Arrays& arrays, Tampering tampering, double size)
+{
+    switch (tampering) {
+        case Tampering::holes:
+            for (size_t t = 0; t < arrays.tets.size() / 4; t += 7)
+                for (size_t i = 0; i < 4; ++i)
+                    arrays.tets[4 * t + i] = arrays.tets[arrays.tets.size() - 4 + i];
+            for (size_t t = arrays.tets.size() / 4; t-- > 0;)
+                if (t % 7 == 0)
+                    arrays.tets.erase(arrays.tets.begin() + static_cast<int64_t>(4 * t),
+                                      arrays.tets.begin() + static_cast<int64_t>(4 * t + 4));
+            break;
+        case Tampering::shift:
+            for (double& x : arrays.points)
+                x += 0.3 * size;
+            break;
+        case Tampering::repeat:
+            for (size_t i = 0; i < 4; ++i)
+                arrays.tets.push_back(arrays.tets[i]);
+            break;
+        case Tampering::turn:
+            std::swap(arrays.tets[2], arrays.tets[3]);
+            break;
+        default:
+            break;
+    }
+}
+
+class Trial
+{
+public:
+    explicit Trial(const Case& given) : case_(given)
+    {
+        if (cleft_context_create(&context_) != CLEFT_OK || cleft_options_create(&options_) != CLEFT_OK)
+            std::abort();
+        tampering_ =
+            static_cast<Tampering>(static_cast<size_t>(case_.voxel_count()) % static_cast<size_t>(Tampering::count));
+    }
+    ~Trial()
+    {
+        for (cleft_mesh* mesh : meshes_)
+            cleft_mesh_destroy(mesh);
+        cleft_sizing_destroy(sizing_);
+        cleft_volume_destroy(volume_);
+        cleft_options_destroy(options_);
+        cleft_context_destroy(context_);
+    }
+    Trial(const Trial&) = delete;
+    Trial& operator=(const Trial&) = delete;
+
+    Outcome run()
+    {
+        Outcome outcome;
+        outcome.status = status_of_all();
+        outcome.sentence = cleft_context_last_error(context_);
+        outcome.tets = meshes_.empty() ? 0 : cleft_mesh_tet_count(meshes_.back());
+        outcome.fault = fault_;
+        if (!fault_.empty())
+            return outcome;
+        const bool is_invalid = case_.way == Way::background && makes_invalid(tampering_);
+        if (outcome.status == CLEFT_OK && is_invalid && was_tampered_)
+            outcome.fault = "an invalid background was taken";
+        else if (outcome.status != CLEFT_OK && !is_documented(outcome.status))
+            outcome.fault = "status " + std::to_string(outcome.status) + " is not one that is documented for this";
+        else if (outcome.status != CLEFT_OK && outcome.status != CLEFT_ERROR_OPTION && outcome.sentence.empty())
+            outcome.fault = "there is no sentence about the failure";
+        return outcome;
+    }
+
+private:
+    bool is_documented(cleft_status status) const
+    {
+        switch (status) {
+            case CLEFT_ERROR_ARGUMENT:
+            case CLEFT_ERROR_NOT_FINITE:
+            case CLEFT_ERROR_TOO_LARGE:
+            case CLEFT_ERROR_OPTION:
+            case CLEFT_ERROR_LABEL_LOST:
+                return true;
+            case CLEFT_ERROR_INVALID_MESH:
+                return was_tampered_ && makes_invalid(tampering_);
+            case CLEFT_ERROR_CANCELLED:
+                return case_.cancel_at > 0;
+            default:
+                return false;
+        }
+    }
+
+    cleft_status status_of_all()
+    {
+        cleft_status status = cleft_context_set_threads(context_, case_.threads);
+        if (status == CLEFT_OK && case_.cancel_at > 0)
+            status = cleft_context_set_progress(context_, cancel_in_time, this);
+        if (status == CLEFT_OK)
+            status = set_options();
+        if (status == CLEFT_OK)
+            status = make_volume();
+        if (status != CLEFT_OK)
+            return status;
+        switch (case_.way) {
+            case Way::sizing:
+                return mesh_by_own_sizes();
+            case Way::background:
+                return mesh_by_own_background();
+            case Way::stages:
+                return mesh_by_stages();
+            default:
+                return checked(cleft_mesh_volume(context_, volume_, nullptr, nullptr, options_, next()), kept_box());
+        }
+    }
+
+    static int cancel_in_time(double, const char*, void* user)
+    {
+        Trial& trial = *static_cast<Trial*>(user);
+        return ++trial.calls_ == trial.case_.cancel_at;
+    }
+
+    cleft_status set_options()
+    {
+        for (const auto& [name, value] : case_.options)
+            if (const cleft_status status = cleft_options_set_text(options_, name.c_str(), value.c_str()))
+                return status;
+        for (const auto& [label, size] : case_.label_sizes)
+            if (const cleft_status status = cleft_options_set_label_size(options_, label, size))
+                return status;
+        return cleft_options_set_strip(options_, case_.strip.data(), static_cast<int64_t>(case_.strip.size()));
+    }
+
+    cleft_status make_volume()
+    {
+        if (case_.functions.empty())
+            return cleft_volume_create_labels(context_, case_.type, case_.labels.data(), case_.dims.data(),
+                                              case_.affine.data(), options_, &volume_);
+        std::vector<const void*> fields;
+        for (const auto& function : case_.functions)
+            fields.push_back(function.data());
+        return cleft_volume_create_indicators(context_, CLEFT_TYPE_FLOAT32, fields.data(),
+                                              static_cast<int64_t>(fields.size()), case_.dims.data(),
+                                              case_.affine.data(), nullptr, &volume_);
+    }
+
+    cleft_status mesh_by_own_sizes()
+    {
+        if (const cleft_status status = cleft_sizing_create_values(context_, volume_, CLEFT_TYPE_FLOAT64,
+                                                                   case_.sizes.data(), 0, options_, &sizing_))
+            return status;
+        const double expected = cleft_sizing_expected_tets(sizing_);
+        if (!(expected > 0 && expected < 1e300))
+            fault_ = "the expected number of tetrahedra is " + std::to_string(expected);
+        // Sizes of the user's own are taken as they are, and may well ask for a mesh that takes an hour.
+        constexpr double kMostTets = 300000;
+        if (expected > kMostTets)
+            return CLEFT_ERROR_TOO_LARGE;
+        return checked(cleft_mesh_volume(context_, volume_, sizing_, nullptr, options_, next()), kept_box());
+    }
+
+    cleft_status make_background()
+    {
+        if (const cleft_status status = cleft_sizing_create_constant(context_, volume_, case_.constant_size, &sizing_))
+            return status;
+        constexpr double kMostTets = 300000;
+        if (cleft_sizing_expected_tets(sizing_) > kMostTets)
+            return CLEFT_ERROR_TOO_LARGE;
+        Expectation plain = whole_box();
+        plain.labels = {0};
+        return checked(cleft_background_create(context_, sizing_, options_, next()), plain);
+    }
+
+    cleft_status mesh_by_own_background()
+    {
+        if (const cleft_status status = make_background())
+            return status;
+        if (!fault_.empty())
+            return CLEFT_OK;
+        const cleft_mesh* made = meshes_.back();
+        Arrays arrays;
+        arrays.points.assign(cleft_mesh_points(made), cleft_mesh_points(made) + 3 * cleft_mesh_point_count(made));
+        arrays.tets.assign(cleft_mesh_tets(made), cleft_mesh_tets(made) + 4 * cleft_mesh_tet_count(made));
+        tamper(arrays, tampering_, case_.constant_size);
+        was_tampered_ = true;
+        if (const cleft_status status =
+                cleft_mesh_create(context_, static_cast<int64_t>(arrays.points.size() / 3), arrays.points.data(),
+                                  static_cast<int64_t>(arrays.tets.size() / 4), arrays.tets.data(), nullptr, 0, next()))
+            return status;
+        Expectation kept = kept_box();
+        kept.fills_box = kept.fills_box && tampering_ == Tampering::none;
+        const cleft_mesh* given = meshes_.back();
+        return checked(cleft_mesh_volume(context_, volume_, nullptr, given, options_, next()), kept);
+    }
+
+    cleft_status mesh_by_stages()
+    {
+        cleft_status status = make_background();
+        if (status == CLEFT_OK)
+            status = checked(cleft_mesh_cleave(context_, volume_, previous(), options_, next()), whole_box());
+        if (status == CLEFT_OK)
+            status = checked(cleft_mesh_improve(context_, volume_, previous(), options_, next()), whole_box());
+        if (status == CLEFT_OK && !case_.strip.empty())
+            status = checked(cleft_mesh_strip(context_, previous(), options_, next()), kept_box());
+        return status;
+    }
+
+    // A place for the next mesh, behind the one before.
+    cleft_mesh** next()
+    {
+        meshes_.push_back(nullptr);
+        return &meshes_.back();
+    }
+    // The mesh before the one that is being made: evaluated before or after next(), it is the last that there is.
+    const cleft_mesh* previous() const
+    {
+        for (size_t i = meshes_.size(); i-- > 0;)
+            if (meshes_[i])
+                return meshes_[i];
+        return nullptr;
+    }
+
+    cleft_status checked(cleft_status status, const Expectation& expected)
+    {
+        if (status == CLEFT_OK && fault_.empty())
+            fault_ = fault_of(meshes_.back(), expected);
+        else if (status != CLEFT_OK && meshes_.back())
+            fault_ = "a call that failed gave a mesh";
+        return status;
+    }
+
+    Expectation whole_box() const
+    {
+        Expectation expected;
+        const int32_t* labels = cleft_volume_labels(volume_);
+        expected.labels.assign(labels, labels + cleft_volume_label_count(volume_));
+        for (size_t corner = 0; corner < 8; ++corner)
+            for (size_t row = 0; row < 3; ++row) {
+                double x = case_.affine[4 * row + 3];
+                for (size_t axis = 0; axis < 3; ++axis) {
+                    const double end = (corner >> axis & 1) ? static_cast<double>(case_.dims[axis]) - 0.5 : -0.5;
+                    x += case_.affine[4 * row + axis] * end;
+                }
+                expected.box[corner][row] = x;
+            }
+        return expected;
+    }
+
+    Expectation kept_box() const
+    {
+        Expectation expected = whole_box();
+        expected.fills_box = case_.strip.empty();
+        return expected;
+    }
+
+    const Case& case_;
+    Tampering tampering_ = Tampering::none;
+    bool was_tampered_ = false;
+    int64_t calls_ = 0;
+    std::string fault_;
+    cleft_context* context_ = nullptr;
+    cleft_options* options_ = nullptr;
+    cleft_volume* volume_ = nullptr;
+    cleft_sizing* sizing_ = nullptr;
+    std::vector<cleft_mesh*> meshes_;  // all that were made, in their order
+};
+
+}  // namespace
+
+Outcome run(const Case& drawn) { return Trial(drawn).run(); }
+
+}  // namespace storm
