@@ -45,12 +45,12 @@ static void worlds_within_the_limits_give_sound_meshes(void** state)
 {
     static const struct world kWithin[] = {{{1e-15, 1e-15, 1e-15}, 0},
                                            {{1e15, 1e15, 1e15}, 0},
-                                           {{1, 300, 1}, 0},
-                                           {{50, 1, 50}, 0},
+                                           {{1, 100, 1}, 0},
+                                           {{12, 1, 12}, 0},
                                            {{1, 1, 1}, 9.9e13},
                                            {{1e-9, 1e-9, 1e-9}, 9.9e4},
-                                           {{1e-15, 1e-13, 1e-15}, 0.005},
-                                           {{1e13, 1e15, 1e14}, 1e25}};
+                                           {{1e-15, 1e-14, 1e-15}, 0.005},
+                                           {{1e14, 1e15, 3e14}, 1e25}};
     static const char* const kBackgrounds[] = {"particles", "lattice", "octree"};
     cleft_context* context = new_context();
     (void)state;
