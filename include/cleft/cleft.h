@@ -373,7 +373,10 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_at(const cleft_sizing* sizin
                                                        double* size) CLEFT_NOEXCEPT;
 /** Tetrahedra that a background of particles of this field will have, within some 10 %, in the labels that strip and
  *  only of the options keep with which the field was made (all, if there were none). The number in all labels is the
- *  figure "sizing.expected_background_tets" on the context. A finished mesh has 10 to 30 % more. 0 for NULL.
+ *  figure "sizing.expected_background_tets" on the context. A finished mesh has 10 to 30 % more, and up to 24 times as
+ *  many where nearly each point has a label of its own: the figures "sizing.expected_mesh_tets" and
+ *  "sizing.expected_kept_mesh_tets" tell of it. Sizes of the user's that jump from voxel to voxel count as they are
+ *  interpolated. 0 for NULL.
  *  \since 0.1 */
 CLEFT_API double cleft_sizing_expected_tets(const cleft_sizing* sizing) CLEFT_NOEXCEPT;
 

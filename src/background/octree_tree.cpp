@@ -1,6 +1,7 @@
 #include "background/octree_tree.hpp"
 
 #include "background/bcc_cell.hpp"
+#include "base/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,12 +19,29 @@ constexpr double kSlack = 1.75;
 // of 1.75 h would tear it.
 constexpr double kThin = 1.2, kThinSlack = 1.25;
 constexpr int32_t kMostLevels = 20;
+// What 32-bit numbers and memory hold with a margin: some twelve tetrahedra a leaf.
+constexpr double kMostTets = 600e6;
+constexpr size_t kMostCells = 60'000'000;
+// Tetrahedra of an octree over those of particles of the same field, mostly. Around spikes of a user's field there are
+// more: there the number of cells is the bound.
+constexpr double kTetsOverParticles = 1.5;
+
+void refuse_too_many(const SizingField& field)
+{
+    const double tets = kTetsOverParticles * expected_background_tets(field);
+    if (tets > kMostTets)
+        throw Error(CLEFT_ERROR_TOO_LARGE, "the sizes ask for an octree of about " + count_text(tets / 1e6) +
+                                               " million tetrahedra, and it can have 600 million: give a greater size "
+                                               "or size_min, or a number of tetrahedra by tets");
+}
 
 void split(Octree& tree, int32_t cell)
 {
     const auto first = static_cast<int32_t>(tree.cells.size());
-    if (tree.cells.size() > static_cast<size_t>(INT32_MAX) / 4)
-        throw Error(CLEFT_ERROR_TOO_LARGE, "the sizing field asks for more than 500 million octree cells");
+    if (tree.cells.size() > kMostCells)
+        throw Error(CLEFT_ERROR_TOO_LARGE,
+                    "the sizes ask for more than 60 million octree cells: give a greater size or "
+                    "size_min");
     const OctreeCell parent = tree.cells[static_cast<size_t>(cell)];
     tree.cells[static_cast<size_t>(cell)].first_child = first;
     for (int32_t child = 0; child < 8; ++child)
@@ -61,8 +79,10 @@ Int3 root_counts(const Vec3& extent, const SizingField& field)
         count *= n;
         roots[axis] = static_cast<int32_t>(std::min(n, 1e9));
     }
-    if (count > INT32_MAX / 16)
-        throw Error(CLEFT_ERROR_TOO_LARGE, "the sizing field asks for more than 130 million octree roots");
+    if (count > static_cast<double>(kMostCells))
+        throw Error(CLEFT_ERROR_TOO_LARGE,
+                    "the sizes ask for more than 60 million octree cells: give a greater size or "
+                    "size_min");
     return roots;
 }
 
@@ -146,6 +166,7 @@ int32_t Octree::find(const Int3& at, int32_t level) const
 
 Octree build_octree(const SizingField& field, const Run& run)
 {
+    refuse_too_many(field);
     const Vec3 extent = field.grid.extent();
     Octree tree;
     tree.roots = root_counts(extent, field);

@@ -2,6 +2,7 @@
 #include "base/stage_timer.hpp"
 #include "capi/firewall.hpp"
 #include "capi/options.hpp"
+#include "pipeline/expected_mesh.hpp"
 #include "pipeline/number_search.hpp"
 
 #include <cmath>
@@ -30,6 +31,10 @@ cleft_sizing finished(const cleft_volume& v, SizingField field, const cleft::Pip
     cleft::fit_to_number(field, v.volume, p, run);
     run.note("sizing.expected_background_tets", cleft::expected_background_tets(field));
     const double expected = cleft::expected_background_tets(field, v.volume, p.keep);
+    const cleft::ExpectedMesh mesh = cleft::expected_mesh(field, v.volume, p.keep, run);
+    run.note("sizing.expected_mesh_tets", mesh.tets);
+    run.note("sizing.expected_kept_mesh_tets", mesh.kept);
+    run.note("sizing.expected_mesh_is_bound", mesh.is_bound ? 1 : 0);
     return {{}, v.frame, std::move(field), expected};
 }
 

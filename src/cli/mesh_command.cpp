@@ -102,6 +102,7 @@ struct Estimate {
     double tets = 0;        // of the labels that are kept
     double whole_tets = 0;  // of the mesh that they are taken from
     double bytes = 0;
+    bool is_bound = false;  // there may be fewer
 };
 
 // The share of the tetrahedra of a background whose middles lie in labels that are kept.
@@ -123,22 +124,27 @@ double kept_share(const Session& session, const MeshArguments& arguments, const 
 }
 
 Estimate estimated(const Session& session, const MeshArguments& arguments, const cleft_volume* volume, int64_t voxels,
-                   const cleft_sizing* sizing, const cleft_mesh* background)
+                   const cleft_mesh* background)
 {
-    // Cleaving adds 10 to 20 percent on most volumes.
-    const double cleaved = 1.15;
     Estimate estimate;
     if (background != nullptr) {
+        const double cleaved = 1.15;  // on most volumes
         estimate.whole_tets = cleaved * static_cast<double>(cleft_mesh_tet_count(background));
         estimate.tets = estimate.whole_tets * kept_share(session, arguments, volume, background);
     } else {
-        estimate.tets = cleaved * cleft_sizing_expected_tets(sizing);
-        for (const auto& [name, value] : session.metrics())
-            if (name == "sizing.expected_background_tets")
-                estimate.whole_tets = cleaved * value;
+        for (const auto& [name, value] : session.metrics()) {
+            if (name == "sizing.expected_kept_mesh_tets")
+                estimate.tets = value;
+            else if (name == "sizing.expected_mesh_tets")
+                estimate.whole_tets = value;
+            else if (name == "sizing.expected_mesh_is_bound")
+                estimate.is_bound = value != 0;
+        }
     }
-    // What real volumes took, rounded up: for the program, a voxel and a tetrahedron.
-    estimate.bytes = 3e7 + 12.0 * static_cast<double>(voxels) + 200.0 * estimate.whole_tets;
+    // What real volumes took, rounded up: for the program, a voxel and a tetrahedron. Many labels have tables of
+    // theirs.
+    estimate.bytes =
+        3e7 + 12.0 * static_cast<double>(voxels) + (estimate.is_bound ? 420.0 : 200.0) * estimate.whole_tets;
     return estimate;
 }
 
@@ -152,21 +158,22 @@ int tell_estimate(Session& session, const MeshArguments& arguments, const cleft_
             });
         });
     const VolumeFindings found = look_at_volume(session, volume);
-    const Estimate estimate = estimated(session, arguments, volume, found.voxel_count(), sizing.get(), background);
+    const Estimate estimate = estimated(session, arguments, volume, found.voxel_count(), background);
     session.clear_progress();
     if (arguments.run.prints()) {
-        std::string text = volume_line(found) + left("Estimate", 11) + grouped(std::llround(estimate.tets)) +
-                           " tetrahedra, about " + bytes_text(estimate.bytes) + " of memory\n";
+        std::string text = volume_line(found) + left("Estimate", 11) + (estimate.is_bound ? "up to " : "") +
+                           rounded(estimate.tets) + " tetrahedra, about " + bytes_text(estimate.bytes) + " of memory\n";
         if (estimate.whole_tets > 1.01 * estimate.tets)
-            text += left("", 11) + "of " + grouped(std::llround(estimate.whole_tets)) +
-                    " with the labels that are left out\n";
+            text += left("", 11) + "of " + rounded(estimate.whole_tets) + " with the labels that are left out\n";
         print_summary_text(text);
     }
     if (!arguments.run.json.empty()) {
         auto report = report_head("mesh");
         report["volume"] = volume_json(found);
-        report["estimate"] = {
-            {"tets", estimate.tets}, {"whole_tets", estimate.whole_tets}, {"peak_bytes", estimate.bytes}};
+        report["estimate"] = {{"tets", estimate.tets},
+                              {"whole_tets", estimate.whole_tets},
+                              {"peak_bytes", estimate.bytes},
+                              {"is_bound", estimate.is_bound}};
         add_run(report, session);
         write_json(report, arguments.run.json);
     }
@@ -228,21 +235,51 @@ void warn_of_contacts(Session& session, const std::vector<cleft_contact>& contac
                  "; a smaller size opens the gap (--size-min, --label-size)");
 }
 
+// Labels of which one thing is told: five by name, and how many more there are.
+class LabelList
+{
+public:
+    void add(int32_t label, const std::string& what)
+    {
+        constexpr int64_t named = 5;
+        if (++count_ <= named)
+            text_ += (count_ == 1 ? "label " : ", label ") + std::to_string(label) + " (" + what + ")";
+        else
+            ++more_;
+    }
+    bool empty() const { return count_ == 0; }
+    std::string text() const { return text_ + (more_ > 0 ? " and " + grouped(more_) + " more" : ""); }
+    std::string counted() const { return plural(count_, "label"); }
+
+private:
+    int64_t count_ = 0, more_ = 0;
+    std::string text_;
+};
+
+// Each kind of loss in one sentence, however many labels it befalls.
 void warn_of_lost_labels(Session& session, const MeshArguments& arguments, const Result& result)
 {
+    LabelList lost, pieces_lost, broken;
     for (const LabelFindings& row : result.report.labels) {
         if (arguments.left_out(row.label))
             continue;
-        const std::string name = "label " + std::to_string(row.label);
-        const std::string of_pieces = " of its " + grouped(row.large_components) + " pieces of more than 30 voxels";
+        const std::string of_pieces = " of " + plural(row.large_components, "piece");
         if (row.lost != 0)
-            session.warn(name + " (" + plural(row.voxels, "voxel") + ") is not in the mesh");
+            lost.add(row.label, plural(row.voxels, "voxel"));
         else if (row.large_components_lost > 0)
-            session.warn(name + ": " + grouped(row.large_components_lost) + of_pieces + " are not in the mesh");
+            pieces_lost.add(row.label, grouped(row.large_components_lost) + of_pieces);
         if (row.large_components_broken > 0)
-            session.warn(name + ": " + grouped(row.large_components_broken) + of_pieces +
-                         " broke where they are thinner than the tetrahedra (--size-min, --label-size)");
+            broken.add(row.label, grouped(row.large_components_broken) + of_pieces);
     }
+    if (!lost.empty())
+        session.warn("the mesh lacks " + lost.counted() + " of the volume: " + lost.text());
+    if (!pieces_lost.empty())
+        session.warn("the mesh lacks pieces of more than 30 voxels of " + pieces_lost.counted() + ": " +
+                     pieces_lost.text());
+    if (!broken.empty())
+        session.warn("pieces of more than 30 voxels of " + broken.counted() +
+                     " broke where they are thinner than the tetrahedra: " + broken.text() +
+                     " (--size-min, --label-size)");
 }
 
 void print_summary(const Session& session, const MeshArguments& arguments, const Result& result,

@@ -104,9 +104,8 @@ int run_sizing(const SizingArguments& arguments)
     if (arguments.run.prints())
         print_summary_text(volume_line(found) + left("Sizes", 11) + significant(field.least) + " to " +
                            significant(field.greatest) + ", median " + significant(field.median) + "\n" +
-                           left("Estimate", 11) + grouped(std::llround(field.tets)) + " tetrahedra\n" +
-                           left("Written", 11) + arguments.output + " (" + bytes_text(staged.bytes(arguments.output)) +
-                           ")\n");
+                           left("Estimate", 11) + rounded(field.tets) + " tetrahedra\n" + left("Written", 11) +
+                           arguments.output + " (" + bytes_text(staged.bytes(arguments.output)) + ")\n");
     staged.commit();
     return EXIT_OK;
 }

@@ -18,6 +18,12 @@ std::string grouped(int64_t number)
     return text;
 }
 
+std::string rounded(double number)
+{
+    constexpr double readable = 1e15;
+    return number < readable ? grouped(static_cast<int64_t>(std::llround(number))) : significant(number);
+}
+
 std::string decimals(double number, int digits)
 {
     char buffer[64];

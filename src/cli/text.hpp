@@ -9,6 +9,7 @@ namespace cleft_cli
 {
 
 std::string grouped(int64_t number);                     // 1,234,567
+std::string rounded(double number);                      // 1,234,567; from 1e15 on 1.2e+20
 std::string decimals(double number, int digits);         // 12.30
 std::string significant(double number, int digits = 4);  // 0.001235, 1.2e+07
 std::string bytes_text(double bytes);                    // 12.3 MB

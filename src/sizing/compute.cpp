@@ -38,7 +38,10 @@ void check_options(const SizingOptions& options)
     if (!(options.gradation > 0) || !std::isfinite(options.gradation))
         throw Error(CLEFT_ERROR_OPTION, "gradation must be positive and finite");
     for (const auto& [label, size] : options.label_sizes)
-        check_size(("the size of label " + std::to_string(label)).c_str(), size);
+        if (size == 0)
+            throw Error(CLEFT_ERROR_OPTION, "the size of label " + std::to_string(label) + " is 0");
+        else
+            check_size(("the size of label " + std::to_string(label)).c_str(), size);
 }
 
 // The values that a field may have, from the options and the box.

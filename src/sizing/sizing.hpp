@@ -6,6 +6,7 @@
 #include "volume/volume.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -72,8 +73,8 @@ SizingField constant_sizing(const Grid& grid, double size);
 // A user's own values (positive, finite; an Error names the first that is not), taken as they are.
 SizingField sizing_from_values(const Grid& grid, const double* values);
 
-// Integral of h^-3 over the box.
-double sizing_charge(const SizingField& field);
+// Integral of h^-3 over the voxels that count (all, if `counts` is null), as the field is interpolated.
+double sizing_charge(const SizingField& field, const std::function<bool(int64_t voxel)>& counts = nullptr);
 // Tetrahedra that the particle background would have.
 double expected_background_tets(const SizingField& field);
 // Those of them in the voxels of some materials; keep[material] != 0, all if it is empty.

@@ -69,16 +69,6 @@ double SizingField::least() const { return *std::min_element(h.begin(), h.end())
 
 double SizingField::greatest() const { return *std::max_element(h.begin(), h.end()); }
 
-double sizing_charge(const SizingField& field)
-{
-    double sum = 0;
-    for (const float value : field.h) {
-        const double h = value;
-        sum += 1 / (h * h * h);
-    }
-    return sum * field.grid.spacing.prod();
-}
-
 double expected_background_tets(const SizingField& field)
 {
     return tets_per_particle * particles_per_charge * sizing_charge(field);
@@ -88,13 +78,9 @@ double expected_background_tets(const SizingField& field, const Volume& volume, 
 {
     if (keep.empty())
         return expected_background_tets(field);
-    double sum = 0;
-    for (size_t v = 0; v < field.h.size(); ++v) {
-        const double h = field.h[v];
-        if (keep[static_cast<size_t>(volume.voxel_material(static_cast<int64_t>(v)))] != 0)
-            sum += 1 / (h * h * h);
-    }
-    return tets_per_particle * particles_per_charge * sum * field.grid.spacing.prod();
+    return tets_per_particle * particles_per_charge * sizing_charge(field, [&](int64_t voxel) {
+               return keep[static_cast<size_t>(volume.voxel_material(voxel))] != 0;
+           });
 }
 
 void scale_sizing(SizingField& field, double factor, const Run& run)

@@ -252,8 +252,7 @@ static Refusal refusal_of(Fields fields, const std::vector<int32_t>& labels = {}
 
 static void bad_values_are_refused_by_place(void**)
 {
-    for (const double bad :
-         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -1e300}) {
+    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
         Fields fields = two_spheres();
         fields.values[2][1234] = bad;
         fields.values[2][15000] = bad;

@@ -1,0 +1,125 @@
+// The charge of a sizing field: the integral of h^-3 over the box, from which numbers of tetrahedra follow.
+#include "sizing/sizing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace cleft
+{
+
+namespace
+{
+
+double density(double h) { return 1 / (h * h * h); }
+
+// A voxel among others of about its size stands for its surroundings. Where sizes jump, as in fields of a user's own,
+// one small value counts as what interpolation makes of it: a spike around the centre of its voxel.
+constexpr float kSmooth = 1.5F;  // greatest over least size
+
+bool jumps(const std::vector<float>& h, int64_t a, int64_t b)
+{
+    const float x = h[static_cast<size_t>(a)], y = h[static_cast<size_t>(b)];
+    return std::max(x, y) > kSmooth * std::min(x, y);
+}
+
+// Fields that are limited by their gradation are smooth mostly, and cost one look.
+bool jumps_anywhere(const SizingField& field)
+{
+    int64_t stride = 1;
+    for (const int32_t n : field.grid.dims) {
+        const int64_t block = stride * n;
+        for (int64_t begin = 0; begin < field.grid.size(); begin += block)
+            for (int64_t v = begin; v < begin + block - stride; ++v)
+                if (jumps(field.h, v, v + stride))
+                    return true;
+        stride = block;
+    }
+    return false;
+}
+
+class VoxelCharge
+{
+public:
+    explicit VoxelCharge(const SizingField& field) : field_(field) {}
+
+    // The mean density of a voxel.
+    double mean_density(int64_t voxel)
+    {
+        if (!jumps_around(voxel))
+            return density(static_cast<double>(field_.h[static_cast<size_t>(voxel)]));
+        cells_left_ = kMostCells;
+        double sum = 0;  // of the octants, in each of which the field is trilinear
+        const int64_t row = field_.grid.dims[0], rows = field_.grid.dims[1];
+        const Vec3 place(static_cast<double>(voxel % row), static_cast<double>(voxel / row % rows),
+                         static_cast<double>(voxel / row / rows));
+        const Vec3 half = 0.5 * field_.grid.spacing, corner = place.cwiseProduct(field_.grid.spacing);
+        for (int octant = 0; octant < 8; ++octant)
+            sum += integral(corner + half.cwiseProduct(Vec3(octant & 1, octant >> 1 & 1, octant >> 2)), half, 0);
+        return sum / field_.grid.spacing.prod();
+    }
+
+private:
+    // A spike takes a few cells for each halving of the distance to it; a bound for fields that jump everywhere.
+    static constexpr int kMostCells = 4000, kMostHalvings = 150;
+
+    bool jumps_around(int64_t voxel) const
+    {
+        int64_t stride = 1, rest = voxel;
+        for (const int32_t n : field_.grid.dims) {
+            const int64_t at = rest % n;
+            if ((at > 0 && jumps(field_.h, voxel, voxel - stride)) ||
+                (at + 1 < n && jumps(field_.h, voxel, voxel + stride)))
+                return true;
+            rest /= n;
+            stride *= n;
+        }
+        return false;
+    }
+
+    // Halves a box across the axis along which h changes most, until it changes little.
+    double integral(const Vec3& low, const Vec3& side, int halvings)
+    {
+        std::array<double, 8> h{};
+        for (int c = 0; c < 8; ++c)
+            h[static_cast<size_t>(c)] = field_.at(low + side.cwiseProduct(Vec3(c & 1, c >> 1 & 1, c >> 2)));
+        double steepest = 1;
+        int across = 0;
+        for (int axis = 0; axis < 3; ++axis)
+            for (size_t c = 0; c < 8; ++c) {
+                const double ratio = h[c] / h[c ^ size_t{1} << axis];
+                if (ratio > steepest) {
+                    steepest = ratio;
+                    across = axis;
+                }
+            }
+        if (steepest <= double{kSmooth} || halvings >= kMostHalvings || --cells_left_ < 0) {
+            double corners = 0;
+            for (const double value : h)
+                corners += density(value) / 8;
+            return side.prod() * (corners + 2 * density(field_.at(low + 0.5 * side))) / 3;  // Simpson's rule
+        }
+        Vec3 half = side, middle = low;
+        half[across] /= 2;
+        middle[across] += half[across];
+        return integral(low, half, halvings + 1) + integral(middle, half, halvings + 1);
+    }
+
+    const SizingField& field_;
+    int cells_left_ = 0;
+};
+
+}  // namespace
+
+double sizing_charge(const SizingField& field, const std::function<bool(int64_t voxel)>& counts)
+{
+    const bool is_rough = jumps_anywhere(field);
+    VoxelCharge charge(field);
+    double sum = 0;
+    for (int64_t v = 0; v < field.grid.size(); ++v)
+        if (!counts || counts(v))
+            sum += is_rough ? charge.mean_density(v) : density(static_cast<double>(field.h[static_cast<size_t>(v)]));
+    return sum * field.grid.spacing.prod();
+}
+
+}  // namespace cleft
