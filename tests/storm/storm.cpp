@@ -68,6 +68,9 @@ int main(int argc, char** argv)
         std::snprintf(running, sizeof running, "seed %llu", seed);
         watch_from_now();
         const storm::Case drawn = storm::random_case(seed);
+        if (seeds.size() == 1)
+            std::printf("%s: %s\n", running, drawn.text.c_str());
+        std::fflush(stdout);
         const storm::Outcome outcome = storm::run(drawn);
         ++ends[outcome.status];
         if (!outcome.fault.empty() || seeds.size() == 1)

@@ -12,6 +12,8 @@ namespace storm
 namespace
 {
 
+constexpr double kMostTets = 300000;  // where the library is not asked to keep to max_tets
+
 // A background of the user's own, as arrays.
 struct Arrays {
     std::vector<double> points;
@@ -87,7 +89,8 @@ public:
             outcome.fault = "an invalid background was taken";
         else if (outcome.status != CLEFT_OK && !is_documented(outcome.status))
             outcome.fault = "status " + std::to_string(outcome.status) + " is not one that is documented for this";
-        else if (outcome.status != CLEFT_OK && outcome.status != CLEFT_ERROR_OPTION && outcome.sentence.empty())
+        else if (outcome.status != CLEFT_OK && outcome.status != CLEFT_ERROR_OPTION && !left_out_ &&
+                 outcome.sentence.empty())
             outcome.fault = "there is no sentence about the failure";
         return outcome;
     }
@@ -173,19 +176,24 @@ private:
         if (!(expected > 0 && expected < 1e300))
             fault_ = "the expected number of tetrahedra is " + std::to_string(expected);
         // Sizes of the user's own are taken as they are, and may well ask for a mesh that takes an hour.
-        constexpr double kMostTets = 300000;
         if (expected > kMostTets)
-            return CLEFT_ERROR_TOO_LARGE;
+            return left_out();
         return checked(cleft_mesh_volume(context_, volume_, sizing_, nullptr, options_, next()), kept_box());
+    }
+
+    // Of the storm's own accord.
+    cleft_status left_out()
+    {
+        left_out_ = true;
+        return CLEFT_ERROR_TOO_LARGE;
     }
 
     cleft_status make_background()
     {
         if (const cleft_status status = cleft_sizing_create_constant(context_, volume_, case_.constant_size, &sizing_))
             return status;
-        constexpr double kMostTets = 300000;
         if (cleft_sizing_expected_tets(sizing_) > kMostTets)
-            return CLEFT_ERROR_TOO_LARGE;
+            return left_out();
         Expectation plain = whole_box();
         plain.labels = {0};
         return checked(cleft_background_create(context_, sizing_, options_, next()), plain);
@@ -276,6 +284,7 @@ private:
     const Case& case_;
     Tampering tampering_ = Tampering::none;
     bool was_tampered_ = false;
+    bool left_out_ = false;
     int64_t calls_ = 0;
     std::string fault_;
     cleft_context* context_ = nullptr;
