@@ -83,10 +83,10 @@ public:
         return {static_cast<int64_t>(k & kMask), static_cast<int64_t>(k >> 21 & kMask), static_cast<int64_t>(k >> 42)};
     }
 
-    bool fits() const { return std::max({fine_[0], fine_[1], fine_[2]}) <= static_cast<int64_t>(kMask); }
+    bool fits() const { return std::max({fine_[0], fine_[1], fine_[2]}) <= kMostPlaces; }
 
 private:
-    static constexpr uint64_t kMask = (uint64_t{1} << 21) - 1;
+    static constexpr uint64_t kMask = kMostPlaces;
     static uint64_t key(const std::array<int64_t, 3>& at)
     {
         return static_cast<uint64_t>(at[0]) | static_cast<uint64_t>(at[1]) << 21 | static_cast<uint64_t>(at[2]) << 42;

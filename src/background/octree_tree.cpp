@@ -86,6 +86,18 @@ Int3 root_counts(const Vec3& extent, const SizingField& field)
     return roots;
 }
 
+// A spike of a user's field can ask for more levels than the keys of points hold: better told at once than when the
+// tree is built. One level less than the least size needs, for the tree may miss the very tip.
+void refuse_too_deep(const Octree& tree, const SizingField& field, const Vec3& root_side)
+{
+    const double halvings = std::log2(kMeanEdge * std::cbrt(root_side.prod()) / (kSlack * field.least()));
+    const auto levels = static_cast<int32_t>(std::clamp(std::ceil(halvings) - 1, 0.0, double{kMostLevels}));
+    const int64_t roots = *std::max_element(tree.roots.begin(), tree.roots.end());
+    if (roots << (levels + 1) > kMostPlaces)
+        throw Error(CLEFT_ERROR_TOO_LARGE, "the sizing field, whose least size is " + number_text(field.least()) +
+                                               ", spans too many octree levels for a box of this shape");
+}
+
 // Least h at the centre and the corners of a cell and at the centres of its octants. With a gradation below 0.7 this
 // finds every smaller value in it by and by: h at the centre is at most the least value inside plus gradation times
 // half the diagonal.
@@ -175,6 +187,7 @@ Octree build_octree(const SizingField& field, const Run& run)
             for (int32_t i = 0; i < tree.roots[0]; ++i)
                 tree.cells.push_back({{i, j, k}, 0, -1});
     const Vec3 root_side = extent.cwiseQuotient(Vec3(tree.roots[0], tree.roots[1], tree.roots[2]));
+    refuse_too_deep(tree, field, root_side);
     refine(tree, field, root_side, run);
     balance(tree, run);
     return tree;

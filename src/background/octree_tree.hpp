@@ -13,6 +13,9 @@ namespace cleft
 
 using Int3 = std::array<int32_t, 3>;
 
+// Places along an axis at the finest level, halves counted: three of them make one 64-bit key.
+inline constexpr int64_t kMostPlaces = (int64_t{1} << 21) - 1;
+
 // A cell: place `at` in the grid of its level, where level 0 are the roots and each level halves the side.
 struct OctreeCell {
     Int3 at;
