@@ -298,12 +298,12 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_create_labels(cleft_context*
                                                                   cleft_volume** out) CLEFT_NOEXCEPT;
 /** `count` indicator functions (FLOAT32 or FLOAT64), one for each material; the largest wins at a point. count = 1: a
  *  signed function, inside (second label) where it is > 0. `labels`: what the materials are called, `count` values (two
- *  for count = 1, outside first), or NULL for 0, 1, 2, ... Values must be finite. Copied as float. Values beyond 1e30 in
- *  magnitude, sentinels as FLT_MAX and DBL_MAX, stand for "far away": each counts as twice the greatest magnitude that
- *  the functions have within 1e30 (1 if there is none or only 0), with its sign; a warning tells how many there are.
- *  Several functions of two values each, the lower the same in all, are masks: CLEFT_ERROR_ARGUMENT if voxels are in
- *  none of them (give the outside a mask of its own, or make a label map). Warnings: voxels are in several masks; other
- *  functions are equal and the greatest all over a region (the first holds); a single one is a mask. \since 0.1 */
+ *  for count = 1, outside first), or NULL for 0, 1, 2, ... Values must be finite. Copied as float. Values beyond 1e30
+ * in magnitude, sentinels as FLT_MAX and DBL_MAX, stand for "far away": each counts as twice the greatest magnitude
+ * that the functions have within 1e30 (1 if there is none or only 0), with its sign; a warning tells how many there
+ * are. Several functions of two values each, the lower the same in all, are masks: CLEFT_ERROR_ARGUMENT if voxels are
+ * in none of them (give the outside a mask of its own, or make a label map). Warnings: voxels are in several masks;
+ * other functions are equal and the greatest all over a region (the first holds); a single one is a mask. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_create_indicators(cleft_context* context, cleft_type type,
                                                                       const void* const* fields, int64_t count,
                                                                       const int64_t dims[3], const double affine[12],
@@ -352,8 +352,8 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_create(cleft_context* contex
 /** One size everywhere, within 1e-30 to 1e30. The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_create_constant(cleft_context* context, const cleft_volume* volume,
                                                                     double size, cleft_sizing** out) CLEFT_NOEXCEPT;
-/** The user's own field: one value a voxel of the volume, within 1e-30 to 1e30, x fastest, FLOAT32 or FLOAT64; taken as it
- *  is, and combined by minimum with the computed one if `combine` is nonzero (options as in cleft_sizing_create()).
+/** The user's own field: one value a voxel of the volume, within 1e-30 to 1e30, x fastest, FLOAT32 or FLOAT64; taken as
+ * it is, and combined by minimum with the computed one if `combine` is nonzero (options as in cleft_sizing_create()).
  *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_create_values(cleft_context* context, const cleft_volume* volume,
                                                                   cleft_type type, const void* values, int32_t combine,
