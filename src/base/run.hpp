@@ -32,9 +32,10 @@ struct Run {
     }
 
     // check() at every `period`-th item of a loop.
-    void check_at(int64_t item, int64_t period = 1 << 16) const
+    template <typename Index>  // signed or not, as the loop counts
+    void check_at(Index item, int64_t period = 1 << 16) const
     {
-        if (item % period == 0)
+        if (int64_t(item) % period == 0)
             check();
     }
 
