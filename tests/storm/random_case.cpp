@@ -62,7 +62,7 @@ private:
     void set_dims()
     {
         for (int64_t& n : made_.dims)
-            n = one_in(4) ? pick(1, 3) : pick(1, 20);
+            n = one_in(4) ? pick(1, 3) : one_in(4) ? pick(1, 20) : pick(1, 9);  // small ones, for the storm to be long
         tell(std::to_string(made_.dims[0]) + " x " + std::to_string(made_.dims[1]) + " x " +
              std::to_string(made_.dims[2]));
     }
@@ -222,7 +222,7 @@ private:
         if (one_in(4))
             option("size", number(least_spacing_ * random_.between(0.7, 6)));
         if (one_in(5))
-            option("tets", std::to_string(pick(1, 20000)));
+            option("tets", std::to_string(pick(1, 6000)));
         if (one_in(5))
             option("gradation", number(random_.between(0.05, 1)));
         if (one_in(6))
@@ -247,7 +247,7 @@ private:
             option("strict", "1");
         // Improving what was not snapped takes a hundred times as long.
         const bool snaps = made_.text.find("snap none") == std::string::npos;
-        option("max_tets", snaps ? "300000" : "20000");
+        option("max_tets", std::to_string(pick(100, snaps ? 40000 : 4000)));
         if (!made_.labels.empty() && one_in(5))
             made_.label_sizes.emplace_back(made_.labels[0], least_spacing_ * random_.between(0.7, 4));
         if (!made_.labels.empty() && one_in(5))

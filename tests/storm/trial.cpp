@@ -12,7 +12,7 @@ namespace storm
 namespace
 {
 
-constexpr double kMostTets = 300000;  // where the library is not asked to keep to max_tets
+constexpr double kMostTets = 40000;  // where the library is not asked to keep to max_tets
 
 // A background of the user's own, as arrays.
 struct Arrays {
