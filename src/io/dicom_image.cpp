@@ -22,7 +22,7 @@ void sort_frames(const std::vector<DicomPlane>& planes, Image& image)
 {
     std::vector<std::string> who;
     for (size_t f = 0; f < planes.size(); ++f) {
-        who.push_back("the " + ordinal(f) + " frame");
+        who.push_back("the " + ordinal(static_cast<int64_t>(f)) + " frame");
         if (!planes[f].placed)
             throw Error(CLEFT_ERROR_FORMAT, "it has " + std::to_string(planes.size()) +
                                                 " frames and does not tell where they lie: a series over time, or "

@@ -154,7 +154,7 @@ public:
             const Value value = value_at(v);
             const Value neighbour = value_at(v + step);
             const bool differ = value != neighbour;
-            pairs += differ | (value != background_) ? 1 : 0;
+            pairs += (differ | (value != background_)) ? 1 : 0;
             differing += differ ? 1 : 0;
         }
         pairs_ += pairs;

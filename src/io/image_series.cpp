@@ -153,8 +153,8 @@ std::vector<std::string> numbered_files(const std::string& path, const std::smat
         throw Error(CLEFT_ERROR_FILE, "there is neither '" + name(0) + "' nor '" + name(1) + "'");
     // Is there a file beyond the first that is missing?
     for (const std::string& file : files_beside(path, [](const std::string&) { return true; })) {
-        const size_t before = conversion.prefix().length();
-        const size_t behind = conversion.suffix().length();
+        const auto before = static_cast<size_t>(conversion.prefix().length());
+        const auto behind = static_cast<size_t>(conversion.suffix().length());
         if (file.size() <= before + behind)
             continue;
         const std::string digits = file.substr(before, file.size() - before - behind);
