@@ -2,6 +2,7 @@
 #include "capi/label_names.hpp"
 
 #include "base/error.hpp"
+#include "base/utf8.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -12,40 +13,14 @@ namespace cleft::capi
 namespace
 {
 
-struct Sequence {
-    uint32_t code = 0;  // the character
-    size_t bytes = 0;   // 0: not UTF-8
-};
-
-// The character at the start of a text: not too long a form, no surrogate, nothing beyond Unicode.
-Sequence first_character(std::string_view text)
-{
-    const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned char lead = byte(0);
-    if (lead < 0x80)
-        return {lead, 1};
-    const size_t bytes = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-    static constexpr uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
-    if (lead < 0xC2 || lead > 0xF4 || text.size() < bytes)
-        return {};
-    uint32_t code = lead & (0x7FU >> bytes);
-    for (size_t i = 1; i < bytes; ++i) {
-        if ((byte(i) & 0xC0U) != 0x80)
-            return {};
-        code = code << 6 | (byte(i) & 0x3FU);
-    }
-    const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-    return code < kLeast[bytes] || surrogate || code > 0x10FFFF ? Sequence{} : Sequence{code, bytes};
-}
-
 void check_name(std::string_view name, int32_t label)
 {
     const std::string whose = "the name of label " + std::to_string(label);
     while (!name.empty()) {
-        const Sequence next = first_character(name);
+        const Character next = first_character(name);
         if (next.bytes == 0)
             throw Error(CLEFT_ERROR_ARGUMENT, whose + " is not UTF-8");
-        if (next.code < 0x20 || (next.code >= 0x7F && next.code < 0xA0))
+        if (next.is_control())
             throw Error(CLEFT_ERROR_ARGUMENT, whose + " has a line break or another control character in it");
         name.remove_prefix(next.bytes);
     }

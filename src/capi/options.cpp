@@ -2,6 +2,7 @@
 
 #include "base/number_text.hpp"
 #include "base/struct_size.hpp"
+#include "base/utf8.hpp"
 #include "capi/firewall.hpp"
 #include "capi/kept_labels.hpp"
 
@@ -18,7 +19,7 @@ namespace
 const OptionRow& checked_row(int row, const std::string& what)
 {
     if (row < 0)
-        throw Error(CLEFT_ERROR_OPTION, "there is no option " + what);
+        throw Error(CLEFT_ERROR_OPTION, "there is no option " + printable(what));
     return kOptionTable[row];
 }
 
@@ -59,11 +60,11 @@ double parsed(const OptionRow& row, const char* text)
     const double value = std::strtod(text, &end);
     const bool is_number = end != text && *end == '\0';
     if (row.type == CLEFT_OPTION_TYPE_FLAG && !is_number)
-        throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is neither true nor false: " + text);
+        throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is neither true nor false: " + printable(text));
     if (!is_number)
-        throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is not a number: " + text);
+        throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is not a number: " + printable(text));
     if (row.type != CLEFT_OPTION_TYPE_REAL && value != std::floor(value))
-        throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is not a whole number: " + text);
+        throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is not a whole number: " + printable(text));
     return value;
 }
 

@@ -1,11 +1,10 @@
 // Which reader takes a file: the first in the table that knows its first bytes. The name of the file matters only where
 // a format has no mark of its own.
 #include "base/error.hpp"
+#include "base/utf8.hpp"
 #include "io/dicom_image.hpp"
 #include "io/file_head.hpp"
 #include "io/image_readers.hpp"
-
-#include <algorithm>
 
 namespace cleft::io
 {
@@ -34,36 +33,6 @@ constexpr Reader readers[] = {
     {"NIfTI or Analyze", is_nifti, read_nifti},
     {"known, but not read", is_foreign_format, refuse_foreign_format},
 };
-
-// How many bytes of a character of UTF-8 stand there; 0 if none does, or one that controls a terminal.
-size_t character_at(const std::string& text, size_t at)
-{
-    const auto byte = [&](size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
-    const unsigned first = byte(at);
-    if (first < 0x80)
-        return first >= ' ' && first != 0x7f ? 1 : 0;
-    const size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-    bool whole = first >= 0xc2 && first <= 0xf4;
-    for (size_t i = 1; i < length; ++i)
-        whole = whole && byte(at + i) >> 6 == 2;
-    const unsigned second = byte(at + 1);
-    const bool proper = !(first == 0xe0 && second < 0xa0) && !(first == 0xed && second > 0x9f) &&
-                        !(first == 0xf0 && second < 0x90) && !(first == 0xf4 && second > 0x8f) &&
-                        !(first == 0xc2 && second < 0xa0);
-    return whole && proper ? length : 0;
-}
-
-// Parts of damaged files stand in sentences; these must be text nevertheless.
-std::string printable(const std::string& text)
-{
-    std::string clean;
-    for (size_t at = 0; at < text.size();) {
-        const size_t length = character_at(text, at);
-        clean += length == 0 ? "?" : text.substr(at, length);
-        at += std::max<size_t>(length, 1);
-    }
-    return clean;
-}
 
 Image read_by_table(const std::string& path)
 {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/error.hpp"
+#include "base/utf8.hpp"
 
 #include <cstdint>
 #include <string>
@@ -20,7 +21,7 @@ auto naming_file(const std::string& path, const Body& body)
     try {
         return body();
     } catch (const Error& error) {
-        throw Error(error.status(), "'" + path + "': " + error.what());
+        throw Error(error.status(), "'" + path + "': " + printable(error.what()));
     }
 }
 

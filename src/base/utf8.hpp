@@ -1,0 +1,54 @@
+// Text in UTF-8: its characters, and what may stand in a sentence.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace cleft
+{
+
+struct Character {
+    uint32_t code = 0;
+    size_t bytes = 0;  // 0: not UTF-8
+
+    // Line breaks, and what else controls a terminal.
+    bool is_control() const { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
+};
+
+// The character at the start of a text, which is not empty: not too long a form, no surrogate, nothing beyond Unicode.
+inline Character first_character(std::string_view text)
+{
+    const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned char lead = byte(0);
+    if (lead < 0x80)
+        return {lead, 1};
+    const size_t bytes = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+    constexpr uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+    if (lead < 0xC2 || lead > 0xF4 || text.size() < bytes)
+        return {};
+    uint32_t code = lead & (0x7FU >> bytes);
+    for (size_t i = 1; i < bytes; ++i) {
+        if ((byte(i) & 0xC0U) != 0x80)
+            return {};
+        code = code << 6 | (byte(i) & 0x3FU);
+    }
+    const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
+    return code < least[bytes] || surrogate || code > 0x10FFFF ? Character{} : Character{code, bytes};
+}
+
+// What came from outside stands in sentences, which must be text nevertheless.
+inline std::string printable(std::string_view text)
+{
+    std::string clean;
+    while (!text.empty()) {
+        const Character next = first_character(text);
+        clean += next.bytes == 0 || next.is_control() ? "?" : text.substr(0, next.bytes);
+        text.remove_prefix(std::max<size_t>(next.bytes, 1));
+    }
+    return clean;
+}
+
+}  // namespace cleft
