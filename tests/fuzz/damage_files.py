@@ -18,7 +18,7 @@ import time
 HERE = pathlib.Path(__file__).resolve().parent
 BORDER = b'\n--next file--\n'
 FILES = {'volume_nrrd': ['given.nhdr', 'given.raw', 'given1.raw'], 'volume_metaimage': ['given.mhd', 'given.raw', 'given1.raw'],
-         'volume_analyze': ['given.hdr', 'given.img'], 'volume_dicom_series': ['1.dcm', '2.dcm', '3.dcm'],
+         'volume_analyze': ['given.hdr', 'given.img'], 'volume_dicom': ['given.dcm'], 'volume_dicom_series': ['1.dcm', '2.dcm', '3.dcm'],
          'mesh_tetgen': ['given.node', 'given.ele']}
 OK, CHECK_FAILED, CANNOT_READ, MESHING_FAILED, LABEL_LOST = 0, 1, 3, 5, 6
 SECONDS, MEMORY = 60, 2 << 30  # of one run

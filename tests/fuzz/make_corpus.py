@@ -18,6 +18,7 @@ import pydicom
 import tifffile
 from PIL import Image
 from pydicom.dataset import Dataset, FileDataset
+from pydicom.encaps import encapsulate
 from pydicom.uid import ExplicitVRLittleEndian, ImplicitVRLittleEndian, RLELossless
 
 CLEFT, FOLDER = sys.argv[1], pathlib.Path(sys.argv[2])
@@ -353,20 +354,29 @@ def of_frames(class_uid, frames):
 
 
 def make_dicom():
-    put('volume_dcm', 'explicit', dicom_bytes(slice_of(0)))
-    put('volume_dcm', 'implicit', dicom_bytes(slice_of(0, ImplicitVRLittleEndian)))
+    put('volume_dicom', 'explicit', dicom_bytes(slice_of(0)))
+    put('volume_dicom', 'implicit', dicom_bytes(slice_of(0, ImplicitVRLittleEndian)))
     packed = slice_of(0)
     packed.compress(RLELossless)
-    put('volume_dcm', 'run-lengths', dicom_bytes(packed))
+    put('volume_dicom', 'run-lengths', dicom_bytes(packed))
+    # GDCM reads these, where it is built in.
+    for name, syntax, format_ in (('jpeg', '1.2.840.10008.1.2.4.50', 'JPEG'), ('jpeg2000', '1.2.840.10008.1.2.4.90', 'JPEG2000')):
+        packed = slice_of(0, syntax)
+        packed.BitsAllocated, packed.BitsStored, packed.HighBit = 8, 8, 7
+        options = {'no_jp2': True} if format_ == 'JPEG2000' else {}
+        packed.PixelData = encapsulate([picture(format_, Image.fromarray(LABELS[0]), **options)])
+        packed['PixelData'].VR = 'OB'
+        packed['PixelData'].is_undefined_length = True
+        put('volume_dicom', name, dicom_bytes(packed))
     enhanced = of_frames('1.2.840.10008.5.1.4.1.1.2.1', [frame_at(3.0), frame_at(6.0)])
     enhanced.PixelData = LABELS[:2].astype('<u2').tobytes()
-    put('volume_dcm', 'frames', dicom_bytes(enhanced))
+    put('volume_dicom', 'frames', dicom_bytes(enhanced))
     segments = of_frames('1.2.840.10008.5.1.4.1.1.66.4', [frame_at(0.0, 1), frame_at(3.0, 2)])
     segments.Modality, segments.SegmentationType = 'SEG', 'BINARY'
     segments.BitsAllocated, segments.BitsStored, segments.HighBit = 1, 1, 0
     segments.SegmentSequence = [sequence_of(SegmentNumber=n, SegmentLabel='bone %d' % n)[0] for n in (1, 2)]
     segments.PixelData = b'\x55\x0a'
-    put('volume_dcm', 'segments', dicom_bytes(segments))
+    put('volume_dicom', 'segments', dicom_bytes(segments))
     put('volume_dicom_series', 'three', *(dicom_bytes(slice_of(n)) for n in (2, 0, 1)))
     put('volume_dicom_series', 'two-and-another', dicom_bytes(slice_of(0)), dicom_bytes(slice_of(1)), b'no DICOM')
 

@@ -46,6 +46,10 @@ void limit(const fuzz::Options& options, cleft_option key, int64_t most)
 // Answers whether labels may be left out.
 bool set_options(const fuzz::Options& options, Bytes& bytes)
 {
+    // What takes longer than all the rest, now and then only.
+    if (!bytes.one_in(4))
+        expect(cleft_options_set_integer(options, CLEFT_OPTION_IMPROVE, CLEFT_IMPROVE_OFF) == CLEFT_OK,
+               "an option is refused in its range");
     for (int count = bytes.below(8); count > 0; --count)
         set_option(options, bytes);
     limit(options, CLEFT_OPTION_MAX_TETS, 1000);

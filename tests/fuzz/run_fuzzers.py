@@ -13,8 +13,8 @@ import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-LIMITS = ['-rss_limit_mb=3000', '-malloc_limit_mb=500', '-timeout=60', '-max_len=4096', '-print_final_stats=1']
-NO_INPUT_MAY_TAKE_LONGER = 120  # seconds beyond its time after which a fuzzer hangs
+LIMITS = ['-rss_limit_mb=3000', '-malloc_limit_mb=500', '-timeout=120', '-max_len=4096', '-print_final_stats=1']
+NO_INPUT_MAY_TAKE_LONGER = 300  # seconds beyond its time after which a fuzzer hangs
 
 parser = argparse.ArgumentParser()
 parser.add_argument('programs', type=pathlib.Path)
