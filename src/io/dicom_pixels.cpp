@@ -168,7 +168,10 @@ Image pixels_of(const DicomFile& file, const DicomPixelFormat& format)
     const DicomTag tag = file.data.has(float_pixels_tag)    ? float_pixels_tag
                          : file.data.has(double_pixels_tag) ? double_pixels_tag
                                                             : pixels_tag;
-    const DicomElement& element = *file.data.find(tag);
+    const DicomElement* const found = file.data.find(tag);
+    if (!found)
+        refuse_dicom("the DICOM file holds no image");
+    const DicomElement& element = *found;
     const bool packed = file.transfer_syntax == "1.2.840.10008.1.2.5";
     Image image;
     image.component = component_of(file, format);
