@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "io/quiet_write.hpp"
+#include "io/system_failure.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -30,7 +31,7 @@ constexpr int kMostLinks = 40;  // one after the other, as the kernel allows
 
 [[noreturn]] void cannot_write(const std::string& path, int error)
 {
-    throw Error(CLEFT_ERROR_FILE, "cannot write '" + path + "': " + std::generic_category().message(error));
+    throw_system_failure("cannot write '" + path + "'", error);
 }
 
 // The file that a path stands for: a symbolic link is followed, so that it stays a link, also where nothing is behind.

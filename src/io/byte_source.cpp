@@ -2,6 +2,7 @@
 #include "io/byte_source.hpp"
 
 #include "base/error.hpp"
+#include "io/system_failure.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -21,10 +22,7 @@ namespace
 
 constexpr size_t buffer_bytes = size_t{1} << 18;
 
-[[noreturn]] void cannot_read(int error)
-{
-    throw Error(CLEFT_ERROR_FILE, std::string("cannot read it: ") + std::strerror(error));
-}
+[[noreturn]] void cannot_read(int error) { throw_system_failure("cannot read it", error); }
 
 [[noreturn]] void too_short(uintmax_t missing)
 {

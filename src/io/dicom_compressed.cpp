@@ -3,6 +3,7 @@
 #include "io/dicom_pixels.hpp"
 
 #include "base/error.hpp"
+#include "io/system_failure.hpp"
 
 #ifdef CLEFT_WITH_GDCM
 #include <gdcmImageReader.h>
@@ -59,6 +60,9 @@ bool read_all(int pipe, void* data, size_t size)
     return true;
 }
 
+constexpr int out_of_memory = 3;  // an exit status
+constexpr const char* no_process = "no process can be started to read compressed pixels";
+
 // In the child: whatever happens ends here.
 [[noreturn]] void decode_and_exit(const std::string& path, int pipe)
 {
@@ -72,14 +76,17 @@ bool read_all(int pipe, void* data, size_t size)
     try {
         gdcm::ImageReader reader;
         reader.SetFileName(path.c_str());
+        forget_want_of_memory();
         if (!reader.Read())
-            _exit(1);
+            _exit(errno == ENOMEM ? out_of_memory : 1);
         const gdcm::Image& image = reader.GetImage();
         const auto size = static_cast<int64_t>(image.GetBufferLength());
         std::vector<char> values(static_cast<size_t>(size));
         const bool written = image.GetBuffer(values.data()) && write_all(pipe, &size, sizeof size) &&
                              write_all(pipe, values.data(), values.size());
         _exit(written ? 0 : 1);
+    } catch (const std::bad_alloc&) {
+        _exit(out_of_memory);
     } catch (...) {
         _exit(1);
     }
@@ -93,8 +100,14 @@ public:
     {
         int ends[2];
         if (::pipe(ends) != 0)
-            throw Error(CLEFT_ERROR_FILE, "no process can be started to read compressed pixels");
+            throw_system_failure(no_process, errno);
         child_ = fork();
+        if (child_ < 0) {
+            const int error = errno;
+            close(ends[0]);
+            close(ends[1]);
+            throw_system_failure(no_process, error);
+        }
         if (child_ == 0) {
             close(ends[0]);
             decode_and_exit(path, ends[1]);
@@ -108,14 +121,29 @@ public:
         if (child_ < 0)
             return;
         kill(child_, SIGKILL);
-        while (waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {
-        }
+        wait();
     }
     Decoder(const Decoder&) = delete;
     Decoder& operator=(const Decoder&) = delete;
     int pipe() const { return pipe_; }
 
+    // Waits for the child, whose pipe has ended.
+    bool ran_out_of_memory()
+    {
+        const int status = wait();
+        return WIFEXITED(status) && WEXITSTATUS(status) == out_of_memory;
+    }
+
 private:
+    int wait()
+    {
+        int status = 0;
+        while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
+        }
+        child_ = -1;
+        return status;
+    }
+
     pid_t child_ = -1;
     int pipe_ = -1;
 };
@@ -124,7 +152,7 @@ private:
 
 void read_compressed_pixels(const std::string& path, Image& image)
 {
-    const Decoder decoder(path);
+    Decoder decoder(path);
     int64_t size = 0;
     const int64_t wanted = image.field_size() * static_cast<int64_t>(size_of(image.component));
     bool whole = read_all(decoder.pipe(), &size, sizeof size) && size == wanted;
@@ -132,6 +160,8 @@ void read_compressed_pixels(const std::string& path, Image& image)
         allocate_voxels(image);
         whole = read_all(decoder.pipe(), image.voxels.get(), image.bytes());
     }
+    if (size == 0 && decoder.ran_out_of_memory())
+        throw std::bad_alloc();
     if (!whole)
         throw Error(CLEFT_ERROR_FORMAT, "its compressed pixels are damaged or packed in a way that cannot be read");
 }

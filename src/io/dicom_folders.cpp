@@ -4,11 +4,15 @@
 #include "base/error.hpp"
 #include "io/dicom_data.hpp"
 #include "io/file_name.hpp"
+#include "io/folder_names.hpp"
 #include "io/formats.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <set>
 
 namespace cleft::io
@@ -27,9 +31,11 @@ std::string last_part(const std::string& path) { return path.substr(path.size() 
 std::string first_bytes_of(const std::string& path)
 {
     std::string bytes(132, '\0');
-    std::ifstream file(path, std::ios::binary);
-    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    bytes.resize(static_cast<size_t>(file.gcount()));
+    const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    const ssize_t got = file >= 0 ? read(file, bytes.data(), bytes.size()) : 0;
+    if (file >= 0)
+        close(file);
+    bytes.resize(static_cast<size_t>(std::max<ssize_t>(0, got)));
     return bytes;
 }
 
@@ -37,22 +43,30 @@ namespace
 {
 
 // Files of the system that have no size may keep their readers waiting.
-bool has_bytes(const fs::directory_entry& entry)
+bool has_bytes(const std::string& path)
 {
-    std::error_code error;
-    return entry.is_regular_file(error) && entry.file_size(error) > 0 && !error;
+    struct stat status {
+    };
+    return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0;
 }
+
+bool is_folder_itself(const std::string& path)
+{
+    struct stat status {
+    };
+    return lstat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
+}
+
+std::string joined(const std::string& folder, const std::string& name) { return (fs::path(folder) / name).string(); }
 
 }  // namespace
 
 std::vector<std::string> files_in(const std::string& folder)
 {
     std::vector<std::string> paths;
-    std::error_code error;
-    for (const auto& entry : fs::directory_iterator(folder, error))
-        if (has_bytes(entry))
-            paths.push_back(entry.path().string());
-    std::sort(paths.begin(), paths.end());
+    for (const std::string& name : names_in(folder))
+        if (has_bytes(joined(folder, name)))
+            paths.push_back(joined(folder, name));
     return paths;
 }
 
@@ -60,18 +74,23 @@ std::vector<std::string> dicom_folders_below(const std::string& folder)
 {
     constexpr int most_files = 20000;
     std::set<std::string> found;
-    std::error_code error;
+    std::vector<std::string> folders = {folder};
     int files = 0;
-    for (auto at = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, error);
-         !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
-        const std::string parent = at->path().parent_path().string();
-        if (++files > most_files)
-            throw Error(CLEFT_ERROR_FILE,
-                        "the folder holds no DICOM series, and too many files below it to look "
-                        "through: give the folder of a series");
-        if (at.depth() > 0 && found.count(parent) == 0 && has_bytes(*at) &&
-            is_dicom_head(first_bytes_of(at->path().string())))
-            found.insert(parent);
+    while (!folders.empty()) {
+        const std::string parent = folders.back();
+        folders.pop_back();
+        for (const std::string& name : names_in(parent)) {
+            const std::string path = joined(parent, name);
+            if (++files > most_files)
+                throw Error(CLEFT_ERROR_FILE,
+                            "the folder holds no DICOM series, and too many files below it to look "
+                            "through: give the folder of a series");
+            if (is_folder_itself(path))
+                folders.push_back(path);
+            else if (parent != folder && found.count(parent) == 0 && has_bytes(path) &&
+                     is_dicom_head(first_bytes_of(path)))
+                found.insert(parent);
+        }
     }
     return {found.begin(), found.end()};
 }

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "io/dicom_image.hpp"
+#include "io/folder_names.hpp"
 #include "io/text_scanner.hpp"
 
 #include <fnmatch.h>
@@ -60,10 +61,9 @@ std::vector<std::string> files_beside(const std::string& pattern, const Fits& fi
     const fs::path path(pattern);
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     std::vector<std::string> found;
-    std::error_code error;
-    for (const auto& entry : fs::directory_iterator(folder, error))
-        if (fits(entry.path().filename().string()))
-            found.push_back((path.has_parent_path() ? entry.path() : entry.path().filename()).string());
+    for (const std::string& name : names_in(folder.string()))
+        if (fits(name))
+            found.push_back((path.has_parent_path() ? folder / name : fs::path(name)).string());
     std::sort(found.begin(), found.end(), natural_less);
     return found;
 }

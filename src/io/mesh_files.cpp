@@ -1,6 +1,7 @@
 // Entries: the table of formats, meshes out and in.
 #include "base/struct_size.hpp"
 #include "cleft/cleft_io.h"
+#include "io/byte_source.hpp"
 #include "io/entry.hpp"
 #include "io/formats.hpp"
 #include "io/mesh_data.hpp"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 namespace cleft::io
@@ -94,9 +94,12 @@ void name_labels(const MeshData& data, const std::string& path, cleft_mesh* mesh
 // Both images and meshes may have this extension; its fourth line tells which.
 bool is_vtk_mesh(const std::string& path)
 {
-    std::ifstream file(path, std::ios::binary);
     char start[1024] = {};
-    file.read(start, sizeof start - 1);
+    try {
+        ByteSource(path, Coding::plain).read_some(start, sizeof start - 1);
+    } catch (const Error&) {  // whoever reads the file tells more
+        return false;
+    }
     return std::strstr(start, "UNSTRUCTURED_GRID") != nullptr;
 }
 

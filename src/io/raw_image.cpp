@@ -1,6 +1,7 @@
 #include "io/raw_image.hpp"
 
 #include "base/struct_size.hpp"
+#include "io/byte_source.hpp"
 #include "io/meaning.hpp"
 #include "io/text_scanner.hpp"
 #include "io/voxel_data.hpp"
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 namespace cleft::io
 {
@@ -77,11 +77,10 @@ Image read_raw_image(const std::string& path, const cleft_io_raw& layout)
                                             (layout.skip > 0 ? " and what is skipped" : "") + " would have " +
                                             std::to_string(expected));
     allocate_voxels(image);
-    std::ifstream file(path, std::ios::binary);
-    file.seekg(layout.skip);
-    file.read(reinterpret_cast<char*>(image.voxels.get()), static_cast<std::streamsize>(image.bytes()));
-    if (!file)
-        throw Error(CLEFT_ERROR_FILE, "cannot read '" + path + "'");
+    naming_file(path, [&] {
+        ByteSource(path, Coding::plain, static_cast<uintmax_t>(layout.skip)).read(image.voxels.get(), image.bytes());
+        return 0;
+    });
     if (layout.big_endian != 0)
         swap_bytes(image);
     return image;

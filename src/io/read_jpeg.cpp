@@ -1,6 +1,7 @@
 // Reads grey JPEG pictures by libjpeg. What libjpeg would mend with a warning is refused.
 #include "base/error.hpp"
 #include "io/image_readers.hpp"
+#include "io/system_failure.hpp"
 
 #include <jpeglib.h>
 #include <csetjmp>
@@ -95,6 +96,7 @@ bool read_rows(JpegDecoder& decoder, std::byte* voxels)
 
 [[noreturn]] void damaged(const JpegDecoder& decoder)
 {
+    check_for_want_of_memory();
     throw Error(CLEFT_ERROR_FORMAT, std::string("it is damaged or cut short (libjpeg: '") + decoder.message + "')");
 }
 
@@ -117,8 +119,9 @@ Image read_jpeg(const std::string& path, const FileHead& head)
 {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file)
-        throw Error(CLEFT_ERROR_FILE, "it cannot be opened");
+        throw_system_failure("it cannot be opened", errno);
     JpegDecoder decoder;
+    forget_want_of_memory();
     if (!read_jpeg_header(decoder, file.get()))
         damaged(decoder);
     check_jpeg(decoder, head.size);

@@ -2,6 +2,7 @@
 #include "base/error.hpp"
 #include "io/byte_source.hpp"
 #include "io/image_readers.hpp"
+#include "io/system_failure.hpp"
 
 #include <png.h>
 #include <algorithm>
@@ -65,6 +66,7 @@ bool read_rows(PngDecoder& decoder, png_bytepp rows)
 
 [[noreturn]] void damaged(const PngDecoder& decoder)
 {
+    check_for_want_of_memory();
     throw Error(CLEFT_ERROR_FORMAT, std::string("it is damaged or cut short (libpng: '") + decoder.error + "')");
 }
 
@@ -111,8 +113,9 @@ Image read_png(const std::string& path, const FileHead& head)
         throw Error(CLEFT_ERROR_FORMAT, "it is an animation of several pictures (APNG)");
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file)
-        throw Error(CLEFT_ERROR_FILE, "it cannot be opened");
+        throw_system_failure("it cannot be opened", errno);
     PngDecoder decoder;
+    forget_want_of_memory();
     decoder.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &decoder, keep_error, drop_warning);
     decoder.info = decoder.png ? png_create_info_struct(decoder.png) : nullptr;
     if (!decoder.info)

@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "io/mesh_data.hpp"
+#include "io/system_failure.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -25,7 +26,7 @@ bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; 
 
 [[noreturn]] void cannot_read(const std::string& path, int error)
 {
-    throw Error(CLEFT_ERROR_FILE, "cannot read '" + path + "': " + std::generic_category().message(error));
+    throw_system_failure("cannot read '" + path + "'", error);
 }
 
 // from_chars knows no leading '+'.

@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "base/ordinal.hpp"
+#include "io/system_failure.hpp"
 
 #include <algorithm>
 #include <array>
@@ -27,7 +28,7 @@ public:
     explicit Walker(const std::string& path) : file_(std::fopen(path.c_str(), "rb"), std::fclose)
     {
         if (!file_ || fseeko(file_.get(), 0, SEEK_END) != 0)
-            throw Error(CLEFT_ERROR_FILE, "it cannot be opened");
+            throw_system_failure("it cannot be opened", errno);
         found_.file_bytes = static_cast<uint64_t>(ftello(file_.get()));
     }
 

@@ -2,7 +2,7 @@
 // the process is disturbed.
 #include "io/tiff_file.hpp"
 
-#include "base/error.hpp"
+#include "io/system_failure.hpp"
 
 #include <array>
 #include <cstdarg>
@@ -23,12 +23,25 @@ std::string formatted(const char* format, std::va_list arguments)
     return sentence.substr(0, sentence.find_last_not_of(". \n") + 1);
 }
 
+// libtiff tells of want of memory as of any other fault, by one of many sentences.
+template <class Keep>
+void keep(TiffMessages& messages, const Keep& keep)
+{
+    messages.out_of_memory = messages.out_of_memory || errno == ENOMEM;
+    try {
+        keep(messages);
+    } catch (const std::bad_alloc&) {
+        messages.out_of_memory = true;
+    }
+}
+
 // Called from C, so that no exception may leave. The answer 1: the message is dealt with.
 int keep_error(::TIFF*, void* messages, const char*, const char* format, std::va_list arguments) noexcept
 {
-    std::string& kept = static_cast<TiffMessages*>(messages)->error;
-    if (kept.empty())
-        kept = formatted(format, arguments);
+    keep(*static_cast<TiffMessages*>(messages), [&](TiffMessages& kept) {
+        if (kept.error.empty())
+            kept.error = formatted(format, arguments);
+    });
     return 1;
 }
 
@@ -43,10 +56,11 @@ bool is_harmless(const std::string& warning)
 
 int keep_warning(::TIFF*, void* messages, const char*, const char* format, std::va_list arguments) noexcept
 {
-    std::string& kept = static_cast<TiffMessages*>(messages)->warning;
-    const std::string text = formatted(format, arguments);
-    if (kept.empty() && !is_harmless(text))
-        kept = text;
+    keep(*static_cast<TiffMessages*>(messages), [&](TiffMessages& kept) {
+        const std::string text = formatted(format, arguments);
+        if (kept.warning.empty() && !is_harmless(text))
+            kept.warning = text;
+    });
     return 1;
 }
 
@@ -54,6 +68,7 @@ int keep_warning(::TIFF*, void* messages, const char*, const char* format, std::
 
 TiffFile::TiffFile(const std::string& path, uint64_t most_bytes) : messages_(std::make_unique<TiffMessages>())
 {
+    forget_want_of_memory();
     const std::unique_ptr<TIFFOpenOptions, void (*)(TIFFOpenOptions*)> options(TIFFOpenOptionsAlloc(),
                                                                                TIFFOpenOptionsFree);
     if (!options)
@@ -64,7 +79,7 @@ TiffFile::TiffFile(const std::string& path, uint64_t most_bytes) : messages_(std
     // m: not mapped into memory, where a file that shrinks ends the process. c: strips as the file has them.
     handle_.reset(TIFFOpenExt(path.c_str(), "rmc", options.get()));
     if (!handle_)
-        throw Error(CLEFT_ERROR_FORMAT, "it cannot be opened: " + messages_->error);
+        fail("it cannot be opened");
 }
 
 TiffMessages TiffFile::take_messages()
@@ -77,13 +92,21 @@ TiffMessages TiffFile::take_messages()
 void TiffFile::next_page(const std::string& page)
 {
     if (!TIFFReadDirectory(handle()))
-        throw Error(CLEFT_ERROR_FORMAT, page + " cannot be read: " + messages_->error);
+        fail(page + " cannot be read");
 }
 
 void TiffFile::first_page()
 {
     if (!TIFFSetDirectory(handle(), 0))
-        throw Error(CLEFT_ERROR_FORMAT, "the 1st page cannot be read: " + messages_->error);
+        fail("the 1st page cannot be read");
+}
+
+void TiffFile::fail(const std::string& what) const
+{
+    if (messages_->out_of_memory)
+        throw std::bad_alloc();
+    check_for_want_of_memory();
+    throw Error(CLEFT_ERROR_FORMAT, what + ": " + messages_->error);
 }
 
 }  // namespace cleft::io

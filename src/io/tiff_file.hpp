@@ -13,6 +13,7 @@ namespace cleft::io
 struct TiffMessages {
     std::string error;
     std::string warning;
+    bool out_of_memory = false;
 };
 
 class TiffFile
@@ -27,6 +28,8 @@ public:
     // Goes to the next page, or back to the first one.
     void next_page(const std::string& page);
     void first_page();
+    // Throws what libtiff failed for: want of memory, or a sentence of `what` and its words.
+    [[noreturn]] void fail(const std::string& what) const;
 
 private:
     struct Close {

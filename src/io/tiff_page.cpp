@@ -220,6 +220,8 @@ void place_rows(const TiffPage& page, const unsigned char* decoded, uint64_t dec
 void check_decoded(TiffFile& file, tmsize_t got, uint64_t wanted)
 {
     const TiffMessages said = file.take_messages();
+    if (said.out_of_memory)
+        throw std::bad_alloc();
     if (got < 0 || static_cast<uint64_t>(got) != wanted || !said.error.empty() || !said.warning.empty())
         throw Error(CLEFT_ERROR_FORMAT, "its voxels cannot be decoded: the file is damaged (libtiff: '" +
                                             (said.error.empty() ? said.warning : said.error) + "')");
