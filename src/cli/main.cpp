@@ -2,6 +2,7 @@
 #include "commands.hpp"
 #include "exit_code.hpp"
 #include "label_lists.hpp"
+#include "last_words.hpp"
 #include "standard_output.hpp"
 
 #include "cleft/cleft.h"
@@ -11,6 +12,7 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -70,11 +72,15 @@ int parse_and_run(int argc, char** argv)
 int main(int argc, char** argv)
 {
     cleft_cli::make_streams_safe();
+    cleft_cli::tell_of_want_of_memory();
     try {
         return parse_and_run(argc, argv);
     } catch (const cleft_cli::Failure& failure) {
         std::fprintf(stderr, "cleft: %s\n", failure.what());
         return failure.exit_code;
+    } catch (const std::bad_alloc&) {
+        std::fputs("cleft: out of memory\n", stderr);
+        return cleft_cli::EXIT_OUT_OF_MEMORY;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "cleft: %s\n", error.what());
         return cleft_cli::EXIT_USAGE;

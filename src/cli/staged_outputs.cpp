@@ -25,6 +25,8 @@ const int most_links = 40;
 
 Failure cannot_write(const fs::path& path, int error)
 {
+    if (error == ENOMEM)
+        return {EXIT_OUT_OF_MEMORY, CLEFT_ERROR_OUT_OF_MEMORY, "out of memory"};
     return {EXIT_CANNOT_WRITE, CLEFT_ERROR_FILE, "cannot write '" + path.string() + "': " + std::strerror(error)};
 }
 
@@ -91,21 +93,67 @@ fs::path link_target(const std::string& path)
     return target;
 }
 
-StagedOutputs::~StagedOutputs()
+StagedOutputs::Stage::Stage(const fs::path& folder, const std::string& output)
 {
-    std::error_code ignored;
-    for (const Output& output : outputs_)
-        fs::remove_all(output.stage, ignored);
+    std::string name = (folder / ".cleft-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr)
+        throw cannot_write(output, errno);
+    path_ = std::move(name);
+    listing_ = opendir(path_.c_str());
+    if (listing_ == nullptr) {
+        const int error = errno;
+        rmdir(path_.c_str());
+        throw cannot_write(output, error);
+    }
+    next = newest;
+    newest = this;
 }
+
+StagedOutputs::Stage::~Stage()
+{
+    remove();
+    closedir(listing_);
+    Stage** link = &newest;
+    while (*link != this)
+        link = &(*link)->next;
+    *link = next;
+}
+
+void StagedOutputs::Stage::remove() noexcept
+{
+    rewinddir(listing_);
+    while (const dirent* entry = readdir(listing_))
+        unlinkat(dirfd(listing_), entry->d_name, 0);
+    rmdir(path_.c_str());
+}
+
+StagedOutputs::Stage* StagedOutputs::Stage::newest = nullptr;
+
+void StagedOutputs::remove_all() noexcept
+{
+    for (Stage* stage = Stage::newest; stage != nullptr; stage = stage->next)
+        stage->remove();
+}
+
+std::vector<std::string> StagedOutputs::Stage::names() const
+{
+    std::vector<std::string> names;
+    rewinddir(listing_);
+    while (const dirent* entry = readdir(listing_))
+        if (std::strcmp(entry->d_name, ".") != 0 && std::strcmp(entry->d_name, "..") != 0)
+            names.emplace_back(entry->d_name);
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+StagedOutputs::~StagedOutputs() = default;
 
 const StagedOutputs::Output& StagedOutputs::add(const std::string& path)
 {
     const fs::path folder = folder_of(link_target(path));
-    std::string stage = (folder / ".cleft-XXXXXX").string();
-    outputs_.reserve(outputs_.size() + 1);
-    if (mkdtemp(stage.data()) == nullptr)
-        throw cannot_write(path, errno);
-    outputs_.push_back({path, folder, stage, fs::path(stage) / fs::path(path).filename()});
+    auto stage = std::make_unique<Stage>(folder, path);
+    const fs::path staged = stage->path() / fs::path(path).filename();
+    outputs_.push_back({path, folder, std::move(stage), staged});
     return outputs_.back();
 }
 
@@ -117,7 +165,7 @@ void StagedOutputs::write(const std::string& path, const std::function<void(cons
     } catch (const Failure& failure) {
         const fs::path parent = fs::path(path).parent_path();
         Failure told(failure.exit_code, failure.status,
-                     replaced(failure.what(), (output.stage / "").string(),
+                     replaced(failure.what(), (output.stage->path() / "").string(),
                               parent.empty() ? std::string() : (parent / "").string()));
         told.is_reported = failure.is_reported;
         throw told;
@@ -139,13 +187,10 @@ void StagedOutputs::commit()
 {
     std::vector<Move> moves;
     for (const Output& output : outputs_) {
-        std::vector<fs::path> files;
-        for (const auto& entry : fs::directory_iterator(output.stage))
-            files.push_back(entry.path());
-        std::sort(files.begin(), files.end());
-        for (const fs::path& file : files) {
-            moves.push_back({file, link_target((fs::path(output.path).parent_path() / file.filename()).string()), {}});
-            keep_old(moves.back(), output.stage / ("old-" + std::to_string(moves.size())));
+        for (const std::string& name : output.stage->names()) {
+            moves.push_back(
+                {output.stage->path() / name, link_target((fs::path(output.path).parent_path() / name).string()), {}});
+            keep_old(moves.back(), output.stage->path() / ("old-" + std::to_string(moves.size())));
         }
     }
     for (Move& move : moves) {

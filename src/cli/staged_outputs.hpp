@@ -2,8 +2,11 @@
 // name when all are written.
 #pragma once
 
+#include <dirent.h>
+
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,13 +29,34 @@ public:
     double bytes(const std::string& path) const;
     // Gives the files their names. All or none: if one fails, what was there before is put back.
     void commit();
+    // Removes what no StagedOutputs of the process has committed, where the process ends without destructors.
+    static void remove_all() noexcept;
 
 private:
+    // A folder of its own in `folder`, which goes with it. It stays open: nothing asks for memory when it goes.
+    class Stage
+    {
+    public:
+        Stage(const std::filesystem::path& folder, const std::string& output);
+        ~Stage();
+        Stage(const Stage&) = delete;
+        Stage& operator=(const Stage&) = delete;
+        const std::filesystem::path& path() const { return path_; }
+        std::vector<std::string> names() const;  // sorted
+        void remove() noexcept;
+
+        static Stage* newest;  // the others follow
+        Stage* next = nullptr;
+
+    private:
+        std::filesystem::path path_;
+        DIR* listing_ = nullptr;
+    };
     struct Output {
         std::string path;
         std::filesystem::path folder;  // of the target
-        std::filesystem::path stage;   // in `folder`
-        std::filesystem::path staged;  // in `stage`
+        std::unique_ptr<Stage> stage;  // in `folder`
+        std::filesystem::path staged;  // in the stage
     };
     const Output& add(const std::string& path);
     std::vector<Output> outputs_;
