@@ -62,7 +62,12 @@ static void* cleft_csharp_text(const char* text)
 %typemap(in) const char* "$1 = (char*)$input;"
 %typemap(argout) const char* ""
 %typemap(freearg) const char* ""
-%typemap(out) const char* "$result = cleft_csharp_text($1);"
+%typemap(out, canthrow=1) const char* %{
+    $result = cleft_csharp_text($1);
+    if ($1 && !$result) {
+        SWIG_CSharpSetPendingException(SWIG_CSharpOutOfMemoryException, "there is not enough memory");
+        return 0;
+    } %}
 %typemap(csout, excode=SWIGEXCODE) const char* { return Utf8.Take($imcall); }
 %typemap(csvarout, excode=SWIGEXCODE2) const char* %{
     get { return Utf8.Take($imcall); } %}

@@ -11,6 +11,14 @@
 %{
 #include <stdint.h>
 
+static void cleft_throw_no_memory(JNIEnv* env)
+{
+    (*env)->ThrowNew(env, (*env)->FindClass(env, "java/lang/OutOfMemoryError"), "there is not enough native memory");
+}
+#define CLEFT_NO_MEMORY          \
+    cleft_throw_no_memory(jenv); \
+    return 0;
+
 // An array that Java gave, while C works on it: the elements of a Java array, or the memory of a direct buffer.
 typedef struct CleftArray {
     jobject object;
@@ -132,6 +140,8 @@ CLEFT_JAVA_ARRAY(0, double* ARRAY_OUT)
     arrays = (CleftArray*)calloc((size_t)count + 1, sizeof *arrays);
     pointers = (const void**)calloc((size_t)count + 1, sizeof *pointers);
     int opened = arrays && pointers;
+    if (!opened)
+        cleft_throw_no_memory(jenv);
     for (jsize i = 0; opened && i < count; ++i) {
         opened = cleft_array_open(jenv, (*jenv)->GetObjectArrayElement(jenv, $input, i), &arrays[i]);
         pointers[i] = arrays[i].data;
@@ -158,7 +168,9 @@ CLEFT_JAVA_ARRAY(0, double* ARRAY_OUT)
         return $null;
     texts = (const char**)calloc(size + 1, sizeof *texts);
     $1 = ($1_ltype)texts;
-    $2 = texts ? cleft_split_texts((const char*)bytes.data, size, texts) : 0;
+    $2 = texts ? cleft_split_texts((const char*)bytes.data, size, texts) : 0;  // 0: the call fails, the exception comes out
+    if (!texts)
+        cleft_throw_no_memory(jenv);
 }
 %typemap(freearg) (const char* const* PATHS, int64_t COUNT)
 {

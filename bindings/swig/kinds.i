@@ -38,8 +38,20 @@ static int64_t cleft_split_texts(const char* bytes, size_t size, const char** po
 %include "python.i"
 #endif
 
-// Structs of plain numbers: made with their size in them, all else zero.
+// Structs of plain numbers: made with their size in them, all else zero. CLEFT_NO_MEMORY, of each language, leaves the
+// function with the exception for want of memory.
 %define CLEFT_STRUCT(type, name)
+#if defined(SWIGCSHARP)
+%exception type::type() {
+    $action
+    if (!result) {
+        SWIG_CSharpSetPendingException(SWIG_CSharpOutOfMemoryException, "there is not enough memory");  // SWIG looks for it
+        return 0;
+    }
+}
+#else
+%exception type::type() { $action if (!result) { CLEFT_NO_MEMORY } }
+#endif
 %rename(name) type;
 %ignore type::struct_size;
 %ignore type::reserved;

@@ -27,6 +27,10 @@
 %thread cleft_io_read_mesh;
 
 %{
+#define CLEFT_NO_MEMORY \
+    PyErr_NoMemory();   \
+    SWIG_fail;
+
 // The address of a Handle, which lives as long as the call since the caller's arguments hold it. 0 on failure.
 static int cleft_handle_address(PyObject* handle, void** address)
 {
