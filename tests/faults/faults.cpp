@@ -137,7 +137,7 @@ private:
             digest_ = bench.digest;
         }
         if (at > 0 && faults_live() != 0)
-            tell(std::to_string(faults_live()) + " blocks are lost");
+            tell_of_lost();
         alarm(0);
     }
 
@@ -157,6 +157,13 @@ private:
             tell("the old files are not what they were");
         if (fault.kind == FAULTS_FILES && status != CLEFT_OK && sentence.find("cannot write '") == std::string::npos)
             tell("no sentence about the file: " + sentence);
+    }
+
+    void tell_of_lost()
+    {
+        const std::string owner = faults_owner_of_live();
+        if (owner.find(work_.loses) == std::string::npos || work_.loses.empty())
+            tell(std::to_string(faults_live()) + " blocks are lost, one of " + owner);
     }
 
     // ------------------------------------------------------------------------------------------------ files --

@@ -121,6 +121,9 @@ std::vector<Work> file_works(const fs::path& inputs, const fs::path& outputs)
           "voxels.gipl.gz", "voxels.mrc", "voxels.nii", "voxels.nii.gz", "pair.hdr", "stack.tif", "packed.tif",
           "slice%d.png", "slice*.bmp", "slice*.jpg", "series"})
         works.push_back(reads_volume((inputs / name).string(), name));
+    for (Work& work : works)
+        if (work.name == "reads packed.tif")
+            work.loses = "libtiff";
     works.push_back(reads_raw((inputs / "voxels.raw").string()));
     works.push_back(reads_field((inputs / "raw.nrrd").string()));
 

@@ -78,6 +78,7 @@ bool counts(const void* caller)
 constexpr size_t place_bits = 17;
 constexpr size_t place_count = size_t{1} << place_bits;
 uintptr_t places[place_count];
+const void* askers[place_count];  // who asked for each
 std::atomic<int64_t> live{0};
 std::atomic_flag busy = ATOMIC_FLAG_INIT;
 
@@ -98,7 +99,7 @@ size_t next_place(size_t place) { return (place + 1) % place_count; }
 size_t first_place(uintptr_t block) { return (block >> 4) * 0x9E3779B97F4A7C15u >> (64 - place_bits); }
 size_t steps(size_t from, size_t to) { return (to + place_count - from) % place_count; }
 
-void* noted(void* block)
+void* noted(void* block, const void* caller)
 {
     if (!block)
         return block;
@@ -109,6 +110,7 @@ void* noted(void* block)
     while (places[place] != 0)
         place = next_place(place);
     places[place] = reinterpret_cast<uintptr_t>(block);
+    askers[place] = caller;
     return block;
 }
 
@@ -126,6 +128,7 @@ void forget(const void* block)
     for (size_t place = next_place(hole); places[place] != 0; place = next_place(place))
         if (steps(first_place(places[place]), place) >= steps(hole, place)) {
             places[hole] = places[place];
+            askers[hole] = askers[place];
             hole = place;
         }
     places[hole] = 0;
@@ -139,7 +142,7 @@ void* allocated(const void* caller, const Take& take)
     if (!counts(caller))
         return take();
     if (!is_due())
-        return noted(take());
+        return noted(take(), caller);
     errno = ENOMEM;
     return nullptr;
 }
@@ -378,4 +381,14 @@ int64_t faults_disarm(void)
 }
 
 int64_t faults_live(void) { return live; }
+
+const char* faults_owner_of_live(void)
+{
+    for (size_t place = 0; place < place_count; ++place) {
+        Dl_info info = {};
+        if (places[place] != 0 && dladdr(askers[place], &info) != 0)
+            return info.dli_fname;
+    }
+    return "";
+}
 }

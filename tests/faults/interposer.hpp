@@ -21,4 +21,6 @@ void faults_arm(int32_t kind, int64_t at, int32_t on, int32_t error);
 int64_t faults_disarm(void);
 // Blocks that were taken while armed, by whom the kind says, and not given back.
 int64_t faults_live(void);
+// The library (or program) that asked for one of these, "" if there is none.
+const char* faults_owner_of_live(void);
 }
