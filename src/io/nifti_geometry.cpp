@@ -101,7 +101,7 @@ Affine base_affine(const NiftiHeader& header, Notes& notes)
     for (size_t axis = 0; axis < 3; ++axis) {
         said = said || header.spm_origin[axis] != 0;
         near = near && header.spm_origin[axis] > -header.dim[axis + 1] &&
-               header.spm_origin[axis] < 2 * header.dim[axis + 1];
+               header.spm_origin[axis] / 2 < header.dim[axis + 1];
     }
     Affine affine{};
     for (size_t axis = 0; axis < 3; ++axis) {
