@@ -23,7 +23,7 @@ parser.add_argument('folder', type=pathlib.Path)
 parser.add_argument('seconds', type=int)
 parser.add_argument('--seed', type=int, default=1)
 parser.add_argument('targets', nargs='*')
-given = parser.parse_args()
+given = parser.parse_intermixed_args()
 
 
 def dictionary_of(name):
