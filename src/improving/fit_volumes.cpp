@@ -29,6 +29,9 @@ constexpr int kFitRounds = 3;
 constexpr int kMostRounds = 8;
 constexpr int64_t kLargeLabel = 1000;
 constexpr double kTolerance = 0.003;
+// And while one of more voxels than these, such as a shell, is off by this share.
+constexpr int64_t kSmallLabel = 60;
+constexpr double kWideTolerance = 0.03;
 // Directions in which the triangles at a point ask for less than this share of what they ask in the strongest are along
 // the interface.
 constexpr double kLeastShare = 0.2;
@@ -36,6 +39,8 @@ constexpr double kLeastShare = 0.2;
 constexpr double kLeastGrant = 0.1;
 // Interfaces of label maps go no further beyond the tie than this, in the least voxel spacing.
 constexpr double kMostOffset = 0.2;
+// And than this at a small label that is still off after the first rounds.
+constexpr double kWideOffset = 0.45;
 
 // What the triangles at a point ask of it: to move by their heights along their normals.
 struct Wish {
@@ -110,10 +115,16 @@ std::vector<double> missing_volumes(const LocalMesh& mesh, const std::vector<int
     return missing;
 }
 
-bool is_large_label_off(const std::vector<double>& missing, const std::vector<int64_t>& voxels, double voxel)
+bool is_off(double missing, int64_t voxels, double voxel, int64_t least_voxels, double tolerance)
+{
+    return voxels > least_voxels && std::abs(missing) > tolerance * (static_cast<double>(voxels) * voxel);
+}
+
+bool is_any_off(const std::vector<double>& missing, const std::vector<int64_t>& voxels, double voxel)
 {
     for (size_t m = 0; m < missing.size(); ++m)
-        if (voxels[m] > kLargeLabel && std::abs(missing[m]) > kTolerance * (static_cast<double>(voxels[m]) * voxel))
+        if (is_off(missing[m], voxels[m], voxel, kLargeLabel, kTolerance) ||
+            is_off(missing[m], voxels[m], voxel, kSmallLabel, kWideTolerance))
             return true;
     return false;
 }
@@ -142,7 +153,7 @@ Contact& contact_of(std::vector<Contact>& contacts, const std::array<Material, 2
 
 // Adds to the offsets of the triangles what the labels miss. The heights are counted as granted in the first round;
 // later, what has not been granted will hardly be.
-void add_offsets(const LocalMesh& mesh, std::vector<double> missing, const Vec3& spacing,
+void add_offsets(const LocalMesh& mesh, std::vector<double> missing, const std::vector<char>& wide, const Vec3& spacing,
                  const std::vector<FitPoint>& points, bool first, std::vector<Contact> contacts,
                  std::vector<InterfaceTriangle>& triangles)
 {
@@ -157,9 +168,10 @@ void add_offsets(const LocalMesh& mesh, std::vector<double> missing, const Vec3&
         }
     }
     const std::vector<double> offsets = material_offsets(contacts, missing);
-    const double most = kMostOffset * spacing.minCoeff();
     for (InterfaceTriangle& t : triangles) {
         const double more = offsets[static_cast<size_t>(t.pair[0])] - offsets[static_cast<size_t>(t.pair[1])];
+        const bool is_wide = wide[static_cast<size_t>(t.pair[0])] || wide[static_cast<size_t>(t.pair[1])];
+        const double most = (is_wide ? kWideOffset : kMostOffset) * spacing.minCoeff();
         t.offset = std::clamp(t.offset + more, -most, most);
     }
 }
@@ -304,12 +316,16 @@ void fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, cons
     const std::vector<int64_t> voxels = volume.is_label_map() ? volume.voxel_counts() : std::vector<int64_t>();
     const Vec3 spacing = volume.grid().spacing;
     std::vector<double> missing = missing_volumes(mesh, voxels, spacing.prod());
+    std::vector<char> wide(missing.size(), 0);  // by material: its interfaces may go further beyond the tie
     for (int round = 0; round < kMostRounds; ++round) {
-        if (round >= kFitRounds && !is_large_label_off(missing, voxels, spacing.prod()))
+        if (round >= kFitRounds && !is_any_off(missing, voxels, spacing.prod()))
             break;
         run.report(0.6 + 0.4 * round / kMostRounds, "fitting volumes");
+        if (round >= kFitRounds)
+            for (size_t m = 0; m < wide.size(); ++m)
+                wide[m] = wide[m] || is_off(missing[m], voxels[m], spacing.prod(), kSmallLabel, kWideTolerance);
         if (volume.is_label_map())
-            add_offsets(mesh, missing, spacing, points, round == 0, contacts, triangles);
+            add_offsets(mesh, missing, wide, spacing, points, round == 0, contacts, triangles);
         const int64_t held = granter.grant(wishes(mesh, triangles, points), points, missing, run);
         run.note("fitting.held", static_cast<double>(held));
     }

@@ -18,7 +18,8 @@ namespace
 constexpr int kPoints = 8;  // at (+-1/4, +-1/4, +-1/4) in a voxel
 constexpr int kBox = 2;     // the feedback looks at voxels this far away
 constexpr double kGain = 3;
-constexpr double kShareOne = 255;  // shares are kept in bytes
+constexpr double kOvershoot = 0.15;  // of the logarithm of a weight; less is let be
+constexpr double kShareOne = 255;    // shares are kept in bytes
 
 // The volume of a voxel by material, as far as feedback needs it.
 template <class Label>
@@ -256,8 +257,18 @@ double lack_around(const ShareWindow<Label>& window, Label own, const size_t* ro
     return total / (kShareOne * kBoxTotal);
 }
 
+// By what the logarithm of a weight changes in the second round, where feedback asks for `change` and the first round
+// made it `first`. Where voxels of two materials alternate, a round can overshoot by more than it mends, and the next
+// one by more again: there the weight goes to where the line through the two errors is zero.
+double damped(double first, double change)
+{
+    if (first * change > 0 || std::abs(change) < std::max(kOvershoot, std::abs(first)))
+        return change;
+    return first * change / (first - change);
+}
+
 template <class Label>
-void correct_row(LabelMap<Label>& map, const ShareWindow<Label>& window, int32_t y, int32_t z)
+void correct_row(LabelMap<Label>& map, const ShareWindow<Label>& window, int32_t y, int32_t z, FeedbackRound round)
 {
     const auto& dims = map.grid.dims;
     size_t rows[kBoxRows];
@@ -268,7 +279,11 @@ void correct_row(LabelMap<Label>& map, const ShareWindow<Label>& window, int32_t
         const size_t v = voxels + x;
         if (!in_band(map.code[v]))
             continue;
-        const double a = map.weight[v] * std::exp(kGain * lack_around(window, map.material[v], rows, x));
+        const double weight = map.weight[v];
+        double change = kGain * lack_around(window, map.material[v], rows, x);
+        if (round == FeedbackRound::second)
+            change = damped(std::log(weight / kWeightOne), change);
+        const double a = weight * std::exp(change);
         map.weight[v] = static_cast<uint8_t>(std::lround(std::clamp<double>(a, kWeightLeast, kWeightGreatest)));
     }
 }
@@ -276,7 +291,7 @@ void correct_row(LabelMap<Label>& map, const ShareWindow<Label>& window, int32_t
 }  // namespace
 
 template <class Label>
-void feed_back_volume(LabelMap<Label>& map, const ProgressPart& progress, const Run& run)
+void feed_back_volume(LabelMap<Label>& map, FeedbackRound round, const ProgressPart& progress, const Run& run)
 {
     constexpr int32_t kSlab = 8;
     const auto [nx, ny, nz] = map.grid.dims;
@@ -297,11 +312,11 @@ void feed_back_volume(LabelMap<Label>& map, const ProgressPart& progress, const 
         const int32_t fill = std::min(nz, z1 + ahead);
         rows(filled, fill, [&](int32_t y, int32_t z) { fill_row(map, at, y, z, window); });
         filled = fill;
-        rows(z0, z1, [&](int32_t y, int32_t z) { correct_row(map, window, y, z); });
+        rows(z0, z1, [&](int32_t y, int32_t z) { correct_row(map, window, y, z, round); });
     }
 }
 
-template void feed_back_volume(LabelMap<uint8_t>&, const ProgressPart&, const Run&);
-template void feed_back_volume(LabelMap<uint16_t>&, const ProgressPart&, const Run&);
+template void feed_back_volume(LabelMap<uint8_t>&, FeedbackRound, const ProgressPart&, const Run&);
+template void feed_back_volume(LabelMap<uint16_t>&, FeedbackRound, const ProgressPart&, const Run&);
 
 }  // namespace cleft

@@ -106,8 +106,8 @@ void find_weights(LabelMap<Label>& map, const Run& run)
         if (is_thin(map, {x, y, z}))
             map.code[v] = thin_bump(lead_at_centre(map, centre, {x, y, z}));
     });
-    feed_back_volume(map, {0.3, 0.6}, run);
-    feed_back_volume(map, {0.6, 0.9}, run);
+    feed_back_volume(map, FeedbackRound::first, {0.3, 0.6}, run);
+    feed_back_volume(map, FeedbackRound::second, {0.6, 0.9}, run);
     // A bump moves no other centre, so one pass in any order is exact.
     for_band(map, run, {0.9, 1.0}, [&](int32_t x, int32_t y, int32_t z, size_t v) {
         const double lack = kMargin - lead_at_centre(map, centre, {x, y, z});

@@ -27,8 +27,9 @@ struct ProgressPart {
     }
 };
 
-// Step 2, one round.
+// Step 2, one round. The second damps what the first one overshot.
+enum class FeedbackRound { first, second };
 template <class Label>
-void feed_back_volume(LabelMap<Label>& map, const ProgressPart& progress, const Run& run);
+void feed_back_volume(LabelMap<Label>& map, FeedbackRound round, const ProgressPart& progress, const Run& run);
 
 }  // namespace cleft
