@@ -52,10 +52,22 @@ struct Limits {
     double thin;           // of parts that are one voxel thick, if they are to be kept
 };
 
+// A plate whose elements are longer than this share of its thickness has flat ones, and nothing can make them better.
+constexpr double kMostOfThickness = 1.5;
+// Where voxels are longer than wide by more than this, a plate may need very many elements of its thickness; it gets
+// them if they are no more than so many squares of that side.
+constexpr double kMostStretch = 6;
+constexpr double kMostSquares = 20000;
+
 double default_size_max(const Grid& grid)
 {
     const Vec3 box = grid.extent();
-    return std::max(grid.spacing.maxCoeff(), std::min(0.25 * box.maxCoeff(), box.minCoeff()));
+    const double longest_voxel = grid.spacing.maxCoeff();
+    const double whole = std::max(longest_voxel, std::min(0.25 * box.maxCoeff(), box.minCoeff()));
+    const double thin = kMostOfThickness * box.minCoeff();
+    const bool is_usual = longest_voxel <= kMostStretch * grid.spacing.minCoeff() * (1 + 1e-9);
+    const double squares = box.prod() / (box.minCoeff() * thin * thin);
+    return is_usual || squares <= kMostSquares ? std::min(whole, thin) : whole;
 }
 
 Limits limits_of(const Grid& grid, const SizingOptions& options)

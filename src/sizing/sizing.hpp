@@ -19,7 +19,8 @@ struct SizingOptions {
     double size = 0;            // constant size instead of features (size_min, size_max unused); 0: from the volume
     double size_min = 0;        // 0: the least spacing of the grid, for sizes that come from features
     double size_max = 0;        // 0: a quarter of the longest side of the box, but no more than its shortest side
-                                // (elements of a plate should not be flatter than it) or the greatest spacing
+                                // or the greatest spacing, nor 1.5 times the shortest side, unless a very flat plate
+                                // would have very many elements (they should not be flatter than it)
     double feature_scale = 1;   // size at an interface = feature_scale * local feature size
     double gradation = 0.3;     // Lipschitz constant of h
     double interface_size = 0;  // greatest size at an interface; 0: none
