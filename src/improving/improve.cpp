@@ -5,6 +5,7 @@
 #include "improving/improver.hpp"
 #include "mesh/angle_notes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cleft
@@ -38,15 +39,28 @@ void note_counts(const Improver::Counts& counts, const Run& run)
     run.note("improving.compound", static_cast<double>(counts.compound));
 }
 
+Shortfall shortfall(const LocalMesh& mesh, double target, const Run& run)
+{
+    Shortfall found;
+    for (int32_t t = 0; t < mesh.slot_count(); ++t) {
+        run.check_at(t);
+        if (!mesh.alive(t) || mesh.quality(t) >= target)
+            continue;
+        ++found.tets;
+        found.least = std::min(found.least, mesh.quality(t));
+    }
+    return found;
+}
+
 }  // namespace
 
-void improve(LocalMesh& mesh, const Volume& volume, const ImproveOptions& options, const Run& run)
+Shortfall improve(LocalMesh& mesh, const Volume& volume, const ImproveOptions& options, const Run& run)
 {
     if (options.effort == Effort::off)
-        return;
+        return {};
     const StageTimer timer(run, "improving");
     run.report(0, "improving");
-    Improver improver(mesh, volume, sine_of(options.target_angle), run);
+    Improver improver(mesh, volume, sine_of(options.target_angle + options.margin), run);
     note_angles(mesh, "improving", "before", run);
     int number = 0;
     for (const Search& search : searches_of(options.effort)) {
@@ -56,6 +70,7 @@ void improve(LocalMesh& mesh, const Volume& volume, const ImproveOptions& option
     note_angles(mesh, "improving", "after", run);
     note_counts(improver.counts(), run);
     run.report(1, "improving");
+    return shortfall(mesh, sine_of(options.target_angle), run);
 }
 
 void improve(LabelledMesh& mesh, const Volume& volume, const ImproveOptions& options, const Run& run)

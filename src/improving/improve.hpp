@@ -13,10 +13,17 @@ enum class Effort { off, fast, best };
 struct ImproveOptions {
     Effort effort = Effort::fast;
     double target_angle = 20;  // degrees
+    double margin = 0;         // degrees; aims so much higher, which leads to another mesh
+};
+
+// The tetrahedra that are short of the target.
+struct Shortfall {
+    int64_t tets = 0;
+    double least = 1;  // the least quality of all, see angle_quality
 };
 
 // Never inverts a tetrahedron, never changes which materials touch. Notes improving.*.
-void improve(LocalMesh& mesh, const Volume& volume, const ImproveOptions& options, const Run& run);
+Shortfall improve(LocalMesh& mesh, const Volume& volume, const ImproveOptions& options, const Run& run);
 void improve(LabelledMesh& mesh, const Volume& volume, const ImproveOptions& options, const Run& run);
 
 }  // namespace cleft

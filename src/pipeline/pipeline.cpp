@@ -7,7 +7,9 @@
 #include "base/stage_timer.hpp"
 #include "improving/fit_volumes.hpp"
 #include "mesh/finish.hpp"
+#include "pipeline/improved_mesh.hpp"
 #include "pipeline/label_report.hpp"
+#include "pipeline/missed_angles.hpp"
 #include "pipeline/number_search.hpp"
 #include "pipeline/volume_differences.hpp"
 
@@ -72,6 +74,7 @@ LabelledMesh finished(const Volume& volume, LabelledMesh mesh, const PipelineOpt
     if (options.strict)
         require_all_labels(volume, mesh, options, run);
     warn_of_volume_differences(volume, mesh, options.keep, run);
+    warn_of_missed_angles(volume, mesh, options, run);
     const StageTimer timer(run, "finish");
     order_spatially(mesh, run);
     return mesh;
@@ -136,19 +139,13 @@ void repair_background(TetMesh& background, const PipelineOptions& options, cons
 LabelledMesh cleave_and_improve(const Volume& volume, const TetMesh& background, const PipelineOptions& options,
                                 const Run& run)
 {
-    LabelledMesh mesh;
-    {
+    if (options.improve.effort == Effort::off) {
         const StageTimer timer(run, "cleaving");
-        mesh = cleave(volume, background, options.cleave, part_of(run, 0.0, 0.7));
+        return cleave(volume, background, options.cleave, part_of(run, 0.0, 0.7));
     }
-    if (options.improve.effort != Effort::off) {
-        const StageTimer timer(run, "improving");
-        LocalMesh local(std::move(mesh), run);
-        improve(local, volume, options.improve, part_of(run, 0.7, 0.9));
-        fit_volumes(local, volume, options.improve.target_angle, part_of(run, 0.9, 1.0));
-        mesh = local.take();
-    }
-    return mesh;
+    LocalMesh mesh = improved_mesh(volume, background, options, run);
+    fit_volumes(mesh, volume, options.improve.target_angle, part_of(run, 0.9, 1.0));
+    return mesh.take();
 }
 
 LabelledMesh mesh_from_sizing(const Volume& volume, SizingField field, const PipelineOptions& options, const Run& run)

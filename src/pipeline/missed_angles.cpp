@@ -1,0 +1,74 @@
+// Counts the tetrahedra with angles beyond the target and names the worst of them.
+#include "pipeline/missed_angles.hpp"
+
+#include "base/degrees.hpp"
+#include "mesh/quality.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace cleft
+{
+
+namespace
+{
+
+// Improving leaves no angle nearer to its target than by this share, but for rounding.
+constexpr double kRounding = 1e-6;
+// Thin volumes whose spacings differ by more may have no good tetrahedra.
+constexpr double kMostStretch = 6;
+
+struct MissedAngles {
+    int64_t tets = 0;
+    double least = 180, greatest = 0;
+};
+
+MissedAngles missed_angles(const LabelledMesh& mesh, const PipelineOptions& options, const Run& run)
+{
+    MissedAngles missed;
+    const double least_quality = sine_of(options.improve.target_angle) * (1 - kRounding);
+    for (size_t t = 0; t < mesh.tets.size(); ++t) {
+        run.check_at(static_cast<int64_t>(t));
+        if (!options.keeps(mesh.material[t]))
+            continue;
+        const auto corner = [&](size_t i) -> const Vec3& { return mesh.points[static_cast<size_t>(mesh.tets[t][i])]; };
+        if (angle_quality(corner(0), corner(1), corner(2), corner(3)) >= least_quality)
+            continue;
+        const auto angles = dihedral_angles(corner(0), corner(1), corner(2), corner(3));
+        const auto [low, high] = std::minmax_element(angles.begin(), angles.end());
+        ++missed.tets;
+        missed.least = std::min(missed.least, *low);
+        missed.greatest = std::max(missed.greatest, *high);
+    }
+    return missed;
+}
+
+std::string text(double value, const char* format)
+{
+    char out[32];
+    std::snprintf(out, sizeof out, format, value);
+    return out;
+}
+
+}  // namespace
+
+void warn_of_missed_angles(const Volume& volume, const LabelledMesh& mesh, const PipelineOptions& options,
+                           const Run& run)
+{
+    if (!run.log || options.improve.effort == Effort::off)
+        return;
+    const MissedAngles missed = missed_angles(mesh, options, run);
+    if (missed.tets == 0)
+        return;
+    const Vec3 spacing = volume.grid().spacing;
+    const double stretch = spacing.maxCoeff() / spacing.minCoeff();
+    run.say(CLEFT_LOG_WARNING,
+            (missed.tets == 1 ? std::string("1 tetrahedron has") : std::to_string(missed.tets) + " tetrahedra have") +
+                " dihedral angles below " + text(options.improve.target_angle, "%g") + " or above 155 degrees, from " +
+                text(missed.least, "%.1f") + " to " + text(missed.greatest, "%.1f") +
+                (stretch > kMostStretch ? "; the voxel spacings differ by a factor of " + text(stretch, "%.3g") : ""));
+}
+
+}  // namespace cleft
