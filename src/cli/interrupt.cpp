@@ -1,5 +1,7 @@
 #include "interrupt.hpp"
 
+#include "staged_outputs.hpp"
+
 #include <atomic>
 #include <csignal>
 
@@ -15,9 +17,19 @@ std::atomic<cleft_context*> running_context{nullptr};
 volatile std::sig_atomic_t arrived = 0;
 static_assert(std::atomic<cleft_context*>::is_always_lock_free, "a signal handler may read lock-free atomics only");
 
+// The second signal, or one between calls of the library: what is staged goes, and the signal does what it does by
+// default.
+void on_idle_signal(int signal)
+{
+    StagedOutputs::remove_all();
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+}
+
 void on_signal(int signal)
 {
     arrived = signal;
+    std::signal(signal, on_idle_signal);
     // With a sound handle, this only stores to an atomic flag, so it may be called here.
     if (cleft_context* context = running_context.load())
         cleft_context_cancel(context);
@@ -30,7 +42,7 @@ InterruptGuard::InterruptGuard(cleft_context* context)
     running_context = context;
     struct sigaction action = {};
     action.sa_handler = on_signal;
-    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+    action.sa_flags = SA_RESTART;
     for (int signal : signals)
         sigaction(signal, &action, nullptr);
 }
@@ -38,9 +50,20 @@ InterruptGuard::InterruptGuard(cleft_context* context)
 InterruptGuard::~InterruptGuard()
 {
     for (int signal : signals)
-        std::signal(signal, SIG_DFL);
+        std::signal(signal, on_idle_signal);
     running_context = nullptr;
 }
+
+SignalsLater::SignalsLater() noexcept
+{
+    sigset_t blocked;
+    sigemptyset(&blocked);
+    for (const int signal : signals)
+        sigaddset(&blocked, signal);
+    pthread_sigmask(SIG_BLOCK, &blocked, &before_);
+}
+
+SignalsLater::~SignalsLater() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
 
 int interrupt_signal() { return arrived; }
 

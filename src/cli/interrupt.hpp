@@ -3,10 +3,13 @@
 
 #include "cleft/cleft.h"
 
+#include <csignal>
+
 namespace cleft_cli
 {
 
-// While it lives, the first signal cancels; a second one kills the process in the usual way.
+// While it lives, the first signal cancels; a second one kills the process in the usual way, but for
+// what is staged, which goes.
 class InterruptGuard
 {
 public:
@@ -14,6 +17,19 @@ public:
     ~InterruptGuard();
     InterruptGuard(const InterruptGuard&) = delete;
     InterruptGuard& operator=(const InterruptGuard&) = delete;
+};
+
+// Keeps these signals from what must not be left halfway; they arrive when it ends.
+class SignalsLater
+{
+public:
+    SignalsLater() noexcept;
+    ~SignalsLater();
+    SignalsLater(const SignalsLater&) = delete;
+    SignalsLater& operator=(const SignalsLater&) = delete;
+
+private:
+    sigset_t before_;
 };
 
 // The signal that arrived, 0 if none did.

@@ -1,5 +1,7 @@
 #include "output_files.hpp"
 
+#include "interrupt.hpp"
+
 #include "text.hpp"
 
 #include <sys/stat.h>
@@ -74,6 +76,7 @@ void check_place(const std::string& path)
     if (is_there && !S_ISREG(status.st_mode))
         throw cannot_write("'" + path + "' is " + (S_ISDIR(status.st_mode) ? "a folder" : "no regular file"));
     const std::string folder = folder_of(link_target(path)).string();
+    const SignalsLater later;
     std::string probe = folder + "/.cleft-XXXXXX";
     const int file = mkstemp(probe.data());
     if (file < 0)

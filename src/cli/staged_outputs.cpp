@@ -2,6 +2,7 @@
 #include "staged_outputs.hpp"
 
 #include "exit_code.hpp"
+#include "interrupt.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -95,6 +96,7 @@ fs::path link_target(const std::string& path)
 
 StagedOutputs::Stage::Stage(const fs::path& folder, const std::string& output)
 {
+    const SignalsLater later;
     std::string name = (folder / ".cleft-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr)
         throw cannot_write(output, errno);
@@ -111,6 +113,7 @@ StagedOutputs::Stage::Stage(const fs::path& folder, const std::string& output)
 
 StagedOutputs::Stage::~Stage()
 {
+    const SignalsLater later;
     remove();
     closedir(listing_);
     Stage** link = &newest;
@@ -185,6 +188,7 @@ double StagedOutputs::bytes(const std::string& path) const
 
 void StagedOutputs::commit()
 {
+    const SignalsLater later;
     std::vector<Move> moves;
     for (const Output& output : outputs_) {
         for (const std::string& name : output.stage->names()) {

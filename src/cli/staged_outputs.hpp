@@ -29,7 +29,8 @@ public:
     double bytes(const std::string& path) const;
     // Gives the files their names. All or none: if one fails, what was there before is put back.
     void commit();
-    // Removes what no StagedOutputs of the process has committed, where the process ends without destructors.
+    // Removes what no StagedOutputs of the process has committed, where the process ends without destructors. A signal
+    // handler may call it.
     static void remove_all() noexcept;
 
 private:

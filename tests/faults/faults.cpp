@@ -123,7 +123,8 @@ private:
                 tell("cannot set the progress");
             const bool cancels = fault.name == a_cancel.name;
             cancel.at = cancels ? at : 0;
-            faults_arm(fault.kind, cancels ? 0 : at, fault.on, fault.error);
+            const bool ours = work_.ours_alone && fault.kind == FAULTS_ALLOCATIONS;
+            faults_arm(ours ? FAULTS_ALLOCATIONS_OF_OURS : fault.kind, cancels ? 0 : at, fault.on, fault.error);
             const cleft_status status = work_.run(bench);
             const int64_t counted = faults_disarm();
             calls_ = cancels ? cancel.calls : counted;
@@ -137,7 +138,7 @@ private:
             digest_ = bench.digest;
         }
         if (at > 0 && faults_live() != 0)
-            tell_of_lost();
+            tell(std::to_string(faults_live()) + " blocks are lost, one of " + faults_owner_of_live());
         alarm(0);
     }
 
@@ -157,13 +158,6 @@ private:
             tell("the old files are not what they were");
         if (fault.kind == FAULTS_FILES && status != CLEFT_OK && sentence.find("cannot write '") == std::string::npos)
             tell("no sentence about the file: " + sentence);
-    }
-
-    void tell_of_lost()
-    {
-        const std::string owner = faults_owner_of_live();
-        if (owner.find(work_.loses) == std::string::npos || work_.loses.empty())
-            tell(std::to_string(faults_live()) + " blocks are lost, one of " + owner);
     }
 
     // ------------------------------------------------------------------------------------------------ files --

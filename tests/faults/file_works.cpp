@@ -121,9 +121,9 @@ std::vector<Work> file_works(const fs::path& inputs, const fs::path& outputs)
           "voxels.gipl.gz", "voxels.mrc", "voxels.nii", "voxels.nii.gz", "pair.hdr", "stack.tif", "packed.tif",
           "slice%d.png", "slice*.bmp", "slice*.jpg", "series"})
         works.push_back(reads_volume((inputs / name).string(), name));
+    // libtiff 4.5 does not test whether it got memory for a field of a header, and loses blocks of its codecs.
     for (Work& work : works)
-        if (work.name == "reads packed.tif")
-            work.loses = "libtiff";
+        work.ours_alone = work.name == "reads stack.tif" || work.name == "reads packed.tif";
     works.push_back(reads_raw((inputs / "voxels.raw").string()));
     works.push_back(reads_field((inputs / "raw.nrrd").string()));
 

@@ -209,7 +209,7 @@ def check_signal(job, number, status):
     if number == signal.SIGKILL:
         beside = [name for name in beside if not name.startswith('.cleft-')]
     if beside:
-        tell('signal', number, 'left', beside)
+        tell('signal', number, 'left', beside, 'exit status', status)
     if status not in (DONE, -number) and (number == signal.SIGKILL or status != 128 + number):
         tell('signal', number, 'exit status', status)
 

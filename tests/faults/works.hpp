@@ -34,7 +34,7 @@ struct Work {
     std::function<cleft_status(Bench&)> run;
     std::vector<std::string> outputs = {};  // names in the folder of outputs
     int32_t threads = 1;
-    std::string loses = {};  // a library of others that loses blocks where it gets no memory
+    bool ours_alone = false;  // a library below does not bear it that its own allocations fail
 };
 
 // Of the core; of the file component, with files that lie in `inputs` and such as are written to `outputs`.
