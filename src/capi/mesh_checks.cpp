@@ -2,6 +2,7 @@
 #include "base/struct_size.hpp"
 #include "capi/firewall.hpp"
 #include "capi/mesh_frame.hpp"
+#include "mesh/bounding_box.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/validate.hpp"
 #include "pipeline/label_report.hpp"
@@ -33,13 +34,12 @@ LabelledMesh upright(const cleft_mesh& mesh)
 
 cleft::Placement placement_of(const cleft_mesh& mesh)
 {
-    return mesh.frame ? cleft::Placement{mesh.frame->linear, mesh.frame->offset} : cleft::Placement();
+    return mesh.frame ? cleft::Placement(*mesh.frame) : cleft::Placement();
 }
 
 // A report whose volumes are those of the voxel frame, in the world.
-cleft::LabelReport in_world(cleft::LabelReport report, const cleft::Frame& frame)
+cleft::LabelReport in_world(cleft::LabelReport report, const cleft::Placement& world)
 {
-    const cleft::Placement world{frame.linear, frame.offset};
     for (cleft::LabelRow& row : report.rows) {
         row.voxel_volume = world.volume(row.voxel_volume);
         row.mesh_volume = world.volume(row.mesh_volume);
@@ -47,13 +47,23 @@ cleft::LabelReport in_world(cleft::LabelReport report, const cleft::Frame& frame
     return report;
 }
 
-void bounding_box(const LabelledMesh& mesh, cleft::Vec3& lo, cleft::Vec3& hi)
+// The box that the mesh was made for; of a mesh without a volume that of its points.
+cleft::BoundingBox box_of(const cleft_mesh& mesh, const LabelledMesh& local)
 {
-    lo = hi = mesh.points.empty() ? cleft::Vec3(0, 0, 0) : mesh.points.front();
-    for (const cleft::Vec3& p : mesh.points) {
-        lo = lo.cwiseMin(p);
-        hi = hi.cwiseMax(p);
+    cleft::BoundingBox box;
+    if (mesh.frame) {
+        box.add(cleft::Vec3(0, 0, 0));
+        box.add(mesh.frame->grid.extent());
+        return box;
     }
+    for (const cleft::Vec3& p : local.points)
+        box.add(p);
+    return box;
+}
+
+const cleft::LabelRow& row_at(const cleft_report& report, int64_t index)
+{
+    return report.report.rows[static_cast<size_t>(report.listed[static_cast<size_t>(index)])];
 }
 
 }  // namespace
@@ -124,12 +134,8 @@ cleft_status cleft_surface_create(cleft_context* context, const cleft_mesh* mesh
         const auto from = held(mesh, "mesh");
         const cleft_mesh& m = *from;
         const LabelledMesh local = upright(m);
-        cleft::Vec3 lo = cleft::Vec3::Zero(), hi = lo;
-        if (m.frame)
-            hi = m.frame->grid.extent();
-        else
-            bounding_box(local, lo, hi);
-        cleft_surface surface{{}, cleft::extract_interfaces(local, lo, hi, run)};
+        const cleft::BoundingBox box = box_of(m, local);
+        cleft_surface surface{{}, cleft::extract_interfaces(local, box.lo, box.hi, run)};
         if (m.frame && m.frame->flips()) {
             for (auto& triangle : surface.interfaces.triangles)
                 std::swap(triangle[1], triangle[2]);
@@ -178,16 +184,6 @@ const int32_t* cleft_surface_hull_sides(const cleft_surface* surface) noexcept
     return cleft_surface_hull_count(surface) ? reinterpret_cast<const int32_t*>(surface->interfaces.hull_side.data())
                                              : nullptr;
 }
-
-namespace
-{
-
-const cleft::LabelRow& row_at(const cleft_report& report, int64_t index)
-{
-    return report.report.rows[static_cast<size_t>(report.listed[static_cast<size_t>(index)])];
-}
-
-}  // namespace
 
 cleft_status cleft_report_create(cleft_context* context, const cleft_volume* volume, const cleft_mesh* mesh,
                                  cleft_report** out) noexcept

@@ -2,7 +2,7 @@
 #include "io/dicom_planes.hpp"
 
 #include "base/error.hpp"
-#include "io/header_values.hpp"
+#include "base/number_text.hpp"
 #include "io/voxel_access.hpp"
 
 #include <algorithm>

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdio>
 
 namespace cleft::io
 {
@@ -65,13 +64,6 @@ std::vector<std::string> words_of(std::string_view text)
 void refuse_field(std::string_view field, std::string_view value, const std::string& why)
 {
     throw Error(CLEFT_ERROR_FORMAT, "its field '" + shown(field) + "' is '" + shown(value) + "': " + why);
-}
-
-std::string number_text(double number)
-{
-    char text[40];
-    std::snprintf(text, sizeof text, "%g", number);
-    return text;
 }
 
 int64_t integer_of(std::string_view field, std::string_view word)

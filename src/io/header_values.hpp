@@ -19,9 +19,6 @@ std::vector<std::string> words_of(std::string_view text);
 
 [[noreturn]] void refuse_field(std::string_view field, std::string_view value, const std::string& why);
 
-// A number for a sentence, of six digits at most.
-std::string number_text(double number);
-
 int64_t integer_of(std::string_view field, std::string_view word);
 // May be infinite or no number; hexadecimal is not read.
 double real_of(std::string_view field, std::string_view word);

@@ -2,9 +2,9 @@
 #include "io/meaning.hpp"
 
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "base/ordinal.hpp"
 #include "io/field_shape.hpp"
-#include "io/header_values.hpp"
 
 #include <algorithm>
 

@@ -3,8 +3,8 @@
 #include "io/nifti_geometry.hpp"
 
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "base/ordinal.hpp"
-#include "io/header_values.hpp"
 #include "io/voxels.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Reads NIfTI-1, NIfTI-2 and Analyze 7.5: one file, or a header and its voxels in two.
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "io/byte_source.hpp"
-#include "io/header_values.hpp"
 #include "io/image_readers.hpp"
 #include "io/nifti_geometry.hpp"
 #include "io/nifti_header.hpp"

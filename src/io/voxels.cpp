@@ -1,8 +1,8 @@
 #include "io/voxels.hpp"
 
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "base/ordinal.hpp"
-#include "io/header_values.hpp"
 #include "io/voxel_access.hpp"
 
 #include <algorithm>

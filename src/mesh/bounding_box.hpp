@@ -1,7 +1,7 @@
 // The box of a mesh and its sides.
 #pragma once
 
-#include "mesh/placement.hpp"
+#include "base/placement.hpp"
 #include "mesh/tet_mesh.hpp"
 
 #include <cmath>

@@ -1,9 +1,9 @@
 // The parts of a validation: what is wrong with the points, the tetrahedra and the faces of a mesh, and where first.
 #pragma once
 
+#include "base/placement.hpp"
 #include "base/run.hpp"
 #include "mesh/bounding_box.hpp"
-#include "mesh/placement.hpp"
 #include "mesh/tet_mesh.hpp"
 
 namespace cleft

@@ -50,7 +50,7 @@ public:
     std::string point(int64_t p) const { return "the " + ordinal(p) + " point at " + text(at(p)); }
 
 private:
-    Vec3 at(int64_t p) const { return world_.point(mesh_.points[static_cast<size_t>(p)]); }
+    Vec3 at(int64_t p) const { return world_.to_world(mesh_.points[static_cast<size_t>(p)]); }
     const LabelledMesh& mesh_;
     const Placement& world_;
 };

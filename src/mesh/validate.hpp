@@ -1,8 +1,8 @@
 // Is a mesh what the library promises?
 #pragma once
 
+#include "base/placement.hpp"
 #include "base/run.hpp"
-#include "mesh/placement.hpp"
 #include "mesh/tet_mesh.hpp"
 
 #include <string>

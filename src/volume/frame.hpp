@@ -1,7 +1,7 @@
 // From the local frame of the stages to the world of the user, and back.
 #pragma once
 
-#include "base/vec.hpp"
+#include "base/placement.hpp"
 #include "volume/grid.hpp"
 
 #include <array>
@@ -10,14 +10,11 @@
 namespace cleft
 {
 
-struct Frame {
+struct Frame : Placement {
     Grid grid;
     std::array<double, 12> affine{};  // voxel index -> world, 3 rows of 4
-    Mat3 linear = Mat3::Identity();   // local -> world: world = linear * local + offset
-    Vec3 offset = Vec3::Zero();
-    Mat3 inverse = Mat3::Identity();
+    Mat3 inverse = Mat3::Identity();  // of linear
 
-    Vec3 to_world(const Vec3& local) const { return linear * local + offset; }
     // A point within 1e-9 of the longest side of a box plane, or within the rounding of a place far from the origin, is
     // put exactly on it, so that planes survive the way to the world and back.
     Vec3 to_local(const Vec3& world) const;
