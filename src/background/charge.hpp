@@ -5,6 +5,7 @@
 // particle on a wall belongs to the box by one half (on an edge of the box by a quarter, in a corner by an eighth).
 #pragma once
 
+#include "base/mix.hpp"
 #include "sizing/sizing.hpp"
 
 #include <algorithm>
@@ -72,7 +73,6 @@ public:
             t[a] = std::min(v - static_cast<float>(voxel), 1.0F);
             corner += voxel * table_.stride[a];
         }
-        const auto mix = [](float low, float high, float share) { return low + share * (high - low); };
         const auto row = [&](const float* p) { return mix(p[0], p[table_.stride[0]], t[0]); };
         const auto plane = [&](const float* p) { return mix(row(p), row(p + table_.stride[1]), t[1]); };
         return mix(plane(corner), plane(corner + table_.stride[2]), t[2]);

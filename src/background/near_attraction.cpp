@@ -71,7 +71,6 @@ CLEFT_WIDE_VECTORS void read_charges(const SizeSampler::Table& table, const std:
             corner[n] += voxel * stride;
         }
     }
-    const auto mix = [](float low, float high, float part) { return low + part * (high - low); };
     for (size_t n = 0; n < kSamples; ++n) {
         const auto row = [&](const float* p) { return mix(p[0], p[table.stride[0]], share[0][n]); };
         const auto plane = [&](const float* p) { return mix(row(p), row(p + table.stride[1]), share[1][n]); };

@@ -1,6 +1,7 @@
 // The sizing field h(x): the wanted edge length of tetrahedra, in world units, gradation-Lipschitz.
 #pragma once
 
+#include "base/mix.hpp"
 #include "base/run.hpp"
 #include "volume/grid.hpp"
 #include "volume/volume.hpp"
@@ -59,13 +60,9 @@ inline double SizingField::at(const Vec3& x) const
         corner += low * stride;
         stride *= n;
     }
-    const auto along_x = [&](const float* p) { return p[0] + t[0] * (static_cast<double>(p[step[0]]) - p[0]); };
-    const auto in_plane = [&](const float* p) {
-        const double low = along_x(p);
-        return low + t[1] * (along_x(p + step[1]) - low);
-    };
-    const double low = in_plane(corner);
-    return low + t[2] * (in_plane(corner + step[2]) - low);
+    const auto along_x = [&](const float* p) { return mix(double{p[0]}, double{p[step[0]]}, t[0]); };
+    const auto in_plane = [&](const float* p) { return mix(along_x(p), along_x(p + step[1]), t[1]); };
+    return mix(in_plane(corner), in_plane(corner + step[2]), t[2]);
 }
 
 // The three distance transforms of the paper (section 3, Sizing Field), then limits, user's field and gradation.

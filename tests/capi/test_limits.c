@@ -120,6 +120,33 @@ static void what_a_far_world_cannot_hold_is_refused(void** state)
     cleft_context_destroy(context);
 }
 
+/* A size that is a sentinel for "any" in one voxel of many: single precision holds seven digits of sixteen. */
+static void a_size_far_above_its_neighbours_is_meshed(void** state)
+{
+    static const char* const kBackgrounds[] = {"particles", "lattice", "octree"};
+    static double sizes[VOXELS];
+    cleft_context* context = new_context();
+    cleft_volume* volume = NULL;
+    cleft_sizing* sizing = NULL;
+    const struct world plain = {{1, 1, 1}, 0};
+    (void)state;
+    assert_ok(context, make_volume(context, plain, &volume));
+    for (int v = 0; v < VOXELS; ++v)
+        sizes[v] = v == VOXELS / 3 ? 1e16 : 1.5 + 0.01 * (v % 7);
+    assert_ok(context, cleft_sizing_create_values(context, volume, CLEFT_TYPE_FLOAT64, sizes, 0, NULL, &sizing));
+    for (int b = 0; b < 3; ++b) {
+        cleft_options* options = options_of(kBackgrounds[b]);
+        cleft_mesh* mesh = NULL;
+        assert_ok(context, cleft_mesh_volume(context, volume, sizing, NULL, options, &mesh));
+        assert_sound(context, mesh);
+        cleft_mesh_destroy(mesh);
+        cleft_options_destroy(options);
+    }
+    cleft_sizing_destroy(sizing);
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
 /* Distances from a ball of radius 3 within a band, and a sentinel beyond it. */
 static double volume_of_ball(cleft_context* context, double band, double sentinel, const char* background)
 {
@@ -341,6 +368,7 @@ int main(void)
         cmocka_unit_test(worlds_within_the_limits_give_sound_meshes),
         cmocka_unit_test(worlds_beyond_the_limits_are_refused),
         cmocka_unit_test(what_a_far_world_cannot_hold_is_refused),
+        cmocka_unit_test(a_size_far_above_its_neighbours_is_meshed),
         cmocka_unit_test(sentinels_lie_a_little_beyond_their_band),
         cmocka_unit_test(noise_of_sentinels_alone_is_meshed_by_its_signs),
         cmocka_unit_test(backgrounds_are_checked_whole),
