@@ -156,6 +156,8 @@ bool Improver::split(int32_t t, int corner_a, int corner_b)
 {
     EdgeRing& ring = cavity_.ring;
     mesh_.ring(t, corner_a, corner_b, ring);
+    if (!ring.whole)
+        return false;
     star_.load(mesh_, ring);
     const double floor = std::max(mesh_.worst(ring.tets), kLeastSine);
     Vec3 middle = 0.5 * (mesh_.point(ring.a) + mesh_.point(ring.b));

@@ -108,6 +108,8 @@ bool Improver::split_in_middle(int32_t t, int corner_a, int corner_b)
 {
     EdgeRing& ring = cavity_.ring;
     mesh_.ring(t, corner_a, corner_b, ring);
+    if (!ring.whole)
+        return false;
     star_.load(mesh_, ring);
     Vec3 middle = 0.5 * (mesh_.point(ring.a) + mesh_.point(ring.b));
     constrain(ring.tets, middle, middle, frozen_on_edge(mesh_, ring));

@@ -147,7 +147,7 @@ bool remove_edge(LocalMesh& mesh, int32_t t, int corner_a, int corner_b, double 
     mesh.ring(t, corner_a, corner_b, ring);
     std::array<Arc, 2> arcs;
     size_t arc_count = 0;
-    if (ring.size() > kLongestRing || !cut_into_arcs(mesh, ring, arcs, arc_count) ||
+    if (!ring.whole || ring.size() > kLongestRing || !cut_into_arcs(mesh, ring, arcs, arc_count) ||
         !boundary_stays(mesh, ring, arcs, arc_count, bend) ||
         !lone_tets_are_backed(mesh, ring, arcs, arc_count, cavity.other_ring))
         return false;

@@ -146,6 +146,7 @@ void LocalMesh::ring(int32_t t, int corner_a, int corner_b, EdgeRing& out) const
         first = std::find_if(left.begin(), left.end(), [&](const Hinge& h) { return h.c == end; });
     }
     out.closed = end == start;
+    out.whole = left.empty();
     if (!out.closed)
         out.points.push_back(end);
 }

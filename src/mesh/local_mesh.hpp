@@ -18,6 +18,7 @@ struct Hinge {
 struct EdgeRing {
     int32_t a = -1, b = -1;
     bool closed = true;
+    bool whole = true;  // false where parts of the mesh touch in the edge alone: these are the tetrahedra of one part
     std::vector<int32_t> points;
     std::vector<int32_t> tets;
     std::vector<Hinge> unordered;  // room to work in

@@ -79,6 +79,25 @@ static void neighbours_and_frozen_axes_are_those_of_the_plain_mesh(void**)
     }
 }
 
+// Two tetrahedra that have an edge in common and no face: neither is all that lies around it.
+static void a_ring_tells_where_it_is_not_all(void**)
+{
+    const TetMesh plain{{Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(-1, 0, 0), Vec3(-1, -1, 0)},
+                        {Tet{0, 1, 2, 3}, Tet{0, 1, 4, 5}}};
+    LocalMesh mesh = local(plain);
+    Cavity cavity;
+    EdgeRing ring;
+    for (int32_t t = 0; t < 2; ++t) {
+        assert_true(mesh.quality(mesh.tet(t)) > 0);
+        mesh.ring(t, 0, 1, ring);
+        assert_int_equal(ring.tets.size(), 1);
+        assert_false(ring.whole);
+        assert_false(remove_edge(mesh, t, 0, 1, 1, cavity, 0));
+        mesh.ring(t, 2, 3, ring);
+        assert_true(ring.whole);
+    }
+}
+
 static void a_ring_goes_round_its_edge(void**)
 {
     for (const TetMesh& plain : meshes()) {
@@ -235,6 +254,7 @@ int main()
 {
     const CMUnitTest tests[] = {
         cmocka_unit_test(neighbours_and_frozen_axes_are_those_of_the_plain_mesh),
+        cmocka_unit_test(a_ring_tells_where_it_is_not_all),
         cmocka_unit_test(a_ring_goes_round_its_edge),
         cmocka_unit_test(an_operation_can_be_taken_back),
         cmocka_unit_test(what_is_known_of_quality_follows_the_moves),
