@@ -426,7 +426,8 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_strip(cleft_context* context, 
  *  piece of more than 30 voxels of one, is not in the mesh or broke, or if two kept labels are a cleft_contact; also,
  *  without STRICT, if no kept label is in the mesh. Warns (CLEFT_LOG_WARNING, in one sentence) of kept labels of 100
  *  voxels or more whose volume in the mesh differs by more than 5 % from that of their voxels.
- *  The caller owns *out. \since 0.1 */
+ *  Warns in one sentence, too, of tetrahedra with dihedral angles below 20 or above 155 degrees in the frame of the
+ * voxel axes, unless IMPROVE is off. The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_volume(cleft_context* context, const cleft_volume* volume,
                                                          const cleft_sizing* sizing, const cleft_mesh* background,
                                                          const cleft_options* options, cleft_mesh** out) CLEFT_NOEXCEPT;

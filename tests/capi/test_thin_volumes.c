@@ -137,6 +137,42 @@ static void an_empty_plate_of_any_thickness_has_good_angles(void** state)
     assert_true(angles_are_met(&b, CLEFT_BACKGROUND_PARTICLES));
 }
 
+static double metric(const cleft_context* context, const char* wanted)
+{
+    for (int64_t i = 0; i < cleft_context_metric_count(context); ++i) {
+        const char* name = NULL;
+        double value = 0;
+        assert_int_equal(cleft_context_metric(context, i, &name, &value), CLEFT_OK);
+        if (strcmp(name, wanted) == 0)
+            return value;
+    }
+    fail_msg("no metric %s", wanted);
+    return 0;
+}
+
+/* The first search leaves bad tetrahedra in each of these; if one needs no other try any more, put in one that does. */
+static void a_search_that_ends_badly_is_tried_again(void** state)
+{
+    static box bars = {{2, 8, 2}, {1, 1, 1}, {0}};
+    const char* const labels[2] = {"10000010000010001000001000001000", "11111101111100110010101011100111"};
+    (void)state;
+    for (int i = 0; i < 2; ++i) {
+        warnings told;
+        cleft_context* context = listening_context(&told);
+        for (int v = 0; v < 32; ++v)
+            bars.voxels[v] = (uint8_t)(labels[i][v] - '0');
+        cleft_volume* volume = volume_of(context, &bars);
+        cleft_mesh* mesh = mesh_of(context, volume, CLEFT_BACKGROUND_PARTICLES);
+        assert_true(metric(context, "improving.tries") > 1);
+        const cleft_quality quality = quality_of(context, mesh);
+        assert_true(is_met(&quality));
+        assert_told(&told, NULL);
+        cleft_mesh_destroy(mesh);
+        cleft_volume_destroy(volume);
+        cleft_context_destroy(context);
+    }
+}
+
 static void beyond_it_a_warning_tells_of_missed_angles(void** state)
 {
     static box b;
@@ -241,6 +277,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(thin_volumes_keep_the_angles_up_to_a_ratio_of_six),
         cmocka_unit_test(an_empty_plate_of_any_thickness_has_good_angles),
+        cmocka_unit_test(a_search_that_ends_badly_is_tried_again),
         cmocka_unit_test(beyond_it_a_warning_tells_of_missed_angles),
         cmocka_unit_test(one_voxel_shells_keep_their_volume),
         cmocka_unit_test(gaps_of_a_voxel_between_many_sheets_stay_open),
