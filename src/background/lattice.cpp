@@ -112,6 +112,14 @@ double lattice_size_for(const Grid& grid, double tets)
     return kMeanEdge * std::cbrt(kTetsACell * grid.extent().prod() / tets);
 }
 
+double lattice_tets(const Grid& grid, double size)
+{
+    double tets = kTetsACell;
+    for (const int32_t n : cell_counts(grid.extent(), size))
+        tets *= n;
+    return tets;
+}
+
 TetMesh lattice_background(const Grid& grid, double size, const Run& run)
 {
     const Vec3 extent = grid.extent();

@@ -17,4 +17,7 @@ TetMesh lattice_background(const Grid& grid, double size, const Run& run);
 // The size that gives about so many tetrahedra.
 double lattice_size_for(const Grid& grid, double tets);
 
+// How many tetrahedra lattice_background() makes: in a flat box more than its size asks for.
+double lattice_tets(const Grid& grid, double size);
+
 }  // namespace cleft

@@ -51,6 +51,18 @@ void require_all_labels(const Volume& volume, const LabelledMesh& mesh, const Pi
                                                     "smaller size would keep them apart");
 }
 
+// Cells are no longer than the box is thin, whatever their size is to be: a plate can have many more of them than that
+// size asks for.
+void refuse_flat_lattice(const Grid& grid, double size, double most)
+{
+    constexpr double kRounded = 2;  // numbers of cells are whole
+    const double tets = lattice_tets(grid, size), asked = std::pow(lattice_size_for(grid, 1) / size, 3);
+    if (most > 0 && tets > kRounded * std::max(most, asked))
+        throw Error(CLEFT_ERROR_TOO_LARGE, "a lattice as fine as the box is thin has about " + count_text(tets) +
+                                               " tetrahedra, more than max_tets, " + count_text(most) +
+                                               ": give a greater max_tets, or another background");
+}
+
 // The least that the field asks for. Where only features ask for it, not the user, a lattice that would have more than
 // max_tets is made coarser: one thin part would make it fill the memory.
 double lattice_size(const SizingField& field, const PipelineOptions& options, const Run& run)
@@ -67,6 +79,14 @@ double lattice_size(const SizingField& field, const PipelineOptions& options, co
                                    count_text(asked) + " tetrahedra: its size was raised to " + number_text(size) +
                                    " to keep to max_tets, " + count_text(most));
     return size;
+}
+
+TetMesh lattice_of(const SizingField& field, const PipelineOptions& options, const Run& run)
+{
+    warn_of_coarse_lattice(field, run);
+    const double size = lattice_size(field, options, run);
+    refuse_flat_lattice(field.grid, size, options.sizing.max_tets);
+    return lattice_background(field.grid, size, run);
 }
 
 LabelledMesh finished(const Volume& volume, LabelledMesh mesh, const PipelineOptions& options, const Run& run)
@@ -113,8 +133,7 @@ TetMesh make_background(const SizingField& field, const PipelineOptions& options
             mesh = particle_background(field, options.particles, run);
             break;
         case BackgroundKind::lattice:
-            warn_of_coarse_lattice(field, run);
-            mesh = lattice_background(field.grid, lattice_size(field, options, run), run);
+            mesh = lattice_of(field, options, run);
             break;
         case BackgroundKind::octree:
             mesh = octree_background(field, run);
