@@ -3,6 +3,8 @@
 
 #include "storm/mesh_checker.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
@@ -12,7 +14,7 @@ namespace storm
 namespace
 {
 
-constexpr double kMostTets = 40000;  // where the library is not asked to keep to max_tets
+constexpr double kMostTets = 40000, kMostOfAll = 400000;  // where the library is not asked to keep to max_tets
 
 // A background of the user's own, as arrays.
 struct Arrays {
@@ -133,7 +135,7 @@ private:
             case Way::stages:
                 return mesh_by_stages();
             default:
-                return checked(cleft_mesh_volume(context_, volume_, nullptr, nullptr, options_, next()), kept_box());
+                return mesh_whole();
         }
     }
 
@@ -165,6 +167,34 @@ private:
         return cleft_volume_create_indicators(context_, CLEFT_TYPE_FLOAT32, fields.data(),
                                               static_cast<int64_t>(fields.size()), case_.dims.data(),
                                               case_.affine.data(), nullptr, &volume_);
+    }
+
+    // Sizes that are asked for are taken as they are, whatever max_tets is, and a lattice has the least everywhere.
+    bool asks_for_too_much()
+    {
+        if (cleft_sizing_create(context_, volume_, options_, &sizing_) != CLEFT_OK)
+            return false;  // meshing says why
+        int64_t dims[3];
+        double affine[12];
+        if (cleft_sizing_dims(sizing_, dims) != CLEFT_OK || cleft_sizing_affine(sizing_, affine) != CLEFT_OK)
+            std::abort();
+        const float* sizes = cleft_sizing_values(sizing_);
+        const double least = double{*std::min_element(sizes, sizes + dims[0] * dims[1] * dims[2])};
+        double box = 1;
+        for (size_t axis = 0; axis < 3; ++axis)
+            box *= static_cast<double>(dims[axis]) * std::hypot(affine[axis], affine[4 + axis], affine[8 + axis]);
+        constexpr double kTetsACube = 12;
+        return std::max(cleft_sizing_expected_tets(sizing_), kTetsACube * box / (least * least * least)) > kMostOfAll;
+    }
+
+    cleft_status mesh_whole()
+    {
+        const bool has_sizes = std::any_of(case_.options.begin(), case_.options.end(), [](const auto& option) {
+            return option.first == "interface_size" || option.first == "size_min" || option.first == "size";
+        });
+        if ((has_sizes || !case_.label_sizes.empty()) && asks_for_too_much())
+            return left_out();
+        return checked(cleft_mesh_volume(context_, volume_, nullptr, nullptr, options_, next()), kept_box());
     }
 
     cleft_status mesh_by_own_sizes()
