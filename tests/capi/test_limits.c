@@ -27,6 +27,22 @@ static cleft_options* options_of(const char* background)
     return options;
 }
 
+static const char* const kBackgrounds[] = {"particles", "lattice", "octree"};
+
+/* `sizing` may be NULL. */
+static void assert_sound_on_all_backgrounds(cleft_context* context, const cleft_volume* volume,
+                                            const cleft_sizing* sizing)
+{
+    for (int b = 0; b < 3; ++b) {
+        cleft_options* options = options_of(kBackgrounds[b]);
+        cleft_mesh* mesh = NULL;
+        assert_ok(context, cleft_mesh_volume(context, volume, sizing, NULL, options, &mesh));
+        assert_sound(context, mesh);
+        cleft_mesh_destroy(mesh);
+        cleft_options_destroy(options);
+    }
+}
+
 struct world {
     double spacing[3], origin;
 };
@@ -51,21 +67,14 @@ static void worlds_within_the_limits_give_sound_meshes(void** state)
                                            {{1e-9, 1e-9, 1e-9}, 9.9e4},
                                            {{1e-15, 1e-14, 1e-15}, 0.005},
                                            {{1e14, 1e15, 3e14}, 1e25}};
-    static const char* const kBackgrounds[] = {"particles", "lattice", "octree"};
     cleft_context* context = new_context();
     (void)state;
-    for (size_t i = 0; i < sizeof kWithin / sizeof *kWithin; ++i)
-        for (int b = 0; b < 3; ++b) {
-            cleft_options* options = options_of(kBackgrounds[b]);
-            cleft_volume* volume = NULL;
-            cleft_mesh* mesh = NULL;
-            assert_ok(context, make_volume(context, kWithin[i], &volume));
-            assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, options, &mesh));
-            assert_sound(context, mesh);
-            cleft_mesh_destroy(mesh);
-            cleft_volume_destroy(volume);
-            cleft_options_destroy(options);
-        }
+    for (size_t i = 0; i < sizeof kWithin / sizeof *kWithin; ++i) {
+        cleft_volume* volume = NULL;
+        assert_ok(context, make_volume(context, kWithin[i], &volume));
+        assert_sound_on_all_backgrounds(context, volume, NULL);
+        cleft_volume_destroy(volume);
+    }
     cleft_context_destroy(context);
 }
 
@@ -123,7 +132,6 @@ static void what_a_far_world_cannot_hold_is_refused(void** state)
 /* A size that is a sentinel for "any" in one voxel of many: single precision holds seven digits of sixteen. */
 static void a_size_far_above_its_neighbours_is_meshed(void** state)
 {
-    static const char* const kBackgrounds[] = {"particles", "lattice", "octree"};
     static double sizes[VOXELS];
     cleft_context* context = new_context();
     cleft_volume* volume = NULL;
@@ -134,14 +142,7 @@ static void a_size_far_above_its_neighbours_is_meshed(void** state)
     for (int v = 0; v < VOXELS; ++v)
         sizes[v] = v == VOXELS / 3 ? 1e16 : 1.5 + 0.01 * (v % 7);
     assert_ok(context, cleft_sizing_create_values(context, volume, CLEFT_TYPE_FLOAT64, sizes, 0, NULL, &sizing));
-    for (int b = 0; b < 3; ++b) {
-        cleft_options* options = options_of(kBackgrounds[b]);
-        cleft_mesh* mesh = NULL;
-        assert_ok(context, cleft_mesh_volume(context, volume, sizing, NULL, options, &mesh));
-        assert_sound(context, mesh);
-        cleft_mesh_destroy(mesh);
-        cleft_options_destroy(options);
-    }
+    assert_sound_on_all_backgrounds(context, volume, sizing);
     cleft_sizing_destroy(sizing);
     cleft_volume_destroy(volume);
     cleft_context_destroy(context);
@@ -202,7 +203,6 @@ static double volume_of_ball(cleft_context* context, double band, double sentine
 static void sentinels_lie_a_little_beyond_their_band(void** state)
 {
     static const double kSentinels[] = {FLT_MAX, DBL_MAX, 2e30};
-    static const char* const kBackgrounds[] = {"particles", "lattice", "octree"};
     const double ball = 4 * kPi / 3 * 27;
     warnings told;
     cleft_context* context = listening_context(&told);
@@ -220,26 +220,18 @@ static void sentinels_lie_a_little_beyond_their_band(void** state)
 
 static void noise_of_sentinels_alone_is_meshed_by_its_signs(void** state)
 {
-    static const char* const kBackgrounds[] = {"particles", "lattice", "octree"};
     const int64_t dims[3] = {4, 4, 4};
     float f[64];
     const void* fields[1] = {f};
     cleft_context* context = new_context();
+    cleft_volume* volume = NULL;
     (void)state;
     for (int v = 0; v < 64; ++v)
         f[v] = v * 7919 % 13 < 6 ? 1e38f : -1e38f;
-    for (int b = 0; b < 3; ++b) {
-        cleft_options* options = options_of(kBackgrounds[b]);
-        cleft_volume* volume = NULL;
-        cleft_mesh* mesh = NULL;
-        assert_ok(context,
-                  cleft_volume_create_indicators(context, CLEFT_TYPE_FLOAT32, fields, 1, dims, NULL, NULL, &volume));
-        assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, options, &mesh));
-        assert_sound(context, mesh);
-        cleft_mesh_destroy(mesh);
-        cleft_volume_destroy(volume);
-        cleft_options_destroy(options);
-    }
+    assert_ok(context,
+              cleft_volume_create_indicators(context, CLEFT_TYPE_FLOAT32, fields, 1, dims, NULL, NULL, &volume));
+    assert_sound_on_all_backgrounds(context, volume, NULL);
+    cleft_volume_destroy(volume);
     cleft_context_destroy(context);
 }
 
@@ -358,7 +350,6 @@ static void sizes_beyond_the_limits_are_refused(void** state)
 {
     static const double kBad[] = {0, -1, 1e-31, 1e31, 1e300, NAN, INFINITY};
     static const double kExtreme[] = {1e-30, 1e-20, 1e-9, 1e9, 1e20, 1e30};
-    static const char* const kBackgrounds[] = {"particles", "lattice", "octree"};
     cleft_context* context = new_context();
     cleft_volume* volume = ball_volume(context, N);
     cleft_sizing* sizing = NULL;
