@@ -112,6 +112,8 @@ double lattice_size_for(const Grid& grid, double tets)
     return kMeanEdge * std::cbrt(kTetsACell * grid.extent().prod() / tets);
 }
 
+double lattice_tets_for(const Grid& grid, double size) { return std::pow(lattice_size_for(grid, 1) / size, 3); }
+
 double lattice_tets(const Grid& grid, double size)
 {
     double tets = kTetsACell;

@@ -26,8 +26,7 @@ double expected_of_all(const SizingField& field, const PipelineOptions& options)
 {
     if (options.background != BackgroundKind::lattice)
         return kCleavedOverBackground * expected_background_tets(field);
-    const double size_of_one = lattice_size_for(field.grid, 1);
-    return kCleavedOverBackground * std::pow(size_of_one / field.least(), 3);
+    return kCleavedOverBackground * lattice_tets_for(field.grid, field.least());
 }
 
 // The number of tetrahedra that no round may pass; 0: none. Without it, those of a label of a few voxels would have the

@@ -56,7 +56,7 @@ void require_all_labels(const Volume& volume, const LabelledMesh& mesh, const Pi
 void refuse_flat_lattice(const Grid& grid, double size, double most)
 {
     constexpr double kRounded = 2;  // numbers of cells are whole
-    const double tets = lattice_tets(grid, size), asked = std::pow(lattice_size_for(grid, 1) / size, 3);
+    const double tets = lattice_tets(grid, size), asked = lattice_tets_for(grid, size);
     if (most > 0 && tets > kRounded * std::max(most, asked))
         throw Error(CLEFT_ERROR_TOO_LARGE, "a lattice as fine as the box is thin has about " + count_text(tets) +
                                                " tetrahedra, more than max_tets, " + count_text(most) +
