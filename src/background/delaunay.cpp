@@ -2,6 +2,7 @@
 
 #ifdef CLEFT_WITH_TETGEN
 
+#include "background/insertion_order.hpp"
 #include "background/tetgen_run.hpp"
 #include "base/large_pages.hpp"
 #include "mesh/adjacency.hpp"
@@ -59,7 +60,7 @@ double safe_scale(const std::vector<Vec3>& points)
     return greatest > 0 ? std::ldexp(1.0, -std::ilogb(greatest)) : 1;
 }
 
-// TetGen keeps its random state and error bounds in global variables.
+// TetGen keeps its error bounds in global variables.
 std::vector<Tet> run_tetgen_alone(std::vector<Vec3>& scaled, const Run& run)
 {
     static std::mutex one_at_a_time;
@@ -154,14 +155,18 @@ std::vector<Tet> delaunay(const std::vector<Vec3>& points, const Run& run)
     run.report(0.0, "Delaunay");
     check_points(points);
     const double scale = safe_scale(points);
+    const std::vector<int32_t> order = insertion_order(points, run);
     std::vector<Vec3> scaled(points.size());
     for (size_t i = 0; i < points.size(); ++i)
-        scaled[i] = points[i] * scale;
+        scaled[i] = points[static_cast<size_t>(order[i])] * scale;
     if (all_in_one_plane(scaled))
         throw Error(CLEFT_ERROR_ARGUMENT, "the points lie all in one plane");
     std::vector<Tet> tets = run_tetgen_alone(scaled, run);
     run.report(0.9, "Delaunay");
     make_positive(tets, scaled, run);
+    for (Tet& tet : tets)
+        for (int32_t& v : tet)
+            v = order[static_cast<size_t>(v)];
     check_all_used(tets, points.size());
     tets = by_least_point(tets, points.size());
     run.report(1.0, "Delaunay");

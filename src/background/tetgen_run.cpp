@@ -99,6 +99,7 @@ std::vector<Tet> run_tetgen(std::vector<Vec3>& points)
     tetgenbehavior behavior;
     if (!behavior.parse_commandline(switches))
         throw Error(CLEFT_ERROR_INTERNAL, "TetGen does not know its switches");
+    behavior.no_sort = 1;  // its own sort calls srand() and rand(), which are the program's
     tetgenio in, out;
     // TetGen reads the points in place; its destructor must not free them, however this scope is left.
     struct Lend {

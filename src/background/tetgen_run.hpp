@@ -8,8 +8,9 @@
 namespace cleft
 {
 
-// Delaunay tetrahedra of the points, as TetGen has them. Throws std::bad_alloc where memory will not do. TetGen keeps
-// its random state and error bounds in global variables: one run at a time.
+// Delaunay tetrahedra of the points, as TetGen has them. Throws std::bad_alloc where memory will not do. The points
+// go in by the order that they have (insertion_order.hpp). TetGen keeps its error bounds in global variables: one run
+// at a time.
 std::vector<Tet> run_tetgen(std::vector<Vec3>& points);
 
 }  // namespace cleft

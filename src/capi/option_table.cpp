@@ -20,7 +20,7 @@ const OptionRow kOptionTable[kOptionCount] = {
      "least wanted edge length, in world units; 0: the least voxel spacing"},
     {CLEFT_OPTION_SIZE_MAX, CLEFT_OPTION_TYPE_REAL, "size_max", 0, 0, kMost, "",
      "greatest wanted edge length, in world units (single edges come out up to 2.3 times as long); 0: a quarter of "
-     "the longest side of the box"},
+     "the longest side of the box, or its thickness times 1.5 if that is less"},
     {CLEFT_OPTION_FEATURE_SCALE, CLEFT_OPTION_TYPE_REAL, "feature_scale", 1, 1e-3, 1e3, "",
      "edge length at an interface over the local feature size; 0.5 is fine, 2 is coarse"},
     {CLEFT_OPTION_GRADATION, CLEFT_OPTION_TYPE_REAL, "gradation", 0.3, 0.01, 1, "",

@@ -190,13 +190,14 @@ void keep_to_number(const Sources& from, Limits limits, SizingField& field, cons
 {
     constexpr int kRounds = 6;
     constexpr double kPower = 2.5;
+    constexpr double kClose = 1.02, kNearly = 1.2;
     const double wanted = from.options.max_tets;
     const double asked = expected_background_tets(field);
     if (wanted <= 0 || from.options.size > 0 || from.options.size_min > 0 || asked <= wanted)
         return;
     double expected = asked;
-    for (int round = 0; round < kRounds && expected > 1.02 * wanted; ++round) {
-        const double factor = std::max(std::pow(expected / wanted, 1 / kPower), 1.02);
+    for (int round = 0; round < kRounds && expected > kClose * wanted; ++round) {
+        const double factor = std::max(std::pow(expected / wanted, 1 / kPower), kClose);
         limits.least_feature *= factor;
         limits.thin *= factor;
         limits.greatest = std::max(limits.greatest, limits.least_feature);
@@ -205,9 +206,14 @@ void keep_to_number(const Sources& from, Limits limits, SizingField& field, cons
         expected = expected_background_tets(field);
     }
     progress.run.note("sizing.raised_size_min", limits.least_feature);
-    progress.run.say(CLEFT_LOG_WARNING,
-                     "the features ask for about " + count_text(asked) + " tetrahedra: the least size was raised to " +
-                         number_text(limits.least_feature) + " to keep to max_tets, " + count_text(wanted));
+    const std::string raised = "the features ask for about " + count_text(asked) +
+                               " tetrahedra: the least size was raised to " + number_text(limits.least_feature);
+    // A size that is given for interfaces, labels or points holds whatever it comes to.
+    if (expected > kNearly * wanted)
+        progress.run.say(CLEFT_LOG_WARNING, raised + ", but the sizes that were given still ask for about " +
+                                                count_text(expected) + ", more than max_tets, " + count_text(wanted));
+    else
+        progress.run.say(CLEFT_LOG_WARNING, raised + " to keep to max_tets, " + count_text(wanted));
 }
 
 }  // namespace

@@ -169,6 +169,27 @@ static void ten_nodes_share_their_middles(void** state)
     cleft_context_destroy(context);
 }
 
+/* rand() is one sequence of the whole program. */
+static void the_random_numbers_of_the_program_go_on(void** state)
+{
+    cleft_context* context = new_context();
+    cleft_volume* volume = ball_volume(context, 12);
+    cleft_mesh* mesh = NULL;
+    int expected[4];
+    (void)state;
+    srand(7);
+    for (int i = 0; i < 4; ++i)
+        expected[i] = rand();
+    srand(7);
+    assert_int_equal(rand(), expected[0]);
+    assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, NULL, &mesh));
+    for (int i = 1; i < 4; ++i)
+        assert_int_equal(rand(), expected[i]);
+    cleft_mesh_destroy(mesh);
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -178,6 +199,7 @@ int main(void)
         cmocka_unit_test(quality_and_faults_are_told),
         cmocka_unit_test(surfaces_point_from_the_first_label_to_the_second),
         cmocka_unit_test(ten_nodes_share_their_middles),
+        cmocka_unit_test(the_random_numbers_of_the_program_go_on),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -255,6 +255,32 @@ static void a_number_for_a_background_that_is_given_is_told(void** state)
     cleft_context_destroy(context);
 }
 
+/* A size that is given for interfaces holds, so that a raised least size of features cannot keep to max_tets. */
+static void a_number_that_sizes_of_the_user_exceed_is_told(void** state)
+{
+    warnings told;
+    cleft_context* context = listening_context(&told);
+    cleft_volume* volume = ball_volume(context, N);
+    cleft_options *features = plain(), *given = plain();
+    cleft_sizing* sizing = NULL;
+    (void)state;
+    assert_int_equal(cleft_options_set_integer(features, CLEFT_OPTION_MAX_TETS, 2000), CLEFT_OK);
+    assert_int_equal(cleft_options_set_real(features, CLEFT_OPTION_FEATURE_SCALE, 0.1), CLEFT_OK);
+    assert_ok(context, cleft_sizing_create(context, volume, features, &sizing));
+    assert_told(&told, " to keep to max_tets, 2000");
+    cleft_sizing_destroy(sizing);
+    sizing = NULL;
+    assert_int_equal(cleft_options_set_integer(given, CLEFT_OPTION_MAX_TETS, 2000), CLEFT_OK);
+    assert_int_equal(cleft_options_set_real(given, CLEFT_OPTION_INTERFACE_SIZE, 1), CLEFT_OK);
+    assert_ok(context, cleft_sizing_create(context, volume, given, &sizing));
+    assert_told(&told, "more than max_tets, 2000");
+    cleft_sizing_destroy(sizing);
+    cleft_options_destroy(given);
+    cleft_options_destroy(features);
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -262,6 +288,7 @@ int main(void)
         cmocka_unit_test(masks_that_leave_voxels_to_nobody_are_refused_and_ties_told),
         cmocka_unit_test(smooth_that_has_no_effect_is_told),
         cmocka_unit_test(a_number_for_a_background_that_is_given_is_told),
+        cmocka_unit_test(a_number_that_sizes_of_the_user_exceed_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

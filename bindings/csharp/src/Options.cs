@@ -43,7 +43,10 @@ namespace Cleft
             set { Set(CleftNative.CLEFT_OPTION_SIZE_MIN, value); }
         }
 
-        /// <summary>The greatest wanted edge length; 0: a quarter of the longest side of the box.</summary>
+        /// <summary>
+        /// The greatest wanted edge length; 0: a quarter of the longest side of the box, or its thickness times 1.5 if
+        /// that is less.
+        /// </summary>
         public double SizeMax
         {
             get { return Real(CleftNative.CLEFT_OPTION_SIZE_MAX); }

@@ -78,7 +78,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets the greatest wanted edge length; 0: a quarter of the longest side of the box.
+     * Sets the greatest wanted edge length; 0: a quarter of the longest side of the box,
+     * or its thickness times 1.5 if that is less.
      *
      * @param value the new value
      * @return these options
@@ -88,7 +89,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * The greatest wanted edge length; 0: a quarter of the longest side of the box.
+     * The greatest wanted edge length; 0: a quarter of the longest side of the box,
+     * or its thickness times 1.5 if that is less.
      *
      * @return the value
      */

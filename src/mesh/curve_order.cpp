@@ -1,0 +1,117 @@
+// Keys along a Hilbert curve, and a sort by them.
+#include "mesh/curve_order.hpp"
+
+#include "base/parallel.hpp"
+#include "mesh/bounding_box.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace cleft
+{
+
+namespace
+{
+
+constexpr int kBits = 21;  // a coordinate: three of them fit 64 bits
+constexpr int64_t kPointsKeyed = 8192;
+
+struct Key {
+    uint64_t value;
+    int32_t index;
+};
+
+// Place of a cell of the 2^21 cube along the curve, by Skilling's transform of the coordinates ("Programming the
+// Hilbert curve", 2004) and then interleaving their bits.
+uint64_t hilbert_index(std::array<uint32_t, 3> x)
+{
+    for (uint32_t bit = 1u << (kBits - 1); bit > 1; bit >>= 1) {
+        const uint32_t lower = bit - 1;
+        for (uint32_t& coordinate : x) {
+            if (coordinate & bit) {
+                x[0] ^= lower;
+            } else {
+                const uint32_t swapped = (x[0] ^ coordinate) & lower;
+                x[0] ^= swapped;
+                coordinate ^= swapped;
+            }
+        }
+    }
+    x[1] ^= x[0];
+    x[2] ^= x[1];
+    uint32_t flip = 0;
+    for (uint32_t bit = 1u << (kBits - 1); bit > 1; bit >>= 1)
+        if (x[2] & bit)
+            flip ^= bit - 1;
+    uint64_t index = 0;
+    for (int bit = kBits - 1; bit >= 0; --bit)
+        for (const uint32_t coordinate : x)
+            index = index << 1 | (((coordinate ^ flip) >> bit) & 1u);
+    return index;
+}
+
+uint64_t hilbert_index(const Vec3& x, const BoundingBox& box)
+{
+    const double cells = static_cast<double>((1u << kBits) - 1);
+    const double longest = box.longest();
+    std::array<uint32_t, 3> cell{};
+    for (size_t axis = 0; axis < 3; ++axis) {
+        const auto a = static_cast<Eigen::Index>(axis);
+        cell[axis] = longest > 0 ? static_cast<uint32_t>((x[a] - box.lo[a]) / longest * cells) : 0;
+    }
+    return hilbert_index(cell);
+}
+
+// Stable, eleven bits a pass.
+void radix_sort(std::vector<Key>& keys)
+{
+    constexpr int kDigit = 11;
+    constexpr size_t kValues = size_t{1} << kDigit;
+    std::vector<Key> sorted(keys.size());
+    for (int shift = 0; shift < 3 * kBits; shift += kDigit) {
+        std::array<size_t, kValues + 1> start{};
+        const auto digit = [&](const Key& key) { return static_cast<size_t>(key.value >> shift) & (kValues - 1); };
+        for (const Key& key : keys)
+            ++start[digit(key) + 1];
+        std::partial_sum(start.begin(), start.end(), start.begin());
+        for (const Key& key : keys)
+            sorted[start[digit(key)]++] = key;
+        keys.swap(sorted);
+    }
+}
+
+// Points of one cell of the curve: by their coordinates, so that the order is that of the places alone.
+void sort_ties(const std::vector<Vec3>& points, std::vector<Key>& keys)
+{
+    const auto less = [&](const Key& a, const Key& b) {
+        const Vec3& x = points[static_cast<size_t>(a.index)];
+        const Vec3& y = points[static_cast<size_t>(b.index)];
+        return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end());
+    };
+    for (auto first = keys.begin(), last = first; first != keys.end(); first = last) {
+        last = std::find_if(first, keys.end(), [&](const Key& key) { return key.value != first->value; });
+        if (last - first > 1)
+            std::stable_sort(first, last, less);
+    }
+}
+
+}  // namespace
+
+void order_along_curve(const std::vector<Vec3>& points, std::vector<int32_t>& indices, const Run& run)
+{
+    const auto point = [&](int32_t index) -> const Vec3& { return points[static_cast<size_t>(index)]; };
+    BoundingBox box;
+    for (const int32_t index : indices)
+        box.add(point(index));
+    std::vector<Key> keys(indices.size());
+    parallel_for(run, static_cast<int64_t>(keys.size()), kPointsKeyed, [&](int64_t begin, int64_t end) {
+        for (auto k = static_cast<size_t>(begin); k < static_cast<size_t>(end); ++k)
+            keys[k] = {hilbert_index(point(indices[k]), box), indices[k]};
+    });
+    radix_sort(keys);
+    sort_ties(points, keys);
+    std::transform(keys.begin(), keys.end(), indices.begin(), [](const Key& key) { return key.index; });
+}
+
+}  // namespace cleft
