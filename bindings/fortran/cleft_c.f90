@@ -163,7 +163,9 @@ module cleft_c
     integer(c_int64_t) :: large_components
     integer(c_int64_t) :: large_components_lost
     integer(c_int32_t) :: lost
-    integer(c_int32_t) :: large_components_broken
+    integer(c_int32_t) :: reserved
+    integer(c_int64_t) :: large_components_broken
+    integer(c_int64_t) :: large_components_joined
   end type
 
   type, bind(C) :: cleft_contact
@@ -815,13 +817,6 @@ module cleft_c
     function cleft_report_count(report) bind(C) result(answer)
       import
       type(c_ptr), value :: report
-      integer(c_int64_t) :: answer
-    end function
-
-    function cleft_report_joined(report, index) bind(C) result(answer)
-      import
-      type(c_ptr), value :: report
-      integer(c_int64_t), value :: index
       integer(c_int64_t) :: answer
     end function
 

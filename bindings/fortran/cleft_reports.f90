@@ -17,7 +17,6 @@ module cleft_reports
     procedure :: create
     procedure :: count => row_count
     procedure :: label
-    procedure :: joined
     procedure :: contact_count
     procedure :: contact
     procedure :: adopt
@@ -57,14 +56,6 @@ contains
     row%struct_size = int(c_sizeof(row), c_int32_t)
     call conclude(cleft_report_label(self%c_handle(), int(index - 1, c_int64_t), row), &
       'the report is not there, or has no such row', stat, errmsg)
-  end function
-
-  ! Of the large pieces of row `index`, those that lie in one piece of the mesh with another; 0 if there is no such row.
-  function joined(self, index) result(count)
-    class(cleft_report), intent(in) :: self
-    integer, intent(in) :: index
-    integer :: count
-    count = int(cleft_report_joined(self%c_handle(), int(index - 1, c_int64_t)))
   end function
 
   ! Number of pairs of labels that share triangles, but of which no two voxels share a face or an edge.

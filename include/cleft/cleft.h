@@ -20,8 +20,10 @@
  *    callbacks, get CLEFT_ERROR_BUSY, which leaves no sentence. A callback may use cleft_context_cancel(), _threads(),
  *    _last_error() and the metrics of its context. What a callback destroys lives until the call that uses it ends.
  *    Otherwise a handle must not be used once it is destroyed: that is not found out.
- *  - Structs begin with struct_size, which the caller sets to sizeof. 0, or less than the struct had in the release
- *    that brought it, is CLEFT_ERROR_ARGUMENT.
+ *  - Structs begin with struct_size, which the caller sets to sizeof. They grow at their end only, so that programs and
+ *    libraries of different ages work together. A library fills in the fields that the caller has; it leaves those that
+ *    it does not know as they were, and takes those that the caller lacks for 0. CLEFT_ERROR_ARGUMENT: a struct_size of
+ *    0, or less than the struct had in the release that brought it; an unknown field of an input that is not 0.
  *  - The library has no global or thread-local state and prints nothing.
  *  - Arrays that come in are copied. Arrays that go out are either borrowed (`const` pointers, valid until the handle
  *    is destroyed; NULL if there are no elements) or copied into the caller's buffer (`_copy_`).
@@ -582,9 +584,13 @@ typedef struct cleft_label_report {
     int64_t large_components;      /**< voxel components of more than 30 voxels */
     int64_t large_components_lost; /**< of those, the ones in which no tetrahedron of the label lies */
     int32_t lost;                  /**< 1 if the label has voxels but no tetrahedron */
+    int32_t reserved;              /**< large_components_broken again, up to 2147483647: programs built early read it */
     /** of the large components, those that lie in several components of the mesh, each with half a voxel or more: parts
      *  thinner than the tetrahedra around broke; a smaller size there keeps them */
-    int32_t large_components_broken;
+    int64_t large_components_broken;
+    /** of the large components, those that lie in one component of the mesh with another of them, each with half a
+     * voxel or more. They touch over an edge or a corner of voxels, or are nearer than an element tells apart */
+    int64_t large_components_joined;
 } cleft_label_report;
 
 /** Compares a finished (not stripped) mesh with its volume, label by label. The caller owns *out. \since 0.1 */
@@ -594,10 +600,6 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_report_create(cleft_context* contex
 CLEFT_API void cleft_report_destroy(cleft_report* report) CLEFT_NOEXCEPT;
 /** Number of labels of the volume; 0 for NULL. \since 0.1 */
 CLEFT_API int64_t cleft_report_count(const cleft_report* report) CLEFT_NOEXCEPT;
-/** Of the large components of the label in row `index`: those that lie in one component of the mesh with another of
- *  them, each with half a voxel or more. They touch over an edge or a corner of voxels, or are nearer than an element
- *  tells apart. 0 for NULL, and where there is no such row. \since 0.1 */
-CLEFT_API int64_t cleft_report_joined(const cleft_report* report, int64_t index) CLEFT_NOEXCEPT;
 /** Row `index`, in the order of cleft_volume_labels(). \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_report_label(const cleft_report* report, int64_t index,
                                                           cleft_label_report* out) CLEFT_NOEXCEPT;

@@ -282,7 +282,6 @@ public:
         }
         return rows;
     }
-    int64_t joined(std::size_t row) const noexcept { return cleft_report_joined(get(), static_cast<int64_t>(row)); }
 };
 
 }  // namespace cpp

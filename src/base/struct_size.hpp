@@ -13,9 +13,13 @@
 namespace cleft
 {
 
-// The size that a struct had in the release that brought it; structs that grew since have a specialization.
+// Where a field of a struct ends.
+#define CLEFT_END_OF(type, field) (offsetof(type, field) + sizeof(static_cast<type*>(nullptr)->field))
+
+// The size that a struct had in the release that brought it, which stays when the struct grows: each has a
+// specialization.
 template <class Struct>
-inline constexpr size_t kFirstSize = sizeof(Struct);
+inline constexpr size_t kFirstSize = 0;
 
 // No struct is as large as this: struct_size was not set.
 inline constexpr uint32_t kGreatestStructSize = 1U << 16;
@@ -23,6 +27,8 @@ inline constexpr uint32_t kGreatestStructSize = 1U << 16;
 template <class Struct>
 void check_struct_size(const Struct& given, const char* name)
 {
+    static_assert(kFirstSize<Struct> > sizeof(uint32_t) && kFirstSize<Struct> <= sizeof(Struct),
+                  "specialize kFirstSize with the last field that the struct had in its first release");
     if (given.struct_size < kFirstSize<Struct> || given.struct_size > kGreatestStructSize)
         throw Error(CLEFT_ERROR_ARGUMENT, "struct_size of the " + std::string(name) + " is " +
                                               std::to_string(given.struct_size) + "; set it to sizeof(" + name +
@@ -31,7 +37,7 @@ void check_struct_size(const Struct& given, const char* name)
 
 // What the caller asks for; fields that its version lacks are 0. Those that this version lacks must be 0.
 template <class Struct>
-Struct taken(const Struct& given, const char* name)
+Struct copy_in(const Struct& given, const char* name)
 {
     check_struct_size(given, name);
     Struct out{};
@@ -47,7 +53,7 @@ Struct taken(const Struct& given, const char* name)
 
 // Fills the caller's struct, whose size has been checked, as far as its version goes.
 template <class Struct>
-void give(Struct row, Struct& out)
+void copy_out(Struct row, Struct& out)
 {
     row.struct_size = out.struct_size;
     std::memcpy(&out, &row, std::min<size_t>(out.struct_size, sizeof row));

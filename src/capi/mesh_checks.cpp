@@ -14,12 +14,29 @@ using cleft::Error;
 using cleft::LabelledMesh;
 using cleft::Run;
 
-// interface_triangles and hull_triangles came later.
 template <>
-inline constexpr size_t cleft::kFirstSize<cleft_validation> = offsetof(cleft_validation, interface_triangles);
+inline constexpr size_t cleft::kFirstSize<cleft_quality> = CLEFT_END_OF(cleft_quality, dihedral_histogram);
+template <>
+inline constexpr size_t cleft::kFirstSize<cleft_validation> = CLEFT_END_OF(cleft_validation, box_area);
+template <>
+inline constexpr size_t cleft::kFirstSize<cleft_label_report> = CLEFT_END_OF(cleft_label_report, reserved);
+template <>
+inline constexpr size_t cleft::kFirstSize<cleft_contact> = CLEFT_END_OF(cleft_contact, triangles);
 
 namespace
 {
+
+// Sides are handed out as they are kept.
+template <class Number>
+constexpr bool is(cleft::Side side, Number number)
+{
+    return static_cast<int32_t>(side) == number;
+}
+static_assert(sizeof(cleft::Side) == sizeof(int32_t));
+static_assert(is(cleft::Side::x_min, CLEFT_SIDE_X_MIN) && is(cleft::Side::x_max, CLEFT_SIDE_X_MAX) &&
+              is(cleft::Side::y_min, CLEFT_SIDE_Y_MIN) && is(cleft::Side::y_max, CLEFT_SIDE_Y_MAX) &&
+              is(cleft::Side::z_min, CLEFT_SIDE_Z_MIN) && is(cleft::Side::z_max, CLEFT_SIDE_Z_MAX) &&
+              is(cleft::Side::other, CLEFT_SIDE_OTHER));
 
 // The mesh in the frame in which the sides of its box lie across the axes.
 LabelledMesh upright(const cleft_mesh& mesh)
@@ -94,7 +111,7 @@ cleft_status cleft_mesh_quality(cleft_context* context, const cleft_mesh* mesh, 
         row.min_volume = q.min_volume;
         row.total_volume = q.total_volume;
         std::copy(q.dihedral_histogram.begin(), q.dihedral_histogram.end(), row.dihedral_histogram);
-        cleft::give(row, *out);
+        cleft::copy_out(row, *out);
     });
 }
 
@@ -123,7 +140,7 @@ cleft_status cleft_mesh_validate(cleft_context* context, const cleft_mesh* mesh,
         row.box_area = v.box_area;
         row.interface_triangles = v.interface_faces;
         row.hull_triangles = v.hull_faces;
-        cleft::give(row, *out);
+        cleft::copy_out(row, *out);
         set_message(&context->message, v.first_fault.c_str());
     });
 }
@@ -180,7 +197,6 @@ const int32_t* cleft_surface_hull_labels(const cleft_surface* surface) noexcept
 
 const int32_t* cleft_surface_hull_sides(const cleft_surface* surface) noexcept
 {
-    static_assert(sizeof(cleft::Side) == sizeof(int32_t), "sides are handed out as int32_t");
     return cleft_surface_hull_count(surface) ? reinterpret_cast<const int32_t*>(surface->interfaces.hull_side.data())
                                              : nullptr;
 }
@@ -202,12 +218,6 @@ int64_t cleft_report_count(const cleft_report* report) noexcept
     return is_sound(report) ? static_cast<int64_t>(report->report.rows.size()) : 0;
 }
 
-int64_t cleft_report_joined(const cleft_report* report, int64_t index) noexcept
-{
-    const bool has_row = index >= 0 && index < cleft_report_count(report);
-    return has_row ? row_at(*report, index).large_components_joined : 0;
-}
-
 cleft_status cleft_report_label(const cleft_report* report, int64_t index, cleft_label_report* out) noexcept
 {
     return guarded(nullptr, [&] {
@@ -226,8 +236,10 @@ cleft_status cleft_report_label(const cleft_report* report, int64_t index, cleft
         row.large_components = from.large_components;
         row.large_components_lost = from.large_components_lost;
         row.lost = from.voxels > 0 && row.tets == 0;
-        row.large_components_broken = static_cast<int32_t>(from.large_components_broken);
-        cleft::give(row, *out);
+        row.reserved = static_cast<int32_t>(std::min<int64_t>(from.large_components_broken, INT32_MAX));
+        row.large_components_broken = from.large_components_broken;
+        row.large_components_joined = from.large_components_joined;
+        cleft::copy_out(row, *out);
     });
 }
 
@@ -249,6 +261,6 @@ cleft_status cleft_report_contact(const cleft_report* report, int64_t index, cle
         contact.first = label(from.first);
         contact.second = label(from.second);
         contact.triangles = from.triangles;
-        cleft::give(contact, *out);
+        cleft::copy_out(contact, *out);
     });
 }

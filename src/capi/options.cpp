@@ -10,11 +10,28 @@
 #include <cstdlib>
 #include <cstring>
 
+template <>
+inline constexpr size_t cleft::kFirstSize<cleft_option_description> = CLEFT_END_OF(cleft_option_description, text);
+
 namespace cleft::capi
 {
 
 namespace
 {
+
+// The choices of an option are those of the stage that reads it, by number.
+template <class Choice>
+constexpr bool is(Choice choice, int number)
+{
+    return static_cast<int>(choice) == number;
+}
+static_assert(is(BackgroundKind::particles, CLEFT_BACKGROUND_PARTICLES) &&
+              is(BackgroundKind::lattice, CLEFT_BACKGROUND_LATTICE) &&
+              is(BackgroundKind::octree, CLEFT_BACKGROUND_OCTREE));
+static_assert(is(Snap::quality, CLEFT_SNAP_QUALITY) && is(Snap::safe, CLEFT_SNAP_SAFE) &&
+              is(Snap::none, CLEFT_SNAP_NONE));
+static_assert(is(Effort::off, CLEFT_IMPROVE_OFF) && is(Effort::fast, CLEFT_IMPROVE_FAST) &&
+              is(Effort::best, CLEFT_IMPROVE_BEST));
 
 const OptionRow& checked_row(int row, const std::string& what)
 {
@@ -147,7 +164,8 @@ cleft_status cleft_option_info(int32_t index, cleft_option_description* out) noe
         if (index < 0 || index >= cleft_option_count())
             throw cleft::Error(CLEFT_ERROR_ARGUMENT, "there is no such row");
         const OptionRow& row = kOptionTable[index];
-        cleft::give({0, row.key, row.type, row.name, row.value, row.least, row.greatest, row.choices, row.text}, *out);
+        cleft::copy_out({0, row.key, row.type, row.name, row.value, row.least, row.greatest, row.choices, row.text},
+                        *out);
     });
 }
 

@@ -163,7 +163,6 @@ ReportFindings look_at_labels(const Session& session, const cleft_volume* volume
         row.struct_size = sizeof(cleft_label_report);
         session.check(cleft_report_label(report.get(), static_cast<int64_t>(i), &row), EXIT_MESHING_FAILED);
         row.name = cleft_volume_label_name(volume, row.label);
-        row.large_components_joined = cleft_report_joined(report.get(), static_cast<int64_t>(i));
     }
     found.contacts.resize(static_cast<std::size_t>(cleft_report_contact_count(report.get())));
     for (std::size_t i = 0; i < found.contacts.size(); ++i) {

@@ -50,7 +50,6 @@ VolumeFindings look_at_volume(const Session& session, const cleft_volume* volume
 
 // The library's per-label report as values.
 struct LabelFindings : cleft_label_report {
-    int64_t large_components_joined = 0;
     std::string name;  // "" if it has none
 };
 struct ReportFindings {

@@ -13,6 +13,10 @@
 #include <filesystem>
 #include <memory>
 
+template <>
+inline constexpr size_t cleft::kFirstSize<cleft_io_format_description> = CLEFT_END_OF(cleft_io_format_description,
+                                                                                      text);
+
 namespace cleft::io
 {
 
@@ -117,7 +121,7 @@ cleft_status cleft_io_format_info(int32_t index, cleft_io_format_description* ou
         cleft::check_struct_size(*required(out, "out"), "cleft_io_format_description");
         if (index < 0 || index >= format_count())
             throw cleft::Error(CLEFT_ERROR_ARGUMENT, "there is no such row");
-        cleft::give(format_row(index), *out);
+        cleft::copy_out(format_row(index), *out);
     });
 }
 

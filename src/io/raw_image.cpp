@@ -10,6 +10,9 @@
 #include <cmath>
 #include <filesystem>
 
+template <>
+inline constexpr size_t cleft::kFirstSize<cleft_io_raw> = CLEFT_END_OF(cleft_io_raw, spacing);
+
 namespace cleft::io
 {
 
@@ -42,7 +45,7 @@ Component component_of(cleft_type type)
 
 cleft_io_raw checked_layout(const cleft_io_raw* raw)
 {
-    cleft_io_raw layout = taken(*raw, "cleft_io_raw");
+    cleft_io_raw layout = copy_in(*raw, "cleft_io_raw");
     component_of(layout.type);
     check_kind(layout.kind);
     if (layout.skip < 0)

@@ -14,9 +14,8 @@
 #include <cstdlib>
 #include <cstring>
 
-// Its scale came later.
 template <>
-inline constexpr size_t cleft::kFirstSize<cleft_io_reading> = offsetof(cleft_io_reading, scale);
+inline constexpr size_t cleft::kFirstSize<cleft_io_reading> = CLEFT_END_OF(cleft_io_reading, spacing);
 
 namespace cleft::io
 {
@@ -28,7 +27,7 @@ using Affine = std::array<double, 12>;
 
 cleft_io_reading reading_or_defaults(const cleft_io_reading* given)
 {
-    cleft_io_reading reading = given ? taken(*given, "cleft_io_reading") : cleft_io_reading{};
+    cleft_io_reading reading = given ? copy_in(*given, "cleft_io_reading") : cleft_io_reading{};
     if (reading.world != CLEFT_IO_WORLD_LPS && reading.world != CLEFT_IO_WORLD_RAS)
         throw Error(CLEFT_ERROR_ARGUMENT, "there is no world " + std::to_string(reading.world));
     check_kind(reading.kind);

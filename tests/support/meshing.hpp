@@ -19,7 +19,6 @@ struct Meshed {
     std::vector<std::array<int32_t, 4>> tets;
     std::vector<int32_t> labels;  // of the tetrahedra
     std::vector<cleft_label_report> rows;
-    std::vector<int64_t> joined;  // by row, see cleft_report_joined
     std::vector<std::pair<std::string, double>> metrics;
 
     double metric(const std::string& name) const
@@ -94,7 +93,6 @@ private:
             row.struct_size = sizeof row;
             if (cleft_report_label(report_, i, &row) == CLEFT_OK)
                 out.rows.push_back(row);
-            out.joined.push_back(cleft_report_joined(report_, i));
         }
     }
 

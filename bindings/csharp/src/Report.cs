@@ -14,7 +14,7 @@ namespace Cleft
             for (long index = 0; index < CleftNative.cleft_report_count(report); ++index)
                 using (var row = new NativeLabelReport()) {
                     CleftException.Check(CleftNative.cleft_report_label(report, index, row));
-                    rows.Add(new LabelReport(row, CleftNative.cleft_report_joined(report, index)));
+                    rows.Add(new LabelReport(row));
                 }
             var contacts = new List<Contact>();
             for (long index = 0; index < CleftNative.cleft_report_contact_count(report); ++index)

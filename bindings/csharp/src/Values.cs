@@ -224,7 +224,7 @@ namespace Cleft
     /// <summary>What became of one label. Volumes are in world units cubed.</summary>
     public sealed class LabelReport
     {
-        internal LabelReport(NativeLabelReport row, long joined)
+        internal LabelReport(NativeLabelReport row)
         {
             Label = row.label;
             Voxels = row.voxels;
@@ -236,7 +236,7 @@ namespace Cleft
             LargeComponents = row.large_components;
             LargeComponentsLost = row.large_components_lost;
             LargeComponentsBroken = row.large_components_broken;
-            LargeComponentsJoined = joined;
+            LargeComponentsJoined = row.large_components_joined;
             Lost = row.lost != 0;
         }
 

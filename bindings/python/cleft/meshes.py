@@ -123,8 +123,7 @@ class Mesh(Named):
         for index in range(native.cleft_report_count(handle)):
             struct = native.NativeLabelReport()
             raise_for(native.cleft_report_label(handle, index, struct), "no such row")
-            joined = native.cleft_report_joined(handle, index)
-            report.append(from_struct(LabelReport, struct, large_components_joined=joined))
+            report.append(from_struct(LabelReport, struct))
         for index in range(native.cleft_report_contact_count(handle)):
             struct = native.NativeContact()
             raise_for(native.cleft_report_contact(handle, index, struct), "no such contact")

@@ -29,9 +29,10 @@ public record LabelReport(
         long largeComponentsBroken,
         long largeComponentsJoined,
         boolean lost) {
-    static LabelReport of(NativeLabelReport row, long joined) {
+    static LabelReport of(NativeLabelReport row) {
         return new LabelReport(row.getLabel(), row.getVoxels(), row.getVoxel_volume(), row.getMesh_volume(),
                 row.getTets(), row.getVoxel_components(), row.getMesh_components(), row.getLarge_components(),
-                row.getLarge_components_lost(), row.getLarge_components_broken(), joined, row.getLost() != 0);
+                row.getLarge_components_lost(), row.getLarge_components_broken(), row.getLarge_components_joined(),
+                row.getLost() != 0);
     }
 }

@@ -40,7 +40,7 @@ public final class Report extends AbstractList<LabelReport> {
             List<LabelReport> rows = new ArrayList<>();
             for (long index = 0; index < CleftNative.cleft_report_count(report); ++index) {
                 CleftException.check(CleftNative.cleft_report_label(report, index, row));
-                rows.add(LabelReport.of(row, CleftNative.cleft_report_joined(report, index)));
+                rows.add(LabelReport.of(row));
             }
             return List.copyOf(rows);
         } finally {
