@@ -14,15 +14,17 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+
+from generator import c_header  # noqa: E402
+
 ABIDW = ["abidw", "--no-corpus-path", "--no-comp-dir-path", "--no-show-locs", "--no-elf-needed", "--type-id-style", "hash"]
-PROTOTYPE = re.compile(r"^(?:CLEFT_NODISCARD )?CLEFT(?:_IO)?_API ([^;{}]*?\bcleft_\w+\([^;{}]*?\)) CLEFT_NOEXCEPT;", re.M)
 
 
 def stub(header):
     """The source of a library of empty functions."""
-    bodies = []
-    for prototype in PROTOTYPE.findall(re.sub(r"/\*.*?\*/", "", header, flags=re.S)):
-        bodies.append(prototype + (" {}" if prototype.startswith("void ") else " { return 0; }"))
+    bodies = [function.prototype + (" {}" if function.result == "void" else " { return 0; }")
+              for function in c_header.Header(header).functions]
     return header + "\n" + "\n".join(bodies) + "\n"
 
 
@@ -61,13 +63,13 @@ def changed(header, pattern, replacement):
 
 
 def check_faults(baseline, compiler, header, include, version_script):
-    first, last = PROTOTYPE.findall(header)[0], PROTOTYPE.findall(header)[-1]
-    name = re.search(r"cleft_\w+", first).group()
-    added = changed(header, r"((?:CLEFT_NODISCARD )?CLEFT(?:_IO)?_API [^;]*;)", r"\1\nCLEFT_API int cleft_added(void) CLEFT_NOEXCEPT;")
+    functions = c_header.Header(header).functions
+    first, last = functions[0], functions[-1].prototype
+    added = header.replace(first.text, first.text + "\nCLEFT_API int cleft_added(void) CLEFT_NOEXCEPT;")
     harmless = {"nothing": header, "an added function": added, "a comment": header + "/* */",
                 "a field at the end": changed(header, r"(\n} cleft_\w+;)", r"\n    double added;\1")}
     breaking = {
-        "a removed function": changed(header, r"(?:CLEFT_NODISCARD )?CLEFT(?:_IO)?_API [^;]*\b" + name + r"\([^;]*;", ""),
+        "a removed function": changed(header, re.escape(first.text), ""),
         "another type of an argument": changed(header, r"\bint64_t (\w+)(,\s[^;]*\) CLEFT_NOEXCEPT)", r"int32_t \1\2"),
         "another result": changed(header, re.escape(last), "double " + re.search(r"cleft_\w+\(.*", last, re.S).group()),
         "an added argument": changed(header, re.escape(last), last[:-1].replace("(void", "(") + ", int added)"

@@ -4,9 +4,14 @@ The version script is the reviewed list. It, the prototypes of the header and th
 same functions; a function that the header has since 0.1 must be in the node ..._0.1. If NEEDED (names without version)
 are given, the library may need no others.
 """
+import pathlib
 import re
 import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+
+from generator import c_header  # noqa: E402
 
 
 def listed(path):
@@ -20,8 +25,7 @@ def listed(path):
 
 def declared(path):
     """Function -> the release that its comment names."""
-    return {name: since for since, name in re.findall(
-        r"\\since ([\d.]+)\s*\*/\s*(?:CLEFT_NODISCARD )?CLEFT(?:_IO)?_API [^;]*?\b(cleft_\w+)\([^;]*;", open(path).read())}
+    return {function.name: function.since for function in c_header.read(path).functions}
 
 
 def exported(path):
