@@ -55,7 +55,8 @@ def paragraphs(text):
 
 def sentences(paragraph):
     paragraph = re.sub(r"!\[[^]]*\]\([^)]*\)", "", paragraph)
-    paragraph = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", paragraph)
+    # A link to a file may begin a sentence with a small letter.
+    paragraph = re.sub(r"\[([^]]*)\]\([^)]*\)", lambda link: link[1][:1].upper() + link[1][1:], paragraph)
     paragraph = re.sub(r"`[^`]*`", "`code`", paragraph)
     part = ""
     for piece in SENTENCE_END.split(paragraph):
