@@ -1,4 +1,4 @@
-! The C interface of libcleft, one to one: include/cleft/cleft.h is its manual; tests/fortran checks that both agree.
+! Made by tools/generate.py from include/cleft/cleft.h, which is its manual: the C interface of libcleft, one to one.
 !
 ! - Handles are type(c_ptr). What may be NULL in C is a type(c_ptr) here, too: pass c_null_ptr or c_loc(array).
 ! - Texts that go in end with c_null_char. Texts and arrays that come out are type(c_ptr), borrowed: see c_f_pointer.
@@ -106,6 +106,8 @@ module cleft_c
     real(c_double) :: greatest
     type(c_ptr) :: choices
     type(c_ptr) :: text
+    type(c_ptr) :: group
+    type(c_ptr) :: calls
   end type
 
   type, bind(C) :: cleft_quality
@@ -178,7 +180,6 @@ module cleft_c
 
   abstract interface
 
-    ! A nonzero answer cancels.
     function cleft_progress_callback(fraction, stage, user) bind(C) result(answer)
       import
       real(c_double), value :: fraction
@@ -369,8 +370,7 @@ module cleft_c
     function cleft_options_set_text(options, name, value) bind(C) result(answer)
       import
       type(c_ptr), value :: options
-      character(kind=c_char), intent(in) :: name(*)
-      character(kind=c_char), intent(in) :: value(*)
+      character(kind=c_char), intent(in) :: name(*), value
       integer(c_int32_t) :: answer
     end function
 
@@ -427,8 +427,8 @@ module cleft_c
       integer(c_int32_t) :: answer
     end function
 
-    function cleft_volume_create_indicators(context, type, fields, count, dims, affine, labels, &
-        out) bind(C) result(answer)
+    function cleft_volume_create_indicators(context, type, fields, count, dims, affine, labels, out) bind(C) &
+        result(answer)
       import
       type(c_ptr), value :: context
       integer(c_int32_t), value :: type
@@ -465,16 +465,16 @@ module cleft_c
       integer(c_int64_t) :: answer
     end function
 
-    function cleft_volume_indicator_count(volume) bind(C) result(answer)
-      import
-      type(c_ptr), value :: volume
-      integer(c_int64_t) :: answer
-    end function
-
     function cleft_volume_labels(volume) bind(C) result(answer)
       import
       type(c_ptr), value :: volume
       type(c_ptr) :: answer
+    end function
+
+    function cleft_volume_indicator_count(volume) bind(C) result(answer)
+      import
+      type(c_ptr), value :: volume
+      integer(c_int64_t) :: answer
     end function
 
     function cleft_volume_set_label_name(volume, label, name) bind(C) result(answer)
@@ -587,8 +587,8 @@ module cleft_c
 
     ! ---------------------------------------------------------------------------------------------------------- meshes
 
-    function cleft_mesh_create(context, point_count, points, tet_count, tets, labels, index_base, &
-        out) bind(C) result(answer)
+    function cleft_mesh_create(context, point_count, points, tet_count, tets, labels, index_base, out) bind(C) &
+        result(answer)
       import
       type(c_ptr), value :: context
       integer(c_int64_t), value :: point_count
@@ -716,8 +716,8 @@ module cleft_c
       integer(c_int32_t) :: answer
     end function
 
-    function cleft_mesh_copy_quadratic(mesh, index_base, points, point_capacity, tets, tet_capacity, &
-        point_count) bind(C) result(answer)
+    function cleft_mesh_copy_quadratic(mesh, index_base, points, point_capacity, tets, tet_capacity, point_count) &
+        bind(C) result(answer)
       import
       type(c_ptr), value :: mesh
       integer(c_int32_t), value :: index_base
@@ -844,4 +844,4 @@ module cleft_c
 
   end interface
 
-end module
+end module cleft_c

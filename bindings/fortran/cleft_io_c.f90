@@ -1,4 +1,5 @@
-! The C interface of the file component, one to one: include/cleft/cleft_io.h is its manual. Conventions: see cleft_c.
+! Made by tools/generate.py from include/cleft/cleft_io.h, which is its manual: the C interface of the file
+! component, one to one. Conventions: see cleft_c.
 module cleft_io_c
   use, intrinsic :: iso_c_binding
   use cleft_c
@@ -166,4 +167,4 @@ module cleft_io_c
 
   end interface
 
-end module
+end module cleft_io_c

@@ -141,7 +141,12 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_context_set_progress(cleft_context*
                                                                   cleft_progress_callback callback,
                                                                   void* user) CLEFT_NOEXCEPT;
 
-enum { CLEFT_LOG_WARNING = 1, CLEFT_LOG_INFO = 2, CLEFT_LOG_DEBUG = 3 };
+/** How much a sentence of the log matters. \since 0.1 */
+enum {
+    CLEFT_LOG_WARNING = 1, /**< something may not be as intended */
+    CLEFT_LOG_INFO = 2,    /**< good to know */
+    CLEFT_LOG_DEBUG = 3    /**< for those who look for a fault */
+};
 /** `sentence` is borrowed for the call. Called on the thread that called the library. \since 0.1 */
 typedef void (*cleft_log_callback)(int32_t level, const char* sentence, void* user);
 /** Sets or (NULL) removes the log callback. \since 0.1 */
@@ -180,6 +185,7 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_context_clear_metrics(cleft_context
 /** Keys of options; the numbers never change. What each means, its default and its range are in the table that
  *  cleft_option_info() reads (and `cleft mesh --help` prints). \since 0.1 */
 typedef int32_t cleft_option;
+/* <options> Made by tools/generate.py from src/capi/options.toml. */
 enum {
     CLEFT_OPTION_BACKGROUND = 1,
     CLEFT_OPTION_SIZE = 2,
@@ -200,15 +206,32 @@ enum {
     CLEFT_OPTION_KEEP_THIN = 17
 };
 
-enum { CLEFT_BACKGROUND_PARTICLES = 0, CLEFT_BACKGROUND_LATTICE = 1, CLEFT_BACKGROUND_OCTREE = 2 };
-enum { CLEFT_SNAP_QUALITY = 0, CLEFT_SNAP_SAFE = 1, CLEFT_SNAP_NONE = 2 };
-enum { CLEFT_IMPROVE_OFF = 0, CLEFT_IMPROVE_FAST = 1, CLEFT_IMPROVE_BEST = 2 };
-
+/** Kinds of background meshes. \since 0.1 */
 enum {
-    CLEFT_OPTION_TYPE_INTEGER = 1,
-    CLEFT_OPTION_TYPE_REAL = 2,
-    CLEFT_OPTION_TYPE_CHOICE = 3,
-    CLEFT_OPTION_TYPE_FLAG = 4
+    CLEFT_BACKGROUND_PARTICLES = 0, /**< relaxed particles and their Delaunay tetrahedra: the best shapes */
+    CLEFT_BACKGROUND_LATTICE = 1,   /**< a regular lattice: quick, one size everywhere */
+    CLEFT_BACKGROUND_OCTREE = 2     /**< an adaptive lattice */
+};
+/** Rules that move background points onto interfaces. \since 0.1 */
+enum {
+    CLEFT_SNAP_QUALITY = 0, /**< by the quality of the elements around */
+    CLEFT_SNAP_SAFE = 1,    /**< by the safe distances of the paper */
+    CLEFT_SNAP_NONE = 2     /**< never */
+};
+/** Effort spent on the worst dihedral angles. \since 0.1 */
+enum {
+    CLEFT_IMPROVE_OFF = 0,  /**< none */
+    CLEFT_IMPROVE_FAST = 1, /**< some: the default */
+    CLEFT_IMPROVE_BEST = 2  /**< as much as helps */
+};
+/* </options> */
+
+/** What values an option takes. \since 0.1 */
+enum {
+    CLEFT_OPTION_TYPE_INTEGER = 1, /**< whole numbers */
+    CLEFT_OPTION_TYPE_REAL = 2,    /**< real numbers */
+    CLEFT_OPTION_TYPE_CHOICE = 3,  /**< one of several names */
+    CLEFT_OPTION_TYPE_FLAG = 4     /**< on or off */
 };
 
 /** One row of the table of options. The caller sets struct_size to sizeof(cleft_option_description). All texts are
@@ -223,6 +246,10 @@ typedef struct cleft_option_description {
     double greatest;     /**< the greatest value allowed */
     const char* choices; /**< names of the choices 0, 1, ... separated by '|'; "" for other types */
     const char* text;    /**< what it does, with its unit */
+    const char* group;   /**< the heading under which help lists it: "Sizes" */
+    const char* calls;   /**< the calls that read it, separated by '|', of "volume" (cleft_volume_create_labels()),
+                          *   "sizing", "background", "cleave", "improve" (those functions) and "mesh"
+                          *   (cleft_mesh_volume()) */
 } cleft_option_description;
 
 /** Number of rows of the table. \since 0.1 */
@@ -276,13 +303,13 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_options_set_only(cleft_options* opt
 /** Types of voxels. \since 0.1 */
 typedef int32_t cleft_type;
 enum {
-    CLEFT_TYPE_UINT8 = 1,
-    CLEFT_TYPE_UINT16 = 2,
-    CLEFT_TYPE_INT16 = 3,
-    CLEFT_TYPE_UINT32 = 4,
-    CLEFT_TYPE_INT32 = 5,
-    CLEFT_TYPE_FLOAT32 = 6,
-    CLEFT_TYPE_FLOAT64 = 7
+    CLEFT_TYPE_UINT8 = 1,   /**< whole numbers of 8 bits without sign */
+    CLEFT_TYPE_UINT16 = 2,  /**< whole numbers of 16 bits without sign */
+    CLEFT_TYPE_INT16 = 3,   /**< whole numbers of 16 bits */
+    CLEFT_TYPE_UINT32 = 4,  /**< whole numbers of 32 bits without sign */
+    CLEFT_TYPE_INT32 = 5,   /**< whole numbers of 32 bits */
+    CLEFT_TYPE_FLOAT32 = 6, /**< real numbers, single precision */
+    CLEFT_TYPE_FLOAT64 = 7  /**< real numbers, double precision */
 };
 
 /** A label map: dims[0] * dims[1] * dims[2] voxels, x fastest, of one of the five integer types; any label values
@@ -292,8 +319,9 @@ enum {
  * origin. The box that is meshed ends where the voxels end, half a voxel beyond the outermost centres. Wanted sizes,
  * and the angles that are improved, are those in the frame of the voxel axes, which differs from the world only if the
  * affine shears; whatever is measured of a mesh is told in the world. `options` may
- * be NULL; CLEFT_OPTION_SMOOTH is read. The voxels are copied (one or two bytes a voxel, and two for the weights). The
- * caller owns *out. \since 0.1 */
+ *  be NULL.
+ *  Options read: SMOOTH.
+ *  The voxels are copied (one or two bytes a voxel, and two for the weights). The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_create_labels(cleft_context* context, cleft_type type,
                                                                   const void* voxels, const int64_t dims[3],
                                                                   const double affine[12], const cleft_options* options,
@@ -345,9 +373,10 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_sample(const cleft_volume* v
 /* -------------------------------------------------------------------------------------------------- sizing -- */
 
 /** The sizing field of a volume from its features: three distance transforms (see docs/method.md), limited by the
- *  options SIZE, SIZE_MIN, SIZE_MAX, FEATURE_SCALE, GRADATION, INTERFACE_SIZE, KEEP_THIN and the label sizes. With
- *  TETS, scaled to the number of tetrahedra expected of the labels that strip and only keep. `options` may be NULL. The
- * caller owns *out. \since 0.1 */
+ *  options and the label sizes. With TETS, scaled to the number of tetrahedra expected of the labels that strip and
+ *  only keep. `options` may be NULL.
+ *  Options read: SIZE, SIZE_MIN, SIZE_MAX, FEATURE_SCALE, GRADATION, INTERFACE_SIZE, KEEP_THIN, TETS and MAX_TETS.
+ *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* volume,
                                                            const cleft_options* options,
                                                            cleft_sizing** out) CLEFT_NOEXCEPT;
@@ -384,8 +413,11 @@ CLEFT_API double cleft_sizing_expected_tets(const cleft_sizing* sizing) CLEFT_NO
 
 /* ---------------------------------------------------------------------------------------------- background -- */
 
-/** The background mesh of a sizing field, of the kind of the option BACKGROUND (STEPS, SEED and REPAIR are read). It
- *  fills the box and knows nothing of materials: its only label is 0. The caller owns *out. \since 0.1 */
+/** The background mesh of a sizing field, of the kind of the option BACKGROUND. It fills the box and knows nothing of
+ *  materials: its only label is 0. Particles have STEPS and a SEED. A lattice has one size, the least of the field;
+ *  where neither SIZE nor SIZE_MIN nor TETS ask for it, it is raised to keep to MAX_TETS. `options` may be NULL.
+ *  Options read: BACKGROUND, SIZE, SIZE_MIN, TETS, MAX_TETS, STEPS and SEED.
+ *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_background_create(cleft_context* context, const cleft_sizing* sizing,
                                                                const cleft_options* options,
                                                                cleft_mesh** out) CLEFT_NOEXCEPT;
@@ -403,17 +435,19 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_create(cleft_context* context,
 /** Destroys a mesh, and the arrays borrowed from it; NULL is allowed. \since 0.1 */
 CLEFT_API void cleft_mesh_destroy(cleft_mesh* mesh) CLEFT_NOEXCEPT;
 
-/** Cleaves a background along the interfaces of a volume (option SNAP; with REPAIR above 0, poor tetrahedra of the
- *  background are repaired first). The background must be positively oriented and conforming, else
- *  CLEFT_ERROR_INVALID_MESH with the first fault; outside of the volume's box, CLEFT_ERROR_ARGUMENT. It need not fill
- *  the box: a warning tells how much of it it fills, or that it reaches out. `options` may be NULL. The caller owns
- *  *out. \since 0.1 */
+/** Cleaves a background along the interfaces of a volume; with REPAIR above 0, poor tetrahedra of the background are
+ *  repaired first. The background must be positively oriented and conforming, else CLEFT_ERROR_INVALID_MESH with the
+ *  first fault; outside of the volume's box, CLEFT_ERROR_ARGUMENT. It need not fill the box: a warning tells how much
+ *  of it it fills, or that it reaches out. `options` may be NULL.
+ *  Options read: SNAP and REPAIR.
+ *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volume,
                                                          const cleft_mesh* background, const cleft_options* options,
                                                          cleft_mesh** out) CLEFT_NOEXCEPT;
-/** Raises the worst dihedral angles of a cleaved mesh of this volume (option IMPROVE). CLEFT_ERROR_INVALID_MESH if the
- *  mesh is not positively oriented and conforming. The caller owns *out.
- *  \since 0.1 */
+/** Raises the worst dihedral angles of a cleaved mesh of this volume. CLEFT_ERROR_INVALID_MESH if the mesh is not
+ *  positively oriented and conforming. `options` may be NULL.
+ *  Options read: IMPROVE.
+ *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volume,
                                                           const cleft_mesh* mesh, const cleft_options* options,
                                                           cleft_mesh** out) CLEFT_NOEXCEPT;
@@ -422,7 +456,9 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_improve(cleft_context* context
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_strip(cleft_context* context, const cleft_mesh* mesh,
                                                         const cleft_options* options, cleft_mesh** out) CLEFT_NOEXCEPT;
 /** All of it: sizing (unless given), background (unless given), cleaving, improving, spatial ordering, stripping.
- *  `sizing`, `background` and `options` may be NULL. With TETS, the size is corrected until the number of tetrahedra
+ *  `sizing`, `background` and `options` may be NULL.
+ *  Options read: all but SMOOTH.
+ *  With TETS, the size is corrected until the number of tetrahedra
  *  that strip and only keep is within 10 % (at most eight rounds; where labels are left out, the whole mesh keeps to
  *  MAX_TETS, and a warning tells if the number is not met). With STRICT, CLEFT_ERROR_LABEL_LOST if a kept label, or a
  *  piece of more than 30 voxels of one, is not in the mesh or broke, or if two kept labels are a cleft_contact; also,
@@ -479,23 +515,23 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_copy_quadratic(const cleft_mes
 typedef struct cleft_quality {
     uint32_t struct_size;
     uint32_t reserved;
-    int64_t tet_count;
-    double min_dihedral;  /**< degrees, over all angles */
-    double max_dihedral;  /**< degrees, over all angles */
-    int64_t tets_below_5; /**< tetrahedra whose least dihedral angle is below 5 degrees */
-    int64_t tets_below_10;
-    int64_t tets_below_15;
-    int64_t tets_below_20;
-    int64_t tets_above_165;     /**< tetrahedra whose greatest dihedral angle is above 165 degrees */
-    double radius_ratio_median; /**< circumradius / (3 inradius), 1 for the regular tetrahedron */
-    double radius_ratio_95;     /**< 95th percentile */
-    double radius_ratio_max;
-    double edge_ratio_max; /**< longest / shortest edge of one tetrahedron */
-    double min_edge;
-    double mean_edge;
-    double max_edge;
-    double min_volume;
-    double total_volume;
+    int64_t tet_count;              /**< tetrahedra */
+    double min_dihedral;            /**< the least dihedral angle, in degrees */
+    double max_dihedral;            /**< the greatest dihedral angle, in degrees */
+    int64_t tets_below_5;           /**< tetrahedra whose least dihedral angle is below 5 degrees */
+    int64_t tets_below_10;          /**< tetrahedra whose least dihedral angle is below 10 degrees */
+    int64_t tets_below_15;          /**< tetrahedra whose least dihedral angle is below 15 degrees */
+    int64_t tets_below_20;          /**< tetrahedra whose least dihedral angle is below 20 degrees */
+    int64_t tets_above_165;         /**< tetrahedra whose greatest dihedral angle is above 165 degrees */
+    double radius_ratio_median;     /**< circumradius / (3 inradius), 1 for the regular tetrahedron: the median */
+    double radius_ratio_95;         /**< 95th percentile of the radius ratio */
+    double radius_ratio_max;        /**< the greatest radius ratio */
+    double edge_ratio_max;          /**< longest / shortest edge of one tetrahedron */
+    double min_edge;                /**< the shortest edge */
+    double mean_edge;               /**< the mean edge */
+    double max_edge;                /**< the longest edge */
+    double min_volume;              /**< the least volume of a tetrahedron */
+    double total_volume;            /**< the volume of all */
     int64_t dihedral_histogram[36]; /**< all angles, in bins of 5 degrees */
 } cleft_quality;
 
@@ -506,21 +542,21 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_quality(cleft_context* context
 /** What is wrong with a mesh; all counts of faults are 0 for a sound one. The caller sets struct_size. \since 0.1 */
 typedef struct cleft_validation {
     uint32_t struct_size;
-    int32_t valid;                /**< 1 if nothing is wrong */
-    int64_t negative_tets;        /**< by an exact predicate */
-    int64_t flat_tets;            /**< exactly flat, or of less volume than 1e-12 of the cube of its mean edge */
+    int32_t valid;         /**< 1 if nothing is wrong */
+    int64_t negative_tets; /**< tetrahedra that are turned inside out, by an exact predicate */
+    int64_t flat_tets;     /**< tetrahedra that are flat, or of less volume than 1e-12 of the cube of their mean edge */
     int64_t repeated_corners;     /**< tetrahedra that name a point twice */
     int64_t crowded_faces;        /**< faces of more than two tetrahedra */
     int64_t folded_faces;         /**< faces whose two tetrahedra lie on one side */
     int64_t hull_off_box;         /**< hull triangles in no side of the bounding box */
     int64_t open_interface_edges; /**< edges inside the box with one interface triangle only */
-    int64_t unused_points;
-    int64_t repeated_points;
-    double volume;
-    double box_volume;
-    double hull_area;
-    double box_area;
-    /** faces between tetrahedra of different labels, counted face by face: cleft_surface_create() finds as many, by
+    int64_t unused_points;        /**< points of no tetrahedron */
+    int64_t repeated_points;      /**< points at the place of another */
+    double volume;                /**< the volume of the tetrahedra */
+    double box_volume;            /**< the volume of the bounding box */
+    double hull_area;             /**< the area of the hull */
+    double box_area;              /**< the area of the bounding box */
+    /** faces between tetrahedra of different labels, counted face by face: a surface finds as many, by
      *  another way */
     int64_t interface_triangles;
     int64_t hull_triangles; /**< faces of one tetrahedron, counted so, too */
@@ -535,15 +571,15 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_validate(cleft_context* contex
 
 /* ------------------------------------------------------------------------------------------------ surfaces -- */
 
-/** Sides of the box in voxel axes; OTHER: hull triangles in no side. \since 0.1 */
+/** Sides of the box, in the axes of the voxels. \since 0.1 */
 enum {
-    CLEFT_SIDE_X_MIN = 0,
-    CLEFT_SIDE_X_MAX = 1,
-    CLEFT_SIDE_Y_MIN = 2,
-    CLEFT_SIDE_Y_MAX = 3,
-    CLEFT_SIDE_Z_MIN = 4,
-    CLEFT_SIDE_Z_MAX = 5,
-    CLEFT_SIDE_OTHER = 6
+    CLEFT_SIDE_X_MIN = 0, /**< the least x */
+    CLEFT_SIDE_X_MAX = 1, /**< the greatest x */
+    CLEFT_SIDE_Y_MIN = 2, /**< the least y */
+    CLEFT_SIDE_Y_MAX = 3, /**< the greatest y */
+    CLEFT_SIDE_Z_MIN = 4, /**< the least z */
+    CLEFT_SIDE_Z_MAX = 5, /**< the greatest z */
+    CLEFT_SIDE_OTHER = 6  /**< no side of the box */
 };
 
 /** The interfaces between labels and the hull of a mesh, as triangles that number the mesh's points. The caller owns
@@ -574,13 +610,13 @@ CLEFT_API const int32_t* cleft_surface_hull_sides(const cleft_surface* surface) 
  *  the mesh by faces of tetrahedra. The caller sets struct_size. \since 0.1 */
 typedef struct cleft_label_report {
     uint32_t struct_size;
-    int32_t label;
-    int64_t voxels;
-    double voxel_volume;
-    double mesh_volume;
-    int64_t tets;
-    int64_t voxel_components;
-    int64_t mesh_components;
+    int32_t label;                 /**< the label */
+    int64_t voxels;                /**< its voxels */
+    double voxel_volume;           /**< the volume of its voxels */
+    double mesh_volume;            /**< the volume of its tetrahedra */
+    int64_t tets;                  /**< its tetrahedra */
+    int64_t voxel_components;      /**< pieces of its voxels, joined by faces */
+    int64_t mesh_components;       /**< pieces of its tetrahedra, joined by faces */
     int64_t large_components;      /**< voxel components of more than 30 voxels */
     int64_t large_components_lost; /**< of those, the ones in which no tetrahedron of the label lies */
     int32_t lost;                  /**< 1 if the label has voxels but no tetrahedron */
@@ -610,10 +646,10 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_report_label(const cleft_report* re
  *  \since 0.1 */
 typedef struct cleft_contact {
     uint32_t struct_size;
-    int32_t first; /**< the lower of the two labels */
-    int32_t second;
+    int32_t first;  /**< the lower of the two labels */
+    int32_t second; /**< the other */
     int32_t reserved;
-    int64_t triangles; /**< that the two share */
+    int64_t triangles; /**< the triangles that the two share */
 } cleft_contact;
 
 /** Number of such pairs of labels; 0 for NULL. Where the volume is of indicator functions, the label of a voxel is that

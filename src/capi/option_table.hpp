@@ -16,10 +16,16 @@ struct OptionRow {
     double least;
     double greatest;
     const char* choices;
+    const char* group;
+    const char* calls;
     const char* text;
 };
 
-inline constexpr size_t kOptionCount = 17;
+inline constexpr size_t kOptionCount = 0
+#define CLEFT_OPTION_ROW(...) +1
+#include "capi/options.inc"
+#undef CLEFT_OPTION_ROW
+    ;
 extern const OptionRow kOptionTable[kOptionCount];
 
 // The row of a key, or -1.

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <type_traits>
 
 template <>
 inline constexpr size_t cleft::kFirstSize<cleft_option_description> = CLEFT_END_OF(cleft_option_description, text);
@@ -25,13 +26,9 @@ constexpr bool is(Choice choice, int number)
 {
     return static_cast<int>(choice) == number;
 }
-static_assert(is(BackgroundKind::particles, CLEFT_BACKGROUND_PARTICLES) &&
-              is(BackgroundKind::lattice, CLEFT_BACKGROUND_LATTICE) &&
-              is(BackgroundKind::octree, CLEFT_BACKGROUND_OCTREE));
-static_assert(is(Snap::quality, CLEFT_SNAP_QUALITY) && is(Snap::safe, CLEFT_SNAP_SAFE) &&
-              is(Snap::none, CLEFT_SNAP_NONE));
-static_assert(is(Effort::off, CLEFT_IMPROVE_OFF) && is(Effort::fast, CLEFT_IMPROVE_FAST) &&
-              is(Effort::best, CLEFT_IMPROVE_BEST));
+#define CLEFT_CHOICE(number, choice) static_assert(is(choice, number), #choice " is not " #number);
+#include "capi/options.inc"
+#undef CLEFT_CHOICE
 
 const OptionRow& checked_row(int row, const std::string& what)
 {
@@ -85,6 +82,18 @@ double parsed(const OptionRow& row, const char* text)
     return value;
 }
 
+// The value of an option into the field of a stage, whose type it has: a number, a flag or a choice.
+template <class Field>
+void take(Field& field, double value)
+{
+    if constexpr (std::is_same_v<Field, bool>)
+        field = value != 0;
+    else if constexpr (std::is_enum_v<Field>)
+        field = static_cast<Field>(static_cast<int>(value));
+    else
+        field = static_cast<Field>(value);
+}
+
 void set_labels(std::vector<int32_t>& list, const int32_t* labels, int64_t count)
 {
     if (count < 0)
@@ -106,29 +115,15 @@ PipelineOptions pipeline_options(const cleft_options* options)
 {
     if (options)
         checked(options, "options");
-    const auto value = [&](cleft_option key) { return option_value(options, key); };
     PipelineOptions out;
-    out.sizing.size = value(CLEFT_OPTION_SIZE);
-    out.sizing.size_min = value(CLEFT_OPTION_SIZE_MIN);
-    out.sizing.size_max = value(CLEFT_OPTION_SIZE_MAX);
+#define CLEFT_OPTION_FIELD(key, field) take(out.field, option_value(options, key));
+#include "capi/options.inc"
+#undef CLEFT_OPTION_FIELD
     if (out.sizing.size_max > 0 && out.sizing.size_max < out.sizing.size_min)
         throw Error(CLEFT_ERROR_OPTION, "size_max is less than size_min");
-    out.sizing.feature_scale = value(CLEFT_OPTION_FEATURE_SCALE);
-    out.sizing.gradation = value(CLEFT_OPTION_GRADATION);
-    out.sizing.interface_size = value(CLEFT_OPTION_INTERFACE_SIZE);
-    out.sizing.keep_thin = value(CLEFT_OPTION_KEEP_THIN) != 0;
-    out.max_tets = value(CLEFT_OPTION_MAX_TETS);
-    out.sizing.max_tets = value(CLEFT_OPTION_TETS) > 0 ? 0 : out.max_tets;
+    out.sizing.max_tets = out.tets > 0 ? 0 : out.max_tets;
     if (options)
         out.sizing.label_sizes = options->label_sizes;
-    out.background = static_cast<BackgroundKind>(static_cast<int>(value(CLEFT_OPTION_BACKGROUND)));
-    out.particles.steps = static_cast<int>(value(CLEFT_OPTION_STEPS));
-    out.particles.seed = static_cast<uint64_t>(value(CLEFT_OPTION_SEED));
-    out.cleave.snap = static_cast<Snap>(static_cast<int>(value(CLEFT_OPTION_SNAP)));
-    out.improve.effort = static_cast<Effort>(static_cast<int>(value(CLEFT_OPTION_IMPROVE)));
-    out.repair_angle = value(CLEFT_OPTION_REPAIR);
-    out.tets = static_cast<int64_t>(value(CLEFT_OPTION_TETS));
-    out.strict = value(CLEFT_OPTION_STRICT) != 0;
     return out;
 }
 
@@ -164,7 +159,8 @@ cleft_status cleft_option_info(int32_t index, cleft_option_description* out) noe
         if (index < 0 || index >= cleft_option_count())
             throw cleft::Error(CLEFT_ERROR_ARGUMENT, "there is no such row");
         const OptionRow& row = kOptionTable[index];
-        cleft::copy_out({0, row.key, row.type, row.name, row.value, row.least, row.greatest, row.choices, row.text},
+        cleft::copy_out({0, row.key, row.type, row.name, row.value, row.least, row.greatest, row.choices, row.text,
+                         row.group, row.calls},
                         *out);
     });
 }

@@ -403,7 +403,7 @@ Command add_mesh_command(CLI::App& app)
     parser.add_flag("--estimate", arguments->estimate,
                     "Tell the expected number of tetrahedra and the memory needed,\n"
                     "and stop there");
-    arguments->options.add_to(parser);
+    arguments->options.add_to(parser, {"volume", "mesh"});
     arguments->options.add_label_sizes_to(parser);
     parser.get_option("--background")->type_name("particles|lattice|octree|FILE");
     const std::string sizes = parser.get_option("--size")->get_group();

@@ -8,31 +8,12 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <stdexcept>
 
 namespace cleft_cli
 {
 namespace
 {
-
-const char* const sizes_group = "Sizes";
-const char* const meshing_group = "Meshing";
-
-const char* group_of(cleft_option key)
-{
-    switch (key) {
-        case CLEFT_OPTION_SIZE:
-        case CLEFT_OPTION_SIZE_MIN:
-        case CLEFT_OPTION_SIZE_MAX:
-        case CLEFT_OPTION_FEATURE_SCALE:
-        case CLEFT_OPTION_GRADATION:
-        case CLEFT_OPTION_INTERFACE_SIZE:
-        case CLEFT_OPTION_KEEP_THIN:
-        case CLEFT_OPTION_TETS:
-            return sizes_group;
-        default:
-            return meshing_group;
-    }
-}
 
 // "--interface-size NAME" in help: what stands for the value.
 std::string value_name(const cleft_option_description& info)
@@ -47,6 +28,42 @@ std::string value_name(const cleft_option_description& info)
     }
 }
 
+// Is a name one of "a|b|c"?
+bool is_one_of(const std::string& names, const std::string& name)
+{
+    return ("|" + names + "|").find("|" + name + "|") != std::string::npos;
+}
+
+// The table of options, in its order.
+std::vector<cleft_option_description> table()
+{
+    std::vector<cleft_option_description> rows(static_cast<std::size_t>(cleft_option_count()));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i].struct_size = sizeof rows[i];
+        if (cleft_option_info(static_cast<int32_t>(i), &rows[i]) != CLEFT_OK)
+            throw std::logic_error("the table of options has no row " + std::to_string(i));
+    }
+    return rows;
+}
+
+// The headings of help, in the order in which the table names them.
+std::vector<std::string> groups_of(const std::vector<cleft_option_description>& rows)
+{
+    std::vector<std::string> groups;
+    for (const cleft_option_description& info : rows)
+        if (std::find(groups.begin(), groups.end(), info.group) == groups.end())
+            groups.emplace_back(info.group);
+    return groups;
+}
+
+const char* group_of(cleft_option key)
+{
+    for (const cleft_option_description& info : table())
+        if (info.key == key)
+            return info.group;
+    return "";
+}
+
 // The name of choice number `index` of "a|b|c".
 std::string choice_name(const std::string& choices, int64_t index)
 {
@@ -54,11 +71,6 @@ std::string choice_name(const std::string& choices, int64_t index)
     for (; index > 0 && begin != std::string::npos; --index)
         begin = choices.find('|', begin) + 1;
     return choices.substr(begin, choices.find('|', begin) - begin);
-}
-
-bool is_choice(const std::string& choices, const std::string& name)
-{
-    return ("|" + choices + "|").find("|" + name + "|") != std::string::npos;
 }
 
 std::string range_text(const cleft_option_description& info)
@@ -101,14 +113,16 @@ std::string option_help(const cleft_option_description& info)
     return wrapped(help, 66);
 }
 
-void OptionArguments::add_to(CLI::App& app, const OptionFilter& wanted)
+void OptionArguments::add_to(CLI::App& app, const std::vector<std::string>& calls)
 {
-    for (const char* group : {sizes_group, meshing_group})
-        for (int32_t index = 0; index < cleft_option_count(); ++index) {
-            cleft_option_description info = {};
-            info.struct_size = sizeof info;
-            if (cleft_option_info(index, &info) != CLEFT_OK || group_of(info.key) != group ||
-                (wanted && !wanted(info.key)))
+    const auto is_read = [&](const cleft_option_description& info) {
+        return std::any_of(calls.begin(), calls.end(),
+                           [&](const std::string& call) { return is_one_of(info.calls, call); });
+    };
+    const std::vector<cleft_option_description> rows = table();
+    for (const std::string& group : groups_of(rows))
+        for (const cleft_option_description& info : rows) {
+            if (info.group != group || !is_read(info))
                 continue;
             Row& row = rows_.emplace_back(Row{info, nullptr, {}, false});
             if (info.type == CLEFT_OPTION_TYPE_FLAG)
@@ -147,7 +161,7 @@ void OptionArguments::add_label_lists_to(CLI::App& app)
 std::string OptionArguments::take_background_file()
 {
     for (Row& row : rows_)
-        if (row.info.key == CLEFT_OPTION_BACKGROUND && row.given() && !is_choice(row.info.choices, row.text)) {
+        if (row.info.key == CLEFT_OPTION_BACKGROUND && row.given() && !is_one_of(row.info.choices, row.text)) {
             const std::string path = row.text;
             row.text = choice_name(row.info.choices, std::llround(row.info.value));
             if (!CLI::ExistingFile(path).empty())

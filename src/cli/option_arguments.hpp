@@ -7,7 +7,6 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <deque>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,13 +19,11 @@ class Option;
 namespace cleft_cli
 {
 
-// Which rows of the table a command offers.
-using OptionFilter = std::function<bool(cleft_option)>;
-
 class OptionArguments
 {
 public:
-    void add_to(CLI::App& app, const OptionFilter& wanted = {});
+    // The options that any of these calls reads: see cleft_option_description.
+    void add_to(CLI::App& app, const std::vector<std::string>& calls);
     void add_label_sizes_to(CLI::App& app);
     void add_label_lists_to(CLI::App& app);
 

@@ -29,24 +29,6 @@ struct SizingArguments {
     std::string output;
 };
 
-bool shapes_the_field(cleft_option key)
-{
-    switch (key) {
-        case CLEFT_OPTION_SIZE:
-        case CLEFT_OPTION_SIZE_MIN:
-        case CLEFT_OPTION_SIZE_MAX:
-        case CLEFT_OPTION_FEATURE_SCALE:
-        case CLEFT_OPTION_GRADATION:
-        case CLEFT_OPTION_INTERFACE_SIZE:
-        case CLEFT_OPTION_KEEP_THIN:
-        case CLEFT_OPTION_TETS:
-        case CLEFT_OPTION_SMOOTH:
-            return true;
-        default:
-            return false;
-    }
-}
-
 struct FieldFigures {
     double least = 0, median = 0, greatest = 0, tets = 0;
 };
@@ -121,7 +103,7 @@ Command add_sizing_command(CLI::App& app)
     parser.add_option("-o,--output", arguments->output, "The field, as a volume of float")
         ->required()
         ->type_name("FIELD");
-    arguments->options.add_to(parser, shapes_the_field);
+    arguments->options.add_to(parser, {"volume", "sizing"});
     arguments->options.add_label_sizes_to(parser);
     arguments->input.add_reading_to(parser);
     arguments->run.add_to(parser);

@@ -16,6 +16,7 @@ static void the_table_is_sound(void** state)
         assert_true(strlen(row.name) > 0 && strlen(row.text) > 5);
         assert_true(row.least <= row.value && row.value <= row.greatest);
         assert_int_equal(strlen(row.choices) > 0, row.type == CLEFT_OPTION_TYPE_CHOICE);
+        assert_true(strlen(row.group) > 0 && strlen(row.calls) > 0);
         for (int32_t j = 0; j < i; ++j) {
             cleft_option_description other = {.struct_size = sizeof other};
             assert_int_equal(cleft_option_info(j, &other), CLEFT_OK);

@@ -1,4 +1,5 @@
 """The command tells how it is used."""
+import re
 import unittest
 
 from support import OK, USAGE, CommandTest, cleft
@@ -24,6 +25,19 @@ class Help(CommandTest):
             self.assertIn("--" + option, help_text)
         self.assertIn("default 0.3", help_text)
         self.assertIn(".vtu", help_text)
+
+    def options_of(self, command, group):
+        """The options under a heading of the help."""
+        sections = re.split(r"^(\w[\w ]*):?$", self.run_ok(command, "--help").stdout, flags=re.MULTILINE)
+        return re.findall(r"^ +(--[\w-]+)", sections[sections.index(group) + 1], flags=re.MULTILINE)
+
+    def test_options_are_grouped_and_offered_as_the_table_says(self):
+        sizes = self.options_of("mesh", "Sizes")
+        self.assertEqual(sizes[:2], ["--size", "--size-min"])
+        self.assertIn("--max-tets", sizes)
+        self.assertNotIn("--max-tets", self.options_of("mesh", "Meshing"))
+        self.assertEqual(self.options_of("sizing", "Sizes"), [name for name in sizes if name not in ("--sizing", "--combine")])
+        self.assertEqual(self.options_of("sizing", "Meshing"), ["--smooth"])
 
     def test_lines_fit_a_wide_terminal(self):
         for command in ((), ("mesh",), ("info",), ("check",), ("convert",), ("sizing",)):

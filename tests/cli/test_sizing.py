@@ -17,6 +17,12 @@ class Sizing(CommandTest):
         self.assertLess(sizes["least"], sizes["greatest"])
         self.assertGreater(sizes["expected_tets"], 100)
 
+    def test_the_number_of_tetrahedra_is_bounded(self):
+        free = self.field(DATA / "mickey.nrrd")
+        bounded = self.field(DATA / "mickey.nrrd", "--max-tets", 3000)
+        self.assertGreater(bounded["least"], free["least"])
+        self.assertLess(bounded["expected_tets"], 3000 * 1.1)
+
     def test_written_field_lies_on_the_grid_of_the_volume(self):
         self.field(DATA / "CIT168.nrrd")
         volumes = [json.loads(self.run_ok("info", path, "--as", kind, "--json", "-").stdout)["volume"]

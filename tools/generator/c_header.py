@@ -183,7 +183,7 @@ class Header:
         for what, pattern, found in (("functions", r"\)\s*CLEFT_NOEXCEPT\s*;", self.functions),
                                      ("callbacks", r"typedef [^;{}]*\(\*", self.callbacks),
                                      ("structs", r"\bstruct \w+\s*\{", self.structs),
-                                     ("enumerations", r"\benum\s*\{\s*CLEFT", self.enumerations)):
+                                     ("enumerations", r"\benum\b(?!\s*\{\s*#)", self.enumerations)):
             if len(re.findall(pattern, text)) != len(found):
                 raise ValueError(f"{len(found)} {what} were understood, of {len(re.findall(pattern, text))}")
         for function in self.functions:

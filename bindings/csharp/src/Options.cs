@@ -22,21 +22,26 @@ namespace Cleft
             return new NativeHandle(made, CleftNative.cleft_options_destroy);
         }
 
-        /// <summary>The kind of background mesh.</summary>
+        // <options> made by tools/generate.py from src/capi/options.toml
+
+        /// <summary>Kind of background mesh (particles, lattice or octree; default particles).</summary>
         public Cleft.Background Background
         {
             get { return (Cleft.Background)Integer(CleftNative.CLEFT_OPTION_BACKGROUND); }
             set { Set(CleftNative.CLEFT_OPTION_BACKGROUND, (long)value); }
         }
 
-        /// <summary>One edge length everywhere, in world units; 0: computed from the features of the volume.</summary>
+        /// <summary>
+        /// One wanted edge length everywhere, in world units; 0: computed from the features of the volume (at least 0; default
+        /// 0).
+        /// </summary>
         public double Size
         {
             get { return Real(CleftNative.CLEFT_OPTION_SIZE); }
             set { Set(CleftNative.CLEFT_OPTION_SIZE, value); }
         }
 
-        /// <summary>The least edge length; 0: the least voxel spacing.</summary>
+        /// <summary>Least wanted edge length, in world units; 0: the least voxel spacing (at least 0; default 0).</summary>
         public double SizeMin
         {
             get { return Real(CleftNative.CLEFT_OPTION_SIZE_MIN); }
@@ -44,8 +49,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// The greatest wanted edge length; 0: a quarter of the longest side of the box, or its thickness times 1.5 if
-        /// that is less.
+        /// Greatest wanted edge length, in world units (single edges come out up to 2.3 times as long); 0: a quarter of the
+        /// longest side of the box, or its thickness times 1.5 if that is less (at least 0; default 0).
         /// </summary>
         public double SizeMax
         {
@@ -53,42 +58,57 @@ namespace Cleft
             set { Set(CleftNative.CLEFT_OPTION_SIZE_MAX, value); }
         }
 
-        /// <summary>The edge length at an interface over the local feature size; 0.5 is fine, 2 is coarse.</summary>
+        /// <summary>
+        /// Edge length at an interface over the local feature size; 0.5 is fine, 2 is coarse (0.001 to 1000; default 1).
+        /// </summary>
         public double FeatureScale
         {
             get { return Real(CleftNative.CLEFT_OPTION_FEATURE_SCALE); }
             set { Set(CleftNative.CLEFT_OPTION_FEATURE_SCALE, value); }
         }
 
-        /// <summary>The greatest growth of the edge length over a distance.</summary>
+        /// <summary>
+        /// Greatest growth of the edge length over a distance (Lipschitz constant of the sizing field); 0.15 is gentle, 1 is
+        /// steep (0.01 to 1; default 0.3).
+        /// </summary>
         public double Gradation
         {
             get { return Real(CleftNative.CLEFT_OPTION_GRADATION); }
             set { Set(CleftNative.CLEFT_OPTION_GRADATION, value); }
         }
 
-        /// <summary>The greatest wanted edge length at interfaces; 0: none.</summary>
+        /// <summary>Greatest wanted edge length at interfaces, in world units; 0: none (at least 0; default 0).</summary>
         public double InterfaceSize
         {
             get { return Real(CleftNative.CLEFT_OPTION_INTERFACE_SIZE); }
             set { Set(CleftNative.CLEFT_OPTION_INTERFACE_SIZE, value); }
         }
 
-        /// <summary>The wanted number of tetrahedra, met within 10 %; 0: as the sizes say.</summary>
-        public long Tets
-        {
-            get { return Integer(CleftNative.CLEFT_OPTION_TETS); }
-            set { Set(CleftNative.CLEFT_OPTION_TETS, value); }
-        }
-
-        /// <summary>Do parts of labels that are one voxel thick get edges so short that they come out whole?</summary>
+        /// <summary>
+        /// Edges of half the least voxel spacing, or of SizeMin, where a label is one voxel thick, so that such parts come out
+        /// whole (on or off; default off).
+        /// </summary>
         public bool KeepThin
         {
             get { return Integer(CleftNative.CLEFT_OPTION_KEEP_THIN) != 0; }
             set { Set(CleftNative.CLEFT_OPTION_KEEP_THIN, value ? 1L : 0L); }
         }
 
-        /// <summary>About how many tetrahedra there may be: where SizeMin is 0, the least edge is raised for it; 0: no limit.</summary>
+        /// <summary>
+        /// Wanted number of tetrahedra, of the labels that are kept, met within 10 %; 0: as the sizes say (0 to 2147483647;
+        /// default 0).
+        /// </summary>
+        public long Tets
+        {
+            get { return Integer(CleftNative.CLEFT_OPTION_TETS); }
+            set { Set(CleftNative.CLEFT_OPTION_TETS, value); }
+        }
+
+        /// <summary>
+        /// Where SizeMin is 0, the least edge length is raised until no more background tetrahedra than about these are expected,
+        /// and where tets counts some labels only, the whole mesh keeps to these; 0: no limit (0 to 2147483647; default
+        /// 10000000).
+        /// </summary>
         public long MaxTets
         {
             get { return Integer(CleftNative.CLEFT_OPTION_MAX_TETS); }
@@ -96,8 +116,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// The width in voxels of the kernel that smooths label maps. It counts where a volume is made or read, in Mesher.Labels() and
-        /// MeshFiles.ReadVolume(): in a call with a finished volume it changes nothing.
+        /// Width in voxels of the kernel that smooths label maps, when the volume is made (2 to 6; default 5). It counts where a
+        /// volume is made or read: a finished volume keeps its own.
         /// </summary>
         public int Smooth
         {
@@ -105,47 +125,58 @@ namespace Cleft
             set { Set(CleftNative.CLEFT_OPTION_SMOOTH, (long)value); }
         }
 
-        /// <summary>The rule that moves background points onto interfaces.</summary>
+        /// <summary>
+        /// Rule that moves background points onto interfaces: quality of the elements around, the paper's safe distances, or none
+        /// (quality, safe or none; default quality).
+        /// </summary>
         public Cleft.Snap Snap
         {
             get { return (Cleft.Snap)Integer(CleftNative.CLEFT_OPTION_SNAP); }
             set { Set(CleftNative.CLEFT_OPTION_SNAP, (long)value); }
         }
 
-        /// <summary>The effort spent on the worst dihedral angles.</summary>
-        public Improvement Improve
+        /// <summary>Effort spent on the worst dihedral angles after cleaving (off, fast or best; default fast).</summary>
+        public Cleft.Improvement Improve
         {
-            get { return (Improvement)Integer(CleftNative.CLEFT_OPTION_IMPROVE); }
+            get { return (Cleft.Improvement)Integer(CleftNative.CLEFT_OPTION_IMPROVE); }
             set { Set(CleftNative.CLEFT_OPTION_IMPROVE, (long)value); }
         }
 
-        /// <summary>The relaxation steps of the particles.</summary>
+        /// <summary>Relaxation steps of the particles (0 to 1000; default 8).</summary>
         public int Steps
         {
             get { return (int)Integer(CleftNative.CLEFT_OPTION_STEPS); }
             set { Set(CleftNative.CLEFT_OPTION_STEPS, (long)value); }
         }
 
-        /// <summary>What varies the arrangement of the particles.</summary>
+        /// <summary>Varies the arrangement of the particles; the same seed gives the same mesh (at least 0; default 0).</summary>
         public long Seed
         {
             get { return Integer(CleftNative.CLEFT_OPTION_SEED); }
             set { Set(CleftNative.CLEFT_OPTION_SEED, value); }
         }
 
-        /// <summary>Is a lost label a failure?</summary>
+        /// <summary>
+        /// Fail when a kept label, or a piece of more than 30 voxels of one, is lost or breaks, or when two kept labels meet that
+        /// do not in the voxels (on or off; default off).
+        /// </summary>
         public bool Strict
         {
             get { return Integer(CleftNative.CLEFT_OPTION_STRICT) != 0; }
             set { Set(CleftNative.CLEFT_OPTION_STRICT, value ? 1L : 0L); }
         }
 
-        /// <summary>The dihedral angle in degrees below which tetrahedra of a given background are repaired; 0: none.</summary>
+        /// <summary>
+        /// Dihedral angle in degrees below which tetrahedra of a background from a file are repaired before cleaving; 0: none (0
+        /// to 35; default 30).
+        /// </summary>
         public double Repair
         {
             get { return Real(CleftNative.CLEFT_OPTION_REPAIR); }
             set { Set(CleftNative.CLEFT_OPTION_REPAIR, value); }
         }
+
+        // </options>
 
         /// <summary>Labels whose tetrahedra are left out of the finished mesh.</summary>
         public int[] Strip

@@ -47,22 +47,8 @@ namespace Cleft
     /// Two labels that share triangles in the mesh, but of which no two voxels share a face or an edge. The gap between them is
     /// narrower than the tetrahedra there, and a smaller size opens it.
     /// </summary>
-    public sealed class Contact
+    public sealed partial class Contact
     {
-        internal Contact(NativeContact row)
-        {
-            First = row.first;
-            Second = row.second;
-            Triangles = row.triangles;
-        }
-
-        /// <summary>The lower of the two labels.</summary>
-        public int First { get; }
-        /// <summary>The other.</summary>
-        public int Second { get; }
-        /// <summary>How many triangles they share.</summary>
-        public long Triangles { get; }
-
         /// <summary>What this is, in a few words.</summary>
         public override string ToString()
         {

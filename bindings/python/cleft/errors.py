@@ -5,11 +5,13 @@ import os
 import sys
 import warnings
 
+from . import native
+
 
 class CleftError(Exception):
     """What every failure of the library is raised as. `status` is the library's number for its kind."""
 
-    status = -1
+    status = native.CLEFT_ERROR_INTERNAL
 
 
 class InternalError(CleftError):
@@ -19,55 +21,55 @@ class InternalError(CleftError):
 class OutOfMemory(CleftError, MemoryError):
     """There is not enough memory."""
 
-    status = -2
+    status = native.CLEFT_ERROR_OUT_OF_MEMORY
 
 
 class Cancelled(CleftError):
     """The progress function answered a false value, or Mesher.cancel() was called."""
 
-    status = -3
+    status = native.CLEFT_ERROR_CANCELLED
 
 
 class InvalidArgument(CleftError, ValueError):
     """An argument is out of its range, or missing."""
 
-    status = -5
+    status = native.CLEFT_ERROR_ARGUMENT
 
 
 class NotFinite(InvalidArgument):
     """A number is NaN or infinite."""
 
-    status = -6
+    status = native.CLEFT_ERROR_NOT_FINITE
 
 
 class TooLarge(CleftError, OverflowError):
     """Too large for 32-bit numbering."""
 
-    status = -7
+    status = native.CLEFT_ERROR_TOO_LARGE
 
 
 class OptionError(InvalidArgument):
     """The value of an option is out of its range."""
 
-    status = -9
+    status = native.CLEFT_ERROR_OPTION
 
 
 class Unsupported(CleftError, NotImplementedError):
     """Not supported by this build or format."""
 
-    status = -10
+    status = native.CLEFT_ERROR_UNSUPPORTED
 
 
 class InvalidMesh(CleftError, ValueError):
     """A mesh is not valid."""
 
-    status = -11
+    status = native.CLEFT_ERROR_INVALID_MESH
 
 
 class LabelLost(CleftError):
     """A label of the volume is not in the mesh, and the option `strict` is on."""
 
-    status = -12
+    status = native.CLEFT_ERROR_LABEL_LOST
 
 
 class FileError(CleftError, OSError):
@@ -77,7 +79,7 @@ class FileError(CleftError, OSError):
     IsADirectoryError, NotADirectoryError.
     """
 
-    status = -13
+    status = native.CLEFT_ERROR_FILE
     sentence = ""  # of the library
 
     def __str__(self) -> str:
@@ -113,26 +115,26 @@ def file_error(found: OSError, path: str | bytes, sentence: str) -> FileError:
 class FormatError(CleftError, ValueError):
     """The contents of a file break the rules of its format."""
 
-    status = -14
+    status = native.CLEFT_ERROR_FORMAT
 
 
 class Closed(CleftError, ValueError):
     """The object was closed before."""
 
-    status = -15
+    status = native.CLEFT_ERROR_HANDLE
 
 
 class Busy(CleftError, RuntimeError):
     """The Mesher runs another call."""
 
-    status = -16
+    status = native.CLEFT_ERROR_BUSY
 
 
 _CLASSES = {kind.status: kind for kind in (
     InternalError, OutOfMemory, Cancelled, InvalidArgument, NotFinite, TooLarge, OptionError, Unsupported, InvalidMesh,
     LabelLost, FileError, FormatError, Closed, Busy)}
-_CLASSES[-4] = InvalidArgument  # a missing pointer
-_CLASSES[-8] = InvalidArgument  # a buffer that is too small
+_CLASSES[native.CLEFT_ERROR_NULL] = InvalidArgument  # a missing pointer
+_CLASSES[native.CLEFT_ERROR_BUFFER] = InvalidArgument  # a buffer that is too small
 
 
 class CleftWarning(UserWarning):

@@ -17,6 +17,7 @@ from .errors import raise_for, warn
 class OptionKeywords(TypedDict, total=False):
     """The keyword arguments that Options and the functions of the stages take; `cleft.option_table()` describes them."""
 
+    # <options> made by tools/generate.py from src/capi/options.toml
     background: str
     size: float
     size_min: float
@@ -34,6 +35,7 @@ class OptionKeywords(TypedDict, total=False):
     seed: int
     strict: bool
     repair: float
+    # </options>
     label_sizes: Mapping[int, float]
     strip: Iterable[int]
     only: Iterable[int]
@@ -50,6 +52,8 @@ class OptionDescription:
     greatest: float
     choices: tuple[str, ...]
     text: str
+    group: str  #: the heading under which help lists it
+    calls: tuple[str, ...]  #: the calls that read it: "volume", "sizing", "background", "cleave", "improve", "mesh"
     key: int
 
 
@@ -67,7 +71,8 @@ def _described(index: int) -> OptionDescription:
         default = choices[int(row.value)]
     elif kind != "real":
         default = bool(row.value) if kind == "flag" else int(row.value)
-    return OptionDescription(row.name, kind, default, row.least, row.greatest, choices, row.text, row.key)
+    return OptionDescription(row.name, kind, default, row.least, row.greatest, choices, row.text, row.group,
+                             tuple(row.calls.split("|")), row.key)
 
 
 _TABLE = {row.name: row for row in map(_described, range(native.cleft_option_count()))}
@@ -221,7 +226,7 @@ def _text(value: str, name: str) -> str:
 def options_of_volume(options: Options | None, keywords: Mapping[str, Any]) -> Options | None:
     """The options of a call that makes a volume. What it does not read is told, where it was given to it alone."""
     for name in keywords:
-        if name in _TABLE and name != "smooth" or name in _LISTS:
+        if name in _TABLE and "volume" not in _TABLE[name].calls or name in _LISTS:
             warn(f"a volume has no use for the option {name}: give it to mesh()")
     return options_of(options, keywords)
 

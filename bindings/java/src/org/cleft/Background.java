@@ -1,3 +1,4 @@
+// Made by tools/generate.py from src/capi/options.toml.
 package org.cleft;
 
 /** Kinds of background meshes. */

@@ -21,6 +21,8 @@ public class CleftException extends RuntimeException {
         return status;
     }
 
+    // <classes> made by tools/generate.py from include/cleft/cleft_status.h
+
     /** The progress function answered false, the thread was interrupted, or {@link Mesher#cancel} was called. */
     public static final class Cancelled extends CleftException {
         private static final long serialVersionUID = 1L;
@@ -120,9 +122,12 @@ public class CleftException extends RuntimeException {
         }
     }
 
+    // </classes>
+
     /** The exception of a status that is not success. */
     static CleftException of(int status, String sentence) {
         return switch (status) {
+            // <choice> made by tools/generate.py from include/cleft/cleft_status.h
             case CleftNative.CLEFT_ERROR_CANCELLED -> new Cancelled(status, sentence);
             case CleftNative.CLEFT_ERROR_OUT_OF_MEMORY -> new OutOfMemory(status, sentence);
             case CleftNative.CLEFT_ERROR_NULL, CleftNative.CLEFT_ERROR_ARGUMENT, CleftNative.CLEFT_ERROR_BUFFER ->
@@ -135,6 +140,7 @@ public class CleftException extends RuntimeException {
             case CleftNative.CLEFT_ERROR_LABEL_LOST -> new LabelLost(status, sentence);
             case CleftNative.CLEFT_ERROR_FILE -> new FileFailure(status, sentence);
             case CleftNative.CLEFT_ERROR_FORMAT -> new InvalidFormat(status, sentence);
+            // </choice>
             default -> new CleftException(status, sentence);
         };
     }

@@ -5,12 +5,14 @@ package org.cleft;
 public interface Log {
     /** How much a sentence matters. */
     enum Level {
-        /** Something may not be as wished. */
+        // <constants> made by tools/generate.py from include/cleft/cleft.h
+        /** Something may not be as intended. */
         WARNING,
         /** Good to know. */
         INFO,
         /** For those who look for a fault. */
         DEBUG;
+        // </constants>
 
         static Level of(int number) {
             return switch (number) {

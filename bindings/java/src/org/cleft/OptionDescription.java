@@ -13,11 +13,22 @@ import java.util.List;
  * @param greatest the greatest value
  * @param choices names of the choices 0, 1, ...; empty for other types
  * @param text what it does
+ * @param group the heading under which help lists it
+ * @param calls the calls that read it, as C names them: "volume", "sizing", "background", "cleave", "improve", "mesh"
  */
 public record OptionDescription(
-        String name, Type type, double defaultValue, double least, double greatest, List<String> choices, String text) {
+        String name,
+        Type type,
+        double defaultValue,
+        double least,
+        double greatest,
+        List<String> choices,
+        String text,
+        String group,
+        List<String> calls) {
     /** What values an option takes. */
     public enum Type {
+        // <constants> made by tools/generate.py from include/cleft/cleft.h
         /** Whole numbers. */
         INTEGER,
         /** Real numbers. */
@@ -26,6 +37,7 @@ public record OptionDescription(
         CHOICE,
         /** On or off. */
         FLAG
+        // </constants>
     }
 
     /**
@@ -43,7 +55,7 @@ public record OptionDescription(
                 String choices = row.getChoices();
                 rows.add(new OptionDescription(row.getName(), Type.values()[row.getType() - 1], row.getValue(),
                         row.getLeast(), row.getGreatest(), choices.isEmpty() ? List.of() : List.of(choices.split("\\|")),
-                        row.getText()));
+                        row.getText(), row.getGroup(), List.of(row.getCalls().split("\\|"))));
             }
         } finally {
             row.delete();

@@ -20,8 +20,10 @@ public final class Options extends NativeObject {
         return out[0];
     }
 
+    // <options> made by tools/generate.py from src/capi/options.toml
+
     /**
-     * Sets the kind of background mesh.
+     * Sets {@code background}: kind of background mesh (particles, lattice or octree; default particles).
      *
      * @param value the new value
      * @return these options
@@ -31,7 +33,7 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * The kind of background mesh.
+     * {@code background}: kind of background mesh (particles, lattice or octree; default particles).
      *
      * @return the value
      */
@@ -40,7 +42,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets one edge length everywhere, in world units; 0: computed from the features of the volume.
+     * Sets {@code size}: one wanted edge length everywhere, in world units; 0: computed from the features of the volume
+     * (at least 0; default 0).
      *
      * @param value the new value
      * @return these options
@@ -50,7 +53,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * One edge length everywhere, in world units; 0: computed from the features of the volume.
+     * {@code size}: one wanted edge length everywhere, in world units; 0: computed from the features of the volume (at
+     * least 0; default 0).
      *
      * @return the value
      */
@@ -59,7 +63,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets the least edge length; 0: the least voxel spacing.
+     * Sets {@code sizeMin}: least wanted edge length, in world units; 0: the least voxel spacing (at least 0; default
+     * 0).
      *
      * @param value the new value
      * @return these options
@@ -69,7 +74,7 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * The least edge length; 0: the least voxel spacing.
+     * {@code sizeMin}: least wanted edge length, in world units; 0: the least voxel spacing (at least 0; default 0).
      *
      * @return the value
      */
@@ -78,8 +83,9 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets the greatest wanted edge length; 0: a quarter of the longest side of the box,
-     * or its thickness times 1.5 if that is less.
+     * Sets {@code sizeMax}: greatest wanted edge length, in world units (single edges come out up to 2.3 times as
+     * long); 0: a quarter of the longest side of the box, or its thickness times 1.5 if that is less (at least 0;
+     * default 0).
      *
      * @param value the new value
      * @return these options
@@ -89,8 +95,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * The greatest wanted edge length; 0: a quarter of the longest side of the box,
-     * or its thickness times 1.5 if that is less.
+     * {@code sizeMax}: greatest wanted edge length, in world units (single edges come out up to 2.3 times as long); 0:
+     * a quarter of the longest side of the box, or its thickness times 1.5 if that is less (at least 0; default 0).
      *
      * @return the value
      */
@@ -99,7 +105,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets the edge length at an interface over the local feature size; 0.5 is fine, 2 is coarse.
+     * Sets {@code featureScale}: edge length at an interface over the local feature size; 0.5 is fine, 2 is coarse
+     * (0.001 to 1000; default 1).
      *
      * @param value the new value
      * @return these options
@@ -109,7 +116,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * The edge length at an interface over the local feature size; 0.5 is fine, 2 is coarse.
+     * {@code featureScale}: edge length at an interface over the local feature size; 0.5 is fine, 2 is coarse (0.001 to
+     * 1000; default 1).
      *
      * @return the value
      */
@@ -118,7 +126,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets the greatest growth of the edge length over a distance.
+     * Sets {@code gradation}: greatest growth of the edge length over a distance (Lipschitz constant of the sizing
+     * field); 0.15 is gentle, 1 is steep (0.01 to 1; default 0.3).
      *
      * @param value the new value
      * @return these options
@@ -128,7 +137,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * The greatest growth of the edge length over a distance.
+     * {@code gradation}: greatest growth of the edge length over a distance (Lipschitz constant of the sizing field);
+     * 0.15 is gentle, 1 is steep (0.01 to 1; default 0.3).
      *
      * @return the value
      */
@@ -137,7 +147,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets the greatest wanted edge length at interfaces; 0: none.
+     * Sets {@code interfaceSize}: greatest wanted edge length at interfaces, in world units; 0: none (at least 0;
+     * default 0).
      *
      * @param value the new value
      * @return these options
@@ -147,7 +158,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * The greatest wanted edge length at interfaces; 0: none.
+     * {@code interfaceSize}: greatest wanted edge length at interfaces, in world units; 0: none (at least 0; default
+     * 0).
      *
      * @return the value
      */
@@ -156,26 +168,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets the wanted number of tetrahedra, met within 10 %; 0: as the sizes say.
-     *
-     * @param value the new value
-     * @return these options
-     */
-    public Options tets(long value) {
-        return set(CleftNative.CLEFT_OPTION_TETS, value);
-    }
-
-    /**
-     * The wanted number of tetrahedra, met within 10 %; 0: as the sizes say.
-     *
-     * @return the value
-     */
-    public long tets() {
-        return integer(CleftNative.CLEFT_OPTION_TETS);
-    }
-
-    /**
-     * Sets whether parts of labels that are one voxel thick get edges so short that they come out whole.
+     * Sets {@code keepThin}: edges of half the least voxel spacing, or of sizeMin, where a label is one voxel thick, so
+     * that such parts come out whole (on or off; default off).
      *
      * @param value the new value
      * @return these options
@@ -185,7 +179,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Whether parts of labels that are one voxel thick get edges so short that they come out whole.
+     * {@code keepThin}: edges of half the least voxel spacing, or of sizeMin, where a label is one voxel thick, so that
+     * such parts come out whole (on or off; default off).
      *
      * @return the value
      */
@@ -194,7 +189,30 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets about how many tetrahedra there may be: where sizeMin is 0, the least edge length is raised for it; 0: no limit.
+     * Sets {@code tets}: wanted number of tetrahedra, of the labels that are kept, met within 10 %; 0: as the sizes say
+     * (0 to 2147483647; default 0).
+     *
+     * @param value the new value
+     * @return these options
+     */
+    public Options tets(long value) {
+        return set(CleftNative.CLEFT_OPTION_TETS, value);
+    }
+
+    /**
+     * {@code tets}: wanted number of tetrahedra, of the labels that are kept, met within 10 %; 0: as the sizes say (0
+     * to 2147483647; default 0).
+     *
+     * @return the value
+     */
+    public long tets() {
+        return integer(CleftNative.CLEFT_OPTION_TETS);
+    }
+
+    /**
+     * Sets {@code maxTets}: where sizeMin is 0, the least edge length is raised until no more background tetrahedra
+     * than about these are expected, and where tets counts some labels only, the whole mesh keeps to these; 0: no limit
+     * (0 to 2147483647; default 10000000).
      *
      * @param value the new value
      * @return these options
@@ -204,7 +222,9 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * About how many tetrahedra there may be; 0: no limit.
+     * {@code maxTets}: where sizeMin is 0, the least edge length is raised until no more background tetrahedra than
+     * about these are expected, and where tets counts some labels only, the whole mesh keeps to these; 0: no limit (0
+     * to 2147483647; default 10000000).
      *
      * @return the value
      */
@@ -213,8 +233,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets the width in voxels of the kernel that smooths label maps. It counts where a volume is made or read, in
-     * {@link Mesher#labels} and {@link MeshFiles#readVolume}: in a call with a finished volume it changes nothing.
+     * Sets {@code smooth}: width in voxels of the kernel that smooths label maps, when the volume is made (2 to 6;
+     * default 5). It counts where a volume is made or read: a finished volume keeps its own.
      *
      * @param value the new value
      * @return these options
@@ -224,7 +244,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * The width in voxels of the kernel that smooths label maps, when a volume is made or read.
+     * {@code smooth}: width in voxels of the kernel that smooths label maps, when the volume is made (2 to 6; default
+     * 5). It counts where a volume is made or read: a finished volume keeps its own.
      *
      * @return the value
      */
@@ -233,7 +254,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets the rule that moves background points onto interfaces.
+     * Sets {@code snap}: rule that moves background points onto interfaces: quality of the elements around, the paper's
+     * safe distances, or none (quality, safe or none; default quality).
      *
      * @param value the new value
      * @return these options
@@ -243,7 +265,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * The rule that moves background points onto interfaces.
+     * {@code snap}: rule that moves background points onto interfaces: quality of the elements around, the paper's safe
+     * distances, or none (quality, safe or none; default quality).
      *
      * @return the value
      */
@@ -252,7 +275,7 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets the effort spent on the worst dihedral angles.
+     * Sets {@code improve}: effort spent on the worst dihedral angles after cleaving (off, fast or best; default fast).
      *
      * @param value the new value
      * @return these options
@@ -262,7 +285,7 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * The effort spent on the worst dihedral angles.
+     * {@code improve}: effort spent on the worst dihedral angles after cleaving (off, fast or best; default fast).
      *
      * @return the value
      */
@@ -271,7 +294,7 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets the relaxation steps of the particles.
+     * Sets {@code steps}: relaxation steps of the particles (0 to 1000; default 8).
      *
      * @param value the new value
      * @return these options
@@ -281,7 +304,7 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * The relaxation steps of the particles.
+     * {@code steps}: relaxation steps of the particles (0 to 1000; default 8).
      *
      * @return the value
      */
@@ -290,7 +313,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets what varies the arrangement of the particles.
+     * Sets {@code seed}: varies the arrangement of the particles; the same seed gives the same mesh (at least 0;
+     * default 0).
      *
      * @param value the new value
      * @return these options
@@ -300,7 +324,7 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * What varies the arrangement of the particles.
+     * {@code seed}: varies the arrangement of the particles; the same seed gives the same mesh (at least 0; default 0).
      *
      * @return the value
      */
@@ -309,7 +333,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets whether a lost label is a failure.
+     * Sets {@code strict}: fail when a kept label, or a piece of more than 30 voxels of one, is lost or breaks, or when
+     * two kept labels meet that do not in the voxels (on or off; default off).
      *
      * @param value the new value
      * @return these options
@@ -319,7 +344,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Whether a lost label is a failure.
+     * {@code strict}: fail when a kept label, or a piece of more than 30 voxels of one, is lost or breaks, or when two
+     * kept labels meet that do not in the voxels (on or off; default off).
      *
      * @return the value
      */
@@ -328,7 +354,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets the dihedral angle in degrees below which tetrahedra of a given background are repaired; 0: none.
+     * Sets {@code repair}: dihedral angle in degrees below which tetrahedra of a background from a file are repaired
+     * before cleaving; 0: none (0 to 35; default 30).
      *
      * @param value the new value
      * @return these options
@@ -338,13 +365,16 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * The dihedral angle in degrees below which tetrahedra of a given background are repaired; 0: none.
+     * {@code repair}: dihedral angle in degrees below which tetrahedra of a background from a file are repaired before
+     * cleaving; 0: none (0 to 35; default 30).
      *
      * @return the value
      */
     public double repair() {
         return real(CleftNative.CLEFT_OPTION_REPAIR);
     }
+
+    // </options>
 
     /**
      * Sets the greatest wanted edge length inside one label.

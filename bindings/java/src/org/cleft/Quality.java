@@ -1,26 +1,29 @@
+// Made by tools/generate.py from include/cleft/cleft.h.
 package org.cleft;
 
+import java.util.List;
+
 /**
- * The shape of a mesh in figures. Angles are dihedral angles, in degrees.
+ * The shape of a mesh in figures.
  *
  * @param tetCount tetrahedra
- * @param minDihedral the least angle
- * @param maxDihedral the greatest angle
- * @param tetsBelow5 tetrahedra whose least angle is below 5 degrees
- * @param tetsBelow10 tetrahedra whose least angle is below 10 degrees
- * @param tetsBelow15 tetrahedra whose least angle is below 15 degrees
- * @param tetsBelow20 tetrahedra whose least angle is below 20 degrees
- * @param tetsAbove165 tetrahedra whose greatest angle is above 165 degrees
+ * @param minDihedral the least dihedral angle, in degrees
+ * @param maxDihedral the greatest dihedral angle, in degrees
+ * @param tetsBelow5 tetrahedra whose least dihedral angle is below 5 degrees
+ * @param tetsBelow10 tetrahedra whose least dihedral angle is below 10 degrees
+ * @param tetsBelow15 tetrahedra whose least dihedral angle is below 15 degrees
+ * @param tetsBelow20 tetrahedra whose least dihedral angle is below 20 degrees
+ * @param tetsAbove165 tetrahedra whose greatest dihedral angle is above 165 degrees
  * @param radiusRatioMedian circumradius / (3 inradius), 1 for the regular tetrahedron: the median
- * @param radiusRatio95 its 95th percentile
- * @param radiusRatioMax its greatest value
+ * @param radiusRatio95 95th percentile of the radius ratio
+ * @param radiusRatioMax the greatest radius ratio
  * @param edgeRatioMax longest / shortest edge of one tetrahedron
  * @param minEdge the shortest edge
  * @param meanEdge the mean edge
  * @param maxEdge the longest edge
  * @param minVolume the least volume of a tetrahedron
  * @param totalVolume the volume of all
- * @param dihedralHistogram all angles, in 36 bins of 5 degrees
+ * @param dihedralHistogram all angles, in bins of 5 degrees
  */
 public record Quality(
         long tetCount,
@@ -40,15 +43,29 @@ public record Quality(
         double maxEdge,
         double minVolume,
         double totalVolume,
-        java.util.List<Long> dihedralHistogram) {
-    static Quality of(NativeQuality q) {
-        Long[] bins = new Long[36];
-        for (int bin = 0; bin < bins.length; ++bin)
-            bins[bin] = q.histogram_bin(bin);
-        return new Quality(q.getTet_count(), q.getMin_dihedral(), q.getMax_dihedral(), q.getTets_below_5(),
-                q.getTets_below_10(), q.getTets_below_15(), q.getTets_below_20(), q.getTets_above_165(),
-                q.getRadius_ratio_median(), q.getRadius_ratio_95(), q.getRadius_ratio_max(), q.getEdge_ratio_max(),
-                q.getMin_edge(), q.getMean_edge(), q.getMax_edge(), q.getMin_volume(), q.getTotal_volume(),
-                java.util.List.of(bins));
+        List<Long> dihedralHistogram) {
+    static Quality of(NativeQuality row) {
+        Long[] dihedralHistogram = new Long[36];
+        for (int index = 0; index < 36; ++index)
+            dihedralHistogram[index] = row.histogram_bin(index);
+        return new Quality(
+                row.getTet_count(),
+                row.getMin_dihedral(),
+                row.getMax_dihedral(),
+                row.getTets_below_5(),
+                row.getTets_below_10(),
+                row.getTets_below_15(),
+                row.getTets_below_20(),
+                row.getTets_above_165(),
+                row.getRadius_ratio_median(),
+                row.getRadius_ratio_95(),
+                row.getRadius_ratio_max(),
+                row.getEdge_ratio_max(),
+                row.getMin_edge(),
+                row.getMean_edge(),
+                row.getMax_edge(),
+                row.getMin_volume(),
+                row.getTotal_volume(),
+                List.of(dihedralHistogram));
     }
 }

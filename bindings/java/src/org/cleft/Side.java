@@ -2,6 +2,7 @@ package org.cleft;
 
 /** Sides of the box, in the axes of the voxels; the ordinal is the number in {@link Surface#hullSides}. */
 public enum Side {
+    // <constants> made by tools/generate.py from include/cleft/cleft.h
     /** The least x. */
     X_MIN,
     /** The greatest x. */
@@ -16,4 +17,5 @@ public enum Side {
     Z_MAX,
     /** No side of the box. */
     OTHER
+    // </constants>
 }

@@ -2,28 +2,30 @@ package org.cleft;
 
 /** Types of voxels in buffers and raw files. */
 public enum VoxelType {
+    // <constants> made by tools/generate.py from include/cleft/cleft.h
     /** Whole numbers of 8 bits without sign. */
-    UINT8(CleftNative.CLEFT_TYPE_UINT8, 1),
+    UINT8(CleftNative.CLEFT_TYPE_UINT8),
     /** Whole numbers of 16 bits without sign. */
-    UINT16(CleftNative.CLEFT_TYPE_UINT16, 2),
+    UINT16(CleftNative.CLEFT_TYPE_UINT16),
     /** Whole numbers of 16 bits. */
-    INT16(CleftNative.CLEFT_TYPE_INT16, 2),
+    INT16(CleftNative.CLEFT_TYPE_INT16),
     /** Whole numbers of 32 bits without sign. */
-    UINT32(CleftNative.CLEFT_TYPE_UINT32, 4),
+    UINT32(CleftNative.CLEFT_TYPE_UINT32),
     /** Whole numbers of 32 bits. */
-    INT32(CleftNative.CLEFT_TYPE_INT32, 4),
+    INT32(CleftNative.CLEFT_TYPE_INT32),
     /** Real numbers, single precision. */
-    FLOAT32(CleftNative.CLEFT_TYPE_FLOAT32, 4),
+    FLOAT32(CleftNative.CLEFT_TYPE_FLOAT32),
     /** Real numbers, double precision. */
-    FLOAT64(CleftNative.CLEFT_TYPE_FLOAT64, 8);
+    FLOAT64(CleftNative.CLEFT_TYPE_FLOAT64);
+    // </constants>
 
     final int number;
     final int bytes;
     final boolean isWhole;
 
-    VoxelType(int number, int bytes) {
+    VoxelType(int number) {
         this.number = number;
-        this.bytes = bytes;
+        bytes = Integer.parseInt(name().replaceAll("\\D", "")) / Byte.SIZE;
         isWhole = number != CleftNative.CLEFT_TYPE_FLOAT32 && number != CleftNative.CLEFT_TYPE_FLOAT64;
     }
 }

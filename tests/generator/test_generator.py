@@ -1,0 +1,83 @@
+#!/usr/bin/python3
+"""The generator refuses descriptions that are not sound, and its reader of the headers what it does not understand."""
+import pathlib
+import re
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(sys.argv.pop(1))
+sys.path.insert(0, str(ROOT / "tools"))
+
+from generator import c_header, option_table, text  # noqa: E402
+
+
+class OptionTable(unittest.TestCase):
+    def changed(self, pattern, replacement):
+        """The table whose description has one place changed."""
+        description = (ROOT / option_table.PATH).read_text()
+        changed, count = re.subn(pattern, replacement, description, count=1)
+        self.assertEqual(count, 1, pattern)
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, option_table.PATH)
+            path.parent.mkdir(parents=True)
+            path.write_text(changed)
+            return option_table.read(pathlib.Path(folder))
+
+    def test_choices_give_the_default_and_the_range(self):
+        table = option_table.read(ROOT)
+        for option in table.options:
+            if option.choice:
+                self.assertEqual(option.greatest, len(option.choice.values) - 1)
+        more = self.changed(r'(\{ name = "octree".*\},)', r'\1 { name = "foam", text = "cells" },')
+        self.assertEqual(next(o for o in more.options if o.key == "BACKGROUND").greatest, 3)
+
+    def test_what_is_not_sound_is_refused(self):
+        for pattern, replacement, words in (
+                (r"number = 2\n", "number = 1\n", "twice"), (r'key = "SIZE"\n', 'key = "TETS"\n', "twice"),
+                (r'type = "real"', 'type = "number"', "no type"), (r"default = 0\n", "default = -1\n", "out of its range"),
+                (r'default = "particles"', 'default = "foam"', "none of"), (r'calls = \["sizing', 'calls = ["sising', "no calls"),
+                (r"number = 2\n", "number = 2\nhelp = 1\n", "unknown fields"), (r'text = "one wanted', 'text = "One wanted', "phrase"),
+                (r'type = "flag"', 'type = "flag"\nleast = 0', "no range")):
+            with self.subTest(replacement), self.assertRaisesRegex(ValueError, words):
+                self.changed(pattern, replacement)
+
+
+class Reader(unittest.TestCase):
+    def test_what_is_not_understood_is_refused(self):
+        for declaration in ("CLEFT_API int\ncleft_new(void) CLEFT_NOEXCEPT;", "struct cleft_new { int field; };",
+                            "enum named { CLEFT_NEW };", "CLEFT_API int cleft_new(void) CLEFT_NOEXCEPT;"):
+            with self.subTest(declaration), self.assertRaises(ValueError):
+                c_header.Header(declaration).check()
+
+    def test_declarations_are_read_whole(self):
+        header = c_header.Header("""
+            /** Adds. \\since 0.1 */
+            CLEFT_NODISCARD CLEFT_API cleft_status cleft_add(const double a[3], cleft_mesh** out) CLEFT_NOEXCEPT;
+            /** A pair. \\since 0.1 */
+            typedef struct cleft_pair {
+                uint32_t struct_size;
+                const char* name; /**< of the pair */
+                int64_t numbers[4];
+            } cleft_pair;""".replace("\n            ", "\n")).check()
+        add, pair = header.functions[0], header.structs[0]
+        self.assertEqual([(a.name, a.type, a.length) for a in add.arguments], [("a", "const double", 3), ("out", "cleft_mesh**", 0)])
+        self.assertEqual((add.result, add.since), ("cleft_status", "0.1"))
+        self.assertEqual([(f.name, f.type, f.length, f.comment) for f in pair.fields],
+                         [("struct_size", "uint32_t", 0, ""), ("name", "const char*", 0, "of the pair"), ("numbers", "int64_t", 4, "")])
+
+
+class Text(unittest.TestCase):
+    def test_regions(self):
+        before = "a\n  // <x> made\nold\n  // </x>\nb\n"
+        self.assertEqual(text.region(before, "f", "x", "new\n", ("//", "")), before.replace("old", "new"))
+        with self.assertRaises(ValueError):
+            text.region(before, "f", "y", "new\n", ("//", ""))
+
+    def test_numbers(self):
+        for value, words in ((0, "0"), (10000000, "10000000"), (0.3, "0.3"), (1e30, "1e30"), (2.0**53, "9007199254740992")):
+            self.assertEqual(text.number(float(value)), words)
+
+
+if __name__ == "__main__":
+    unittest.main()

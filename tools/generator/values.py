@@ -1,0 +1,55 @@
+"""The structs and enumerations of the C headers that other languages have as plain values."""
+import re
+from dataclasses import dataclass
+
+from . import headers
+
+# The structs that come out of the library, and what their classes are called.
+RECORDS = {"cleft_quality": "Quality", "cleft_validation": "Validation", "cleft_label_report": "LabelReport",
+           "cleft_contact": "Contact"}
+# How the lowest level of the bindings gives one element of an array, by its index.
+ELEMENTS = {"dihedral_histogram": "histogram_bin"}
+
+
+@dataclass(frozen=True)
+class Value:
+    """A field as other languages have it."""
+
+    name: str
+    kind: str  # "whole", "label" (a whole number of 32 bits), "real", "flag" or "list" (of whole numbers)
+    length: int
+    about: str
+
+
+def _value(field):
+    is_flag = field.type == "int32_t" and field.comment.startswith("1 if ")
+    kind = ("list" if field.length else "flag" if is_flag else "real" if field.type == "double" else
+            "whole" if field.type == "int64_t" else "label")
+    if not field.comment:
+        raise ValueError(f"the field {field.name} has no comment")
+    return Value(field.name, kind, field.length, re.sub("^1 if ", "true if ", field.comment))
+
+
+def records(tree):
+    """{class: (C struct, its values)}."""
+    structs = {struct.name: struct for struct in headers.read(tree, headers.CORE).structs}
+    return {name: tuple(_value(field) for field in structs[struct].fields if field.name not in ("struct_size", "reserved"))
+            for struct, name in RECORDS.items()}
+
+
+def enumeration(tree, prefix):
+    """The comment of an enumeration of cleft.h, and its constants (name without the prefix, text, C name)."""
+    for found in headers.read(tree, headers.CORE).enumerations:
+        if all(constant.name.startswith(prefix) for constant in found.constants):
+            comment = re.sub(r" *\\since [\d.]+$", "", found.comment)
+            rows = [(constant.name.removeprefix(prefix), constant.comment, constant.name) for constant in found.constants]
+            if comment and all(about for _, about, _ in rows):
+                return comment, rows
+            raise ValueError(f"not all of the enumeration {prefix}... have a comment")
+    raise ValueError(f"there is no enumeration {prefix}...")
+
+
+def choices(table):
+    """(name, comment, constants) of the choices of options."""
+    return [(choice.name, choice.text, [(value.name.upper(), value.text, f"CLEFT_{choice.key}_{value.name.upper()}")
+                                        for value in choice.values]) for choice in table.choices]
