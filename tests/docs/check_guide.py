@@ -1,8 +1,9 @@
-"""Runs what docs/guide.md tells to type: its commands, and the programs that its section on solvers names.
+"""Runs the commands of docs/guide.md, and the programs that its section on solvers names.
 
-check_guide.py WHAT PREFIX LIBDIR, where WHAT is `commands` or one of the programs. Parts of programs are completed here. A program
-that is not installed is skipped (code 77).
+check_guide.py WHAT PREFIX LIBDIR [--write], where WHAT is `commands` or one of the programs. --write puts what the commands print
+today into the guide. Parts of programs are completed here. A program that is not installed is skipped (code 77).
 """
+import difflib
 import importlib.util
 import os
 import pathlib
@@ -81,16 +82,47 @@ def mesh_volumes(path):
     return {int(label): float(volume) for label, volume in rows}
 
 
+def is_measured(line):
+    """A line of time or memory, which differs from run to run."""
+    return line.startswith(("Time ", "Memory "))
+
+
+def remade(wanted, printed):
+    """The lines of the guide as they are printed today. A line `...` stands for those between the lines before and after it."""
+    gaps = [i for i, line in enumerate(wanted) if line.strip() == "..."]
+    if not gaps:
+        check(len(printed) == len(wanted), "more or fewer lines were printed than the guide has:\n" + "\n".join(printed))
+        return [old if is_measured(old) else new for old, new in zip(wanted, printed)]
+    head, tail = wanted[:gaps[0]], wanted[gaps[0] + 1:]
+    return remade(head, printed[:len(head)]) + [wanted[gaps[0]]] + remade(tail, printed[len(printed) - len(tail):])
+
+
 def check_commands():
-    """Each command behind a `$` runs, and prints the lines below it that tell of its input (no times, no figures of meshes)."""
+    """Each command behind a `$` runs and prints the lines below it, but for times and memory. With --write the guide gets them."""
     shutil.copytree(ROOT / "tests/data", "tests/data")
-    blocks = re.findall(r"^    \$ (.*)\n((?:    .*\n|\n(?=    ))*)", GUIDE, re.MULTILINE)
-    check(len(blocks) >= 2, "the guide has fewer commands than it had")
-    for command, wanted in blocks:
-        printed = run(command).splitlines()
-        for line in wanted.splitlines():
-            if re.match(r"    (Volume|Box|Affine) ", line) or " info " in command:
-                check(not line.strip() or line[4:] in printed, f"this was not printed: {line}")
+    transcript = re.compile(r"^    \$ (.*)\n((?:    .*\n|\n(?=    ))*)", re.MULTILINE)
+    check(len(transcript.findall(GUIDE)) >= 2, "the guide has fewer commands than it had")
+
+    def lines_of_today(block):
+        wanted = [line[4:] for line in block.group(2).splitlines()]
+        printed = [line.rstrip() for line in run(block.group(1)).splitlines()]
+        return f"    $ {block.group(1)}\n" + "".join(f"    {line}".rstrip() + "\n" for line in remade(wanted, printed))
+
+    def numbers_of_today(row):
+        """Of the row above the pictures: `| default: 1,000 tetrahedra | `OPTION`: 2,000 | ... |`."""
+        def cell(match):
+            options = "" if match.group(1).startswith("default") else match.group(1).strip("`")
+            printed = run(f"cleft mesh tests/data/mickey.nrrd {options} -o picture.vtu")
+            return f"{match.group(1)}: {re.search(r'([0-9,]+) tetrahedra', printed).group(1)}"
+        return re.sub(r"(default|`--[^`]+`): [0-9,]+", cell, row.group(0))
+
+    today = transcript.sub(lines_of_today, GUIDE)
+    today = re.sub(r"^\| default: .*$", numbers_of_today, today, flags=re.MULTILINE)
+    if "--write" in sys.argv:
+        (ROOT / "docs/guide.md").write_text(today)
+    else:
+        check(today == GUIDE, "the guide is not as the commands print it; --write mends that:\n" + "\n".join(
+            difflib.unified_diff(GUIDE.splitlines(), today.splitlines(), "guide.md", "today", n=0, lineterm="")))
 
 
 def check_meshio():
