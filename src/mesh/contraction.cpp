@@ -39,7 +39,8 @@ bool Contraction::contract(LocalMesh& mesh, int32_t t, int corner_gone, int corn
     if (!hull_allows(mesh))
         return false;
     star_gone_.assign(mesh.star(gone_).begin(), mesh.star(gone_).end());
-    if (!same_stratum(mesh) || !shapes_get_better(mesh, cavity, share) || !materials_are_connected(mesh) ||
+    // The shapes first: they rule out nearly all, and at the lowest price.
+    if (!shapes_get_better(mesh, cavity, share) || !same_stratum(mesh) || !materials_are_connected(mesh) ||
         !links_allow(mesh))
         return false;
     cavity.apply(mesh);
@@ -81,14 +82,17 @@ bool Contraction::same_stratum(const LocalMesh& mesh)
 {
     at_point_.clear();
     at_edge_.clear();
+    const bool is_inside = mesh.frozen(gone_) == 0;
     for (const int32_t t : star_gone_) {
         const Tet& tet = mesh.tet(t);
         const bool at_edge = has_corner(tet, kept_);
         at_point_.push_back(mesh.material(t));
         if (at_edge)
             at_edge_.push_back(mesh.material(t));
+        if (is_inside)  // no face of the hull is at the point
+            continue;
         for (int corner = 0; corner < 4; ++corner)
-            if (mesh.neighbour(t, corner) < 0 && tet[at(corner)] != gone_) {
+            if (tet[at(corner)] != gone_ && mesh.neighbour(t, corner) < 0) {
                 at_point_.push_back(kOutside);
                 if (at_edge && tet[at(corner)] != kept_)
                     at_edge_.push_back(kOutside);
