@@ -5,6 +5,9 @@
 #include "mesh/contraction.hpp"
 #include "mesh/worst_first.hpp"
 
+#include <array>
+#include <set>
+
 namespace cleft
 {
 
@@ -54,11 +57,13 @@ private:
     void accept();
     int32_t find(const Tet& corners) const;
     std::vector<Tet> tets_around(const Tet& corners) const;
-    bool attempt(int32_t t, int operation);
-    bool split_in_middle(int32_t t, int corner_a, int corner_b);
-    bool pays(const Tet& bad, double before);
-    void smooth_cavity();
-    bool smooth_and_note(int32_t t);
+    bool attempt(int32_t t, int operation, double share);
+    bool split_in_middle(int32_t t, int corner_a, int corner_b, double share);
+    bool smooth_all(const Tet& bad, double before);
+    bool pays(const Tet& bad, double wanted);
+    void smooth_and_note(int32_t t);
+    bool is_settled(int32_t v);
+    void unsettle_around(int32_t v);
     void take_back();
 
     const Run& run_;
@@ -82,7 +87,9 @@ private:
         Vec3 from;
     };
     std::vector<Move> moves_;
-    std::vector<int32_t> cavity_points_;
+    std::vector<uint64_t> settled_, unsettled_;  // by point: when it was smoothed, when something around it moved
+    uint64_t clock_ = 0, attempt_began_ = 0;
+    std::set<std::array<int32_t, 4>> tried_;  // what was tried for the bad tetrahedron, see subject_of
 };
 
 }  // namespace cleft
