@@ -52,6 +52,28 @@ Shortfall shortfall(const LocalMesh& mesh, double target, const Run& run)
     return found;
 }
 
+// Where a few are left, the searches go on around them with a higher aim: few of those end at the same tetrahedra. With
+// a margin, they have had a higher aim from the beginning.
+Shortfall search_on(LocalMesh& mesh, Improver& improver, const ImproveOptions& options, const Run& run)
+{
+    constexpr double kMargins[] = {1, 2, 0.5, 3};  // in degrees
+    constexpr int64_t kFew = 300;
+    const double target = sine_of(options.target_angle);
+    Shortfall left = shortfall(mesh, target, run);
+    int rounds = 0;
+    for (const double margin : kMargins) {
+        if (options.margin > 0 || left.tets == 0 || left.tets > kFew)
+            break;
+        improver.aim_higher(sine_of(options.target_angle + margin));
+        for (const Search& search : searches_of(options.effort))
+            improver.work(search);
+        left = shortfall(mesh, target, run);
+        ++rounds;
+    }
+    run.note("improving.rounds_around", rounds);
+    return left;
+}
+
 }  // namespace
 
 Shortfall improve(LocalMesh& mesh, const Volume& volume, const ImproveOptions& options, const Run& run)
@@ -67,10 +89,11 @@ Shortfall improve(LocalMesh& mesh, const Volume& volume, const ImproveOptions& o
         improver.work(search);
         run.note("improving.left_" + std::to_string(++number), static_cast<double>(improver.left()));
     }
+    const Shortfall left = search_on(mesh, improver, options, run);
     note_angles(mesh, "improving", "after", run);
     note_counts(improver.counts(), run);
     run.report(1, "improving");
-    return shortfall(mesh, sine_of(options.target_angle), run);
+    return left;
 }
 
 void improve(LabelledMesh& mesh, const Volume& volume, const ImproveOptions& options, const Run& run)

@@ -18,6 +18,18 @@ constexpr size_t kThoroughOneIn = 200, kThoroughAtLeast = 200;
 constexpr size_t kAttemptsOneIn = 10000, kAttemptsAtLeast = 5;
 constexpr size_t kWideOneIn = 100000, kWideAtLeast = 5;
 
+// The tetrahedra at the corners of some, these included, ascending.
+void add_around(const LocalMesh& mesh, std::vector<int32_t>& tets)
+{
+    std::vector<int32_t> found;
+    for (const int32_t t : tets)
+        for (const int32_t v : mesh.tet(t))
+            found.insert(found.end(), mesh.star(v).begin(), mesh.star(v).end());
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    tets = std::move(found);
+}
+
 size_t attempts_in_pass(const Search& search, size_t tets)
 {
     if (!search.compound)
@@ -58,6 +70,18 @@ void Improver::work(const Search& search)
         }
         bad_.collect_next(mesh_, target_);
     }
+}
+
+void Improver::aim_higher(double target)
+{
+    constexpr int kRings = 3;
+    target_ = target;
+    std::vector<int32_t> near;
+    for (size_t i = 0; i < bad_.size(); ++i)
+        near.push_back(bad_[i]);
+    for (int ring = 0; ring < kRings; ++ring)
+        add_around(mesh_, near);
+    bad_.changed(mesh_, near);
 }
 
 bool Improver::improve_tet(int32_t t)

@@ -33,6 +33,8 @@ public:
     Improver(LocalMesh& mesh, const Volume& volume, double target, const Run& run);
 
     void work(const Search& search);
+    // The next searches aim higher, around what the last one left: they take other ways there.
+    void aim_higher(double target);
     // Tetrahedra that the last search left below the target.
     size_t left() const { return bad_.size(); }
     const Counts& counts() const { return counts_; }
@@ -67,7 +69,7 @@ private:
     void take_back();
 
     const Run& run_;
-    const double target_;
+    double target_;
     const double voxel_;
     LocalMesh& mesh_;
     std::vector<Vec3> home_;  // of each point: where cleaving, or the split that made it, put it

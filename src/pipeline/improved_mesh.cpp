@@ -13,6 +13,8 @@ namespace
 constexpr double kMargins[] = {1, 2, 0.5, 3};
 // More bad ones than these have a cause that another try does not take away.
 constexpr int64_t kFew = 100;
+// A try costs about as much as the first one: in a larger mesh that is too much for a few tetrahedra.
+constexpr int32_t kMostTets = 200000;
 
 struct Try {
     LocalMesh mesh;
@@ -48,7 +50,7 @@ LocalMesh improved_mesh(const Volume& volume, const TetMesh& background, const P
     Try best = first_try(volume, background, options, run);
     int tries = 1;
     for (const double margin : kMargins) {
-        if (best.left.tets == 0 || best.left.tets > kFew)
+        if (best.left.tets == 0 || best.left.tets > kFew || best.mesh.slot_count() > kMostTets)
             break;
         ++tries;
         Metrics noted;

@@ -150,20 +150,20 @@ static double metric(const cleft_context* context, const char* wanted)
     return 0;
 }
 
-/* The first search leaves bad tetrahedra in each of these; if one needs no other try any more, put in one that does. */
+/* The first searches leave bad tetrahedra in each of these; if one needs no others any more, put in one that does. */
 static void a_search_that_ends_badly_is_tried_again(void** state)
 {
     static box bars = {{2, 8, 2}, {1, 1, 1}, {0}};
-    const char* const labels[2] = {"10000010000010001000001000001000", "11111101111100110010101011100111"};
+    const char* const labels[1] = {"00100010001100001110011001101100"};
     (void)state;
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < 1; ++i) {
         warnings told;
         cleft_context* context = listening_context(&told);
         for (int v = 0; v < 32; ++v)
             bars.voxels[v] = (uint8_t)(labels[i][v] - '0');
         cleft_volume* volume = volume_of(context, &bars);
         cleft_mesh* mesh = mesh_of(context, volume, CLEFT_BACKGROUND_PARTICLES);
-        assert_true(metric(context, "improving.tries") > 1);
+        assert_true(metric(context, "improving.rounds_around") > 0);
         const cleft_quality quality = quality_of(context, mesh);
         assert_true(is_met(&quality));
         assert_told(&told, NULL);
