@@ -10,7 +10,7 @@ namespace cleft
 
 // Fills the box exactly, whatever its shape: the roots of the octree are a grid of nearly cubic cells. Needs no
 // Delaunay engine. Cells that share a face or an edge differ by one level at most, which leaves three kinds of places
-// only (after Labelle and Shewchuk, isosurface stuffing): see octree_mesh.cpp.
+// only (after Labelle and Shewchuk, isosurface stuffing): see octree.cpp.
 TetMesh octree_background(const SizingField& field, const Run& run);
 
 }  // namespace cleft
