@@ -71,7 +71,11 @@ CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_format_info(int32_t index,
                                                                cleft_io_format_description* out) CLEFT_NOEXCEPT;
 
 /** What a file most likely holds, by its name (and, where the name leaves it open, its first bytes). \since 0.1 */
-enum { CLEFT_IO_UNKNOWN = 0, CLEFT_IO_VOLUME = 1, CLEFT_IO_MESH = 2 };
+enum {
+    CLEFT_IO_UNKNOWN = 0, /**< neither a volume nor a mesh, as far as one can tell */
+    CLEFT_IO_VOLUME = 1,  /**< a volume */
+    CLEFT_IO_MESH = 2     /**< a mesh */
+};
 /** CLEFT_IO_VOLUME, CLEFT_IO_MESH or CLEFT_IO_UNKNOWN; never fails. A folder is a volume (a DICOM series). \since 0.1
  */
 CLEFT_IO_API int32_t cleft_io_guess(const char* path) CLEFT_NOEXCEPT;

@@ -9,7 +9,7 @@ import unittest
 ROOT = pathlib.Path(sys.argv.pop(1))
 sys.path.insert(0, str(ROOT / "tools"))
 
-from generator import c_header, option_table, text  # noqa: E402
+from generator import c_header, fortran, layout, option_table, text  # noqa: E402
 
 
 class OptionTable(unittest.TestCase):
@@ -65,6 +65,39 @@ class Reader(unittest.TestCase):
         self.assertEqual((add.result, add.since), ("cleft_status", "0.1"))
         self.assertEqual([(f.name, f.type, f.length, f.comment) for f in pair.fields],
                          [("struct_size", "uint32_t", 0, ""), ("name", "const char*", 0, "of the pair"), ("numbers", "int64_t", 4, "")])
+
+
+class Tree:
+    """The files of the repository, one of them changed."""
+
+    def __init__(self, path, pattern, replacement):
+        self.path, self.pattern, self.replacement = path, pattern, replacement
+
+    def read(self, path):
+        content = (ROOT / path).read_text()
+        return re.sub(self.pattern, self.replacement, content, count=1) if path == self.path else content
+
+
+class Layout(unittest.TestCase):
+    HEADER = "include/cleft/cleft.h"
+
+    def made(self, pattern, replacement):
+        return layout.files(Tree(self.HEADER, pattern, replacement), None)[layout.PATH]
+
+    def test_structs_grow_at_their_end_alone(self):
+        grown = self.made(r"\n} cleft_contact;", r"\n    double area; /**< of the triangles */\n} cleft_contact;")
+        self.assertIn("PLACE(cleft_contact, area, 24);\n", grown)
+        self.assertIn("HOLDS(sizeof(cleft_contact) >= 32);\n", grown)
+        for pattern, replacement, lost in (
+                (r"(int64_t triangles;)", r"double area; \1", "PLACE.cleft_contact, triangles, 16."),
+                (r"CLEFT_SNAP_SAFE = 1", "CLEFT_SNAP_SAFE = 3", "HOLDS.CLEFT_SNAP_SAFE == 1."),
+                (r"    double total_volume;[^\n]*\n", "", "PLACE.cleft_quality, total_volume, 136.")):
+            with self.subTest(replacement), self.assertRaisesRegex(ValueError, lost):
+                self.made(pattern, replacement)
+
+    def test_nullable_arguments_are_there(self):
+        with self.assertRaisesRegex(ValueError, "cleft_mesh_create.labels"):
+            fortran.files(Tree(self.HEADER, r"const int32_t\* labels, int32_t index_base", "const int32_t* marks, int32_t index_base"), None)
 
 
 class Text(unittest.TestCase):

@@ -37,8 +37,8 @@ def _property(option, options):
 _WORDS = {"UINT8": "UInt8", "UINT16": "UInt16", "UINT32": "UInt32"}  # beside those whose parts begin with a capital
 
 
-def enumeration(name, comment, constants):
-    rows = [f"{summary(text.sentence(about), 8)}        {_WORDS.get(constant) or text.pascal(constant)} = CleftNative.{c_name}"
+def enumeration(name, comment, constants, native="CleftNative"):
+    rows = [f"{summary(text.sentence(about), 8)}        {_WORDS.get(constant) or text.pascal(constant)} = {native}.{c_name}"
             for constant, about, c_name in constants]
     return f"{summary(comment, 4)}    public enum {name}\n    {{\n" + ",\n".join(rows) + "\n    }\n"
 
@@ -66,6 +66,8 @@ def _record(name, values):
 
 
 _ENUMERATIONS = {"VoxelType": "CLEFT_TYPE_", "Side": "CLEFT_SIDE_", "LogLevel": "CLEFT_LOG_", "OptionType": "CLEFT_OPTION_TYPE_"}
+_IN_FILES = {"World": "Directions of the world axes.", "VoxelKind": "What the voxels of a file mean.",
+             "Content": "What a file holds."}
 
 
 def files(tree, table):
@@ -74,8 +76,11 @@ def files(tree, table):
     enumerations = [(name, comment, rows) for name, comment, rows in values_module.choices(table)]
     enumerations += [(name, *values_module.enumeration(tree, prefix)) for name, prefix in _ENUMERATIONS.items()]
     parts = [enumeration(name, comment, rows) for name, comment, rows in enumerations]
+    for name, prefix, first in values_module.IN_FILES:
+        _, rows = values_module.enumeration(tree, prefix, first)
+        parts.append(enumeration(name, _IN_FILES[name], rows, "CleftIoNative"))
     records = [_record(name, values) for name, values in values_module.records(tree).items()]
-    head = f"// {text.MADE_BY} from {option_table.PATH} and include/cleft/cleft.h.\n"
+    head = f"// {text.MADE_BY} from {option_table.PATH} and include/cleft/*.h.\n"
     return {path: text.region(tree.read(path), path, "options", "\n" + properties, ("//", "")),
             f"{FOLDER}/Enumerations.cs": head + "namespace Cleft\n{\n" + "\n".join(parts) + "}\n",
             f"{FOLDER}/Records.cs": head + "using System.Collections.Generic;\n\nnamespace Cleft\n{\n" + "\n".join(records) + "}\n"}

@@ -128,6 +128,25 @@ def _module(name, header, known):
     return out + f"\n  end interface\n\nend module {name}\n"
 
 
+# The constants that the public modules hand on, by their beginnings: all else has names there.
+_PUBLIC = {"cleft": ("CLEFT_OK", "CLEFT_ERROR_", "CLEFT_LOG_", "CLEFT_SIDE_"),
+           "cleft_io": ("CLEFT_FORMAT_", "CLEFT_IO_WORLD_", "CLEFT_IO_KIND_", "CLEFT_TYPE_", "CLEFT_IO_UNKNOWN",
+                        "CLEFT_IO_VOLUME", "CLEFT_IO_MESH")}
+
+
+def _numbers(module, statement, names):
+    listed = ", ".join(name for name in names if name.startswith(_PUBLIC[module]))
+    return text.lines(f"{statement} {listed}", WIDTH - 2, "  ", "    ").rstrip().replace("\n", " &\n") + "\n"
+
+
+def _public(tree, core, io):
+    """The public modules, with the numbers that they hand on."""
+    names = [c.name for h in (core, io) for part in (h.statuses, *(e.constants for e in h.enumerations)) for c in part]
+    for module, statement in (("cleft", "use cleft_c, only:"), ("cleft_io", "public ::")):
+        path = f"{FOLDER}/{module}.f90"
+        yield path, text.region(tree.read(path), path, "numbers", _numbers(module, statement, names), ("!", ""))
+
+
 def files(tree, _):
     core, io = headers.read(tree, headers.CORE), headers.read(tree, headers.FILES)
     arguments = {f"{f.name}.{a.name}" for f in core.functions + io.functions for a in f.arguments}
@@ -135,4 +154,4 @@ def files(tree, _):
         raise ValueError(f"there are no arguments {sorted(MAY_BE_NULL - arguments)}")
     core_structs = {struct.name for struct in core.structs}
     return {f"{FOLDER}/cleft_c.f90": _module("cleft_c", core, set()),
-            f"{FOLDER}/cleft_io_c.f90": _module("cleft_io_c", io, core_structs)}
+            f"{FOLDER}/cleft_io_c.f90": _module("cleft_io_c", io, core_structs), **dict(_public(tree, core, io))}

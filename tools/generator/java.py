@@ -105,6 +105,11 @@ def files(tree, table):
         end = ";\n" if with_number or path == "Log.java" else "\n"
         path = f"{FOLDER}/{path}"
         made[path] = text.region(tree.read(path), path, "constants", _constants(rows, with_number, indent) + end, ("//", ""))
+    path = f"{FOLDER}/MeshFiles.java"
+    made[path] = tree.read(path)
+    for name, prefix, first in values_module.IN_FILES:
+        _, rows = values_module.enumeration(tree, prefix, first)
+        made[path] = text.region(made[path], path, name, _constants(rows, False, 8) + "\n", ("//", ""))
     for name, values in values_module.records(tree).items():
         made[f"{FOLDER}/{name}.java"] = _record(name, _RECORDS[name], values)
     return made

@@ -9,6 +9,8 @@ RECORDS = {"cleft_quality": "Quality", "cleft_validation": "Validation", "cleft_
            "cleft_contact": "Contact"}
 # How the lowest level of the bindings gives one element of an array, by its index.
 ELEMENTS = {"dihedral_histogram": "histogram_bin"}
+# The enumerations of cleft_io.h: class, prefix, first constant.
+IN_FILES = (("World", "CLEFT_IO_WORLD_", ""), ("VoxelKind", "CLEFT_IO_KIND_", ""), ("Content", "CLEFT_IO_", "UNKNOWN"))
 
 
 @dataclass(frozen=True)
@@ -37,10 +39,12 @@ def records(tree):
             for struct, name in RECORDS.items()}
 
 
-def enumeration(tree, prefix):
-    """The comment of an enumeration of cleft.h, and its constants (name without the prefix, text, C name)."""
-    for found in headers.read(tree, headers.CORE).enumerations:
-        if all(constant.name.startswith(prefix) for constant in found.constants):
+def enumeration(tree, prefix, first=""):
+    """The comment of an enumeration, and its constants (name without the prefix, text, C name). Where the prefix is that of
+    others, too, `first` is the first name."""
+    header = headers.read(tree, headers.FILES if prefix.startswith("CLEFT_IO_") else headers.CORE)
+    for found in header.enumerations:
+        if found.constants[0].name.startswith(prefix + first):
             comment = re.sub(r" *\\since [\d.]+$", "", found.comment)
             rows = [(constant.name.removeprefix(prefix), constant.comment, constant.name) for constant in found.constants]
             if comment and all(about for _, about, _ in rows):

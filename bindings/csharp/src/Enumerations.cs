@@ -1,4 +1,4 @@
-// Made by tools/generate.py from src/capi/options.toml and include/cleft/cleft.h.
+// Made by tools/generate.py from src/capi/options.toml and include/cleft/*.h.
 namespace Cleft
 {
     /// <summary>Kinds of background meshes.</summary>
@@ -94,5 +94,40 @@ namespace Cleft
         Choice = CleftNative.CLEFT_OPTION_TYPE_CHOICE,
         /// <summary>On or off.</summary>
         Flag = CleftNative.CLEFT_OPTION_TYPE_FLAG
+    }
+
+    /// <summary>Directions of the world axes.</summary>
+    public enum World
+    {
+        /// <summary>Left, posterior, superior: ITK's, 3D Slicer's files, DICOM's; the default.</summary>
+        Lps = CleftIoNative.CLEFT_IO_WORLD_LPS,
+        /// <summary>Right, anterior, superior: NIfTI's; the first two coordinates change their sign.</summary>
+        Ras = CleftIoNative.CLEFT_IO_WORLD_RAS
+    }
+
+    /// <summary>What the voxels of a file mean.</summary>
+    public enum VoxelKind
+    {
+        /// <summary>
+        /// By the values. One file: whole numbers are labels, also where they are up to 1/50 off; fractions on both sides of 0
+        /// that change from voxel to voxel are a signed function. Several files or frames: 0 and one other whole number each are
+        /// masks; fractions are indicator functions. Anything else is refused.
+        /// </summary>
+        Auto = CleftIoNative.CLEFT_IO_KIND_AUTO,
+        /// <summary>Labels: fractions are rounded to the nearest; or several masks.</summary>
+        Labels = CleftIoNative.CLEFT_IO_KIND_LABELS,
+        /// <summary>Indicator functions, of any type of voxels.</summary>
+        Indicators = CleftIoNative.CLEFT_IO_KIND_INDICATORS
+    }
+
+    /// <summary>What a file holds.</summary>
+    public enum Content
+    {
+        /// <summary>Neither a volume nor a mesh, as far as one can tell.</summary>
+        Unknown = CleftIoNative.CLEFT_IO_UNKNOWN,
+        /// <summary>A volume.</summary>
+        Volume = CleftIoNative.CLEFT_IO_VOLUME,
+        /// <summary>A mesh.</summary>
+        Mesh = CleftIoNative.CLEFT_IO_MESH
     }
 }

@@ -4,40 +4,6 @@ using System.Runtime.InteropServices;
 
 namespace Cleft
 {
-    /// <summary>Directions of the world axes.</summary>
-    public enum World
-    {
-        /// <summary>Left, posterior, superior: ITK's, DICOM's, and those of files of 3D Slicer.</summary>
-        Lps = CleftIoNative.CLEFT_IO_WORLD_LPS,
-        /// <summary>Right, anterior, superior: NIfTI's.</summary>
-        Ras = CleftIoNative.CLEFT_IO_WORLD_RAS
-    }
-
-    /// <summary>What the voxels of a file mean.</summary>
-    public enum VoxelKind
-    {
-        /// <summary>
-        /// By the values. Whole numbers are labels, also where they are up to 1/50 off. Fractions on both sides of 0 are a signed
-        /// function, several files of 0 and one other number masks. What is uncertain is refused.
-        /// </summary>
-        Auto = CleftIoNative.CLEFT_IO_KIND_AUTO,
-        /// <summary>Labels: fractions are rounded to the nearest; or several masks.</summary>
-        Labels = CleftIoNative.CLEFT_IO_KIND_LABELS,
-        /// <summary>Indicator functions.</summary>
-        Indicators = CleftIoNative.CLEFT_IO_KIND_INDICATORS
-    }
-
-    /// <summary>What a file holds.</summary>
-    public enum Content
-    {
-        /// <summary>Neither a volume nor a mesh, as far as one can tell.</summary>
-        Unknown = CleftIoNative.CLEFT_IO_UNKNOWN,
-        /// <summary>A volume.</summary>
-        Volume = CleftIoNative.CLEFT_IO_VOLUME,
-        /// <summary>A mesh.</summary>
-        Mesh = CleftIoNative.CLEFT_IO_MESH
-    }
-
     /// <summary>How to read a volume; as the file says, if nothing is set.</summary>
     public sealed class Reading
     {

@@ -1,4 +1,4 @@
-// Made by tools/generate.py from src/capi/options.toml and include/cleft/cleft.h.
+// Made by tools/generate.py from src/capi/options.toml and include/cleft/*.h.
 using System.Collections.Generic;
 
 namespace Cleft

@@ -12,33 +12,40 @@ import java.util.Objects;
 public final class MeshFiles {
     /** Directions of the world axes. */
     public enum World {
-        /** Left, posterior, superior: ITK's, DICOM's, and those of files of 3D Slicer. */
+        // <World> made by tools/generate.py from include/cleft/cleft_io.h
+        /** Left, posterior, superior: ITK's, 3D Slicer's files, DICOM's; the default. */
         LPS,
-        /** Right, anterior, superior: NIfTI's. */
+        /** Right, anterior, superior: NIfTI's; the first two coordinates change their sign. */
         RAS
+        // </World>
     }
 
     /** What the voxels of a file mean. */
     public enum VoxelKind {
+        // <VoxelKind> made by tools/generate.py from include/cleft/cleft_io.h
         /**
-         * By the values. Whole numbers are labels, also where they are up to 1/50 off. Fractions on both sides of 0 are a
-         * signed function, several files of 0 and one other number masks. What is uncertain is refused.
+         * By the values. One file: whole numbers are labels, also where they are up to 1/50 off; fractions on both
+         * sides of 0 that change from voxel to voxel are a signed function. Several files or frames: 0 and one other
+         * whole number each are masks; fractions are indicator functions. Anything else is refused.
          */
         AUTO,
         /** Labels: fractions are rounded to the nearest; or several masks. */
         LABELS,
-        /** Indicator functions. */
+        /** Indicator functions, of any type of voxels. */
         INDICATORS
+        // </VoxelKind>
     }
 
     /** What a file holds. */
     public enum Content {
+        // <Content> made by tools/generate.py from include/cleft/cleft_io.h
         /** Neither a volume nor a mesh, as far as one can tell. */
         UNKNOWN,
         /** A volume. */
         VOLUME,
         /** A mesh. */
         MESH
+        // </Content>
     }
 
     /**
