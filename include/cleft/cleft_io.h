@@ -107,7 +107,7 @@ typedef struct cleft_io_reading {
     uint32_t struct_size;
     cleft_io_world world;
     cleft_io_kind kind;
-    int32_t reserved;
+    int32_t reserved;  /**< 0 */
     double spacing[3]; /**< > 0: taken instead of the file's spacing along that axis of the voxels; 0: the file's. It is
                         *   not multiplied by `scale`. The origin stays as the file has it */
     double scale;      /**< > 0: the origin and the spacing of the file are multiplied by it, so that 0.001 makes metres

@@ -31,6 +31,9 @@ cleft_io_reading reading_or_defaults(const cleft_io_reading* given)
     if (reading.world != CLEFT_IO_WORLD_LPS && reading.world != CLEFT_IO_WORLD_RAS)
         throw Error(CLEFT_ERROR_ARGUMENT, "there is no world " + std::to_string(reading.world));
     check_kind(reading.kind);
+    if (reading.reserved != 0)  // so that it can mean something later
+        throw Error(CLEFT_ERROR_ARGUMENT,
+                    "reserved of the cleft_io_reading is " + std::to_string(reading.reserved) + "; it must be 0");
     if (!std::isfinite(reading.scale) || reading.scale < 0)
         throw Error(CLEFT_ERROR_ARGUMENT, "the scale of origin and spacing must be positive");
     if (reading.scale == 0)

@@ -111,6 +111,10 @@ static void readings_of_all_ages_are_followed(void** state)
     assert_true(affine[10] == 3);
     assert_int_equal(read_values(f, path, &newer, affine), CLEFT_OK);
     assert_true(affine[10] == 3 && affine[5] == 2);
+    newer.known.reserved = 1;
+    assert_int_equal(read_values(f, path, &newer, affine), CLEFT_ERROR_ARGUMENT);
+    assert_string_equal(cleft_context_last_error(f->context), "reserved of the cleft_io_reading is 1; it must be 0");
+    newer.known.reserved = 0;
     newer.later[1] = 1;
     assert_int_equal(read_values(f, path, &newer, affine), CLEFT_ERROR_ARGUMENT);
     assert_string_equal(cleft_context_last_error(f->context),
