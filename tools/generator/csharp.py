@@ -1,5 +1,5 @@
 """What is made in C#: the properties of Options, enumerations, and the fields of plain values."""
-from . import option_table, text, values as values_module
+from . import option_table, plain_values, text
 
 FOLDER = "bindings/csharp/src"
 WIDTH = 130
@@ -56,7 +56,7 @@ def _record(name, values):
         if v.kind == "list":
             out += (f"            long[] {text.camel(v.name)} = new long[{v.length}];\n"
                     f"            for (int index = 0; index < {v.length}; ++index)\n"
-                    f"                {text.camel(v.name)}[index] = row.{values_module.ELEMENTS[v.name]}(index);\n"
+                    f"                {text.camel(v.name)}[index] = row.{plain_values.ELEMENTS[v.name]}(index);\n"
                     f"            {called(v)} = {text.camel(v.name)};\n")
         else:
             out += f"            {called(v)} = row.{v.name}{' != 0' if v.kind == 'flag' else ''};\n"
@@ -73,13 +73,13 @@ _IN_FILES = {"World": "Directions of the world axes.", "VoxelKind": "What the vo
 def files(tree, table):
     path = f"{FOLDER}/Options.cs"
     properties = "".join(_property(option, table.options) for option in table.options)
-    enumerations = [(name, comment, rows) for name, comment, rows in values_module.choices(table)]
-    enumerations += [(name, *values_module.enumeration(tree, prefix)) for name, prefix in _ENUMERATIONS.items()]
+    enumerations = [(name, comment, rows) for name, comment, rows in plain_values.choices(table)]
+    enumerations += [(name, *plain_values.enumeration(tree, prefix)) for name, prefix in _ENUMERATIONS.items()]
     parts = [enumeration(name, comment, rows) for name, comment, rows in enumerations]
-    for name, prefix, first in values_module.IN_FILES:
-        _, rows = values_module.enumeration(tree, prefix, first)
+    for name, prefix, first in plain_values.IN_FILES:
+        _, rows = plain_values.enumeration(tree, prefix, first)
         parts.append(enumeration(name, _IN_FILES[name], rows, "CleftIoNative"))
-    records = [_record(name, values) for name, values in values_module.records(tree).items()]
+    records = [_record(name, values) for name, values in plain_values.records(tree).items()]
     head = f"// {text.MADE_BY} from {option_table.PATH} and include/cleft/*.h.\n"
     return {path: text.region(tree.read(path), path, "options", "\n" + properties, ("//", "")),
             f"{FOLDER}/Enumerations.cs": head + "namespace Cleft\n{\n" + "\n".join(parts) + "}\n",

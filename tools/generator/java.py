@@ -1,5 +1,5 @@
 """What is made in Java: the accessors of Options, enumerations, and the records of plain values."""
-from . import option_table, text, values as values_module
+from . import option_table, plain_values, text
 
 FOLDER = "bindings/java/src/org/cleft"
 WIDTH = 120
@@ -77,7 +77,7 @@ def _record(name, about, values):
     out += javadoc(about, tags, indent=0) + f"public record {name}(\n        " + ",\n        ".join(declared) + ") {\n"
     out += f"    static {name} of(Native{name} row{''.join(f', {kind} {e}' for kind, _, _, e, _ in more)}) {{\n"
     for v in lists:
-        element = values_module.ELEMENTS[v.name]
+        element = plain_values.ELEMENTS[v.name]
         out += (f"        Long[] {text.camel(v.name)} = new Long[{v.length}];\n        for (int index = 0; index < {v.length}; ++index)\n"
                 f"            {text.camel(v.name)}[index] = row.{element}(index);\n")
     return out + f"        return new {name}(\n                " + ",\n                ".join(given) + ");\n    }\n}\n"
@@ -96,20 +96,20 @@ def files(tree, table):
     path = f"{FOLDER}/Options.java"
     accessors = "".join(_accessors(option, table.options) for option in table.options)
     made = {path: text.region(tree.read(path), path, "options", "\n" + accessors, ("//", ""))}
-    for name, comment, rows in values_module.choices(table):
+    for name, comment, rows in plain_values.choices(table):
         made[f"{FOLDER}/{name}.java"] = enumeration(name, comment, rows, option_table.PATH)
     for path, prefix, with_number, indent in (("VoxelType.java", "CLEFT_TYPE_", True, 4), ("Side.java", "CLEFT_SIDE_", False, 4),
                                               ("Log.java", "CLEFT_LOG_", False, 8),
                                               ("OptionDescription.java", "CLEFT_OPTION_TYPE_", False, 8)):
-        _, rows = values_module.enumeration(tree, prefix)
+        _, rows = plain_values.enumeration(tree, prefix)
         end = ";\n" if with_number or path == "Log.java" else "\n"
         path = f"{FOLDER}/{path}"
         made[path] = text.region(tree.read(path), path, "constants", _constants(rows, with_number, indent) + end, ("//", ""))
     path = f"{FOLDER}/MeshFiles.java"
     made[path] = tree.read(path)
-    for name, prefix, first in values_module.IN_FILES:
-        _, rows = values_module.enumeration(tree, prefix, first)
+    for name, prefix, first in plain_values.IN_FILES:
+        _, rows = plain_values.enumeration(tree, prefix, first)
         made[path] = text.region(made[path], path, name, _constants(rows, False, 8) + "\n", ("//", ""))
-    for name, values in values_module.records(tree).items():
+    for name, values in plain_values.records(tree).items():
         made[f"{FOLDER}/{name}.java"] = _record(name, _RECORDS[name], values)
     return made

@@ -1,5 +1,5 @@
 """What is made in Python: the keyword arguments of options, and the fields of plain values."""
-from . import text, values as values_module
+from . import plain_values, text
 
 FOLDER = "bindings/python/cleft"
 _OPTIONS = {"real": "float", "flag": "bool", "integer": "int", "choice": "str"}
@@ -11,7 +11,7 @@ def files(tree, table):
     keywords = "".join(f"    {option.name}: {_OPTIONS[option.type]}\n" for option in table.options)
     made = {options: text.region(tree.read(options), options, "options", keywords, ("#", ""))}
     classes = tree.read(results)
-    for name, values in values_module.records(tree).items():
+    for name, values in plain_values.records(tree).items():
         fields = "".join(f"    {v.name}: {_VALUES[v.kind]}  #: {v.about}\n" for v in values)
         classes = text.region(classes, results, name, fields, ("#", ""))
     return made | {results: classes}

@@ -104,7 +104,9 @@ class Report(list[LabelReport]):
 
 def from_struct(kind: Any, struct: Any, **more: Any) -> Any:
     """A value of a class above, from the library's struct of the same field names and from `more`."""
-    values = {field.name: getattr(struct, field.name) for field in dataclasses.fields(kind) if field.name not in more}
-    for flag in {"valid", "lost"} & set(values):
-        values[flag] = bool(values[flag])
+    values = {}
+    for field in dataclasses.fields(kind):
+        if field.name not in more:
+            value = getattr(struct, field.name)
+            values[field.name] = bool(value) if field.type == "bool" else value
     return kind(**values, **more)
