@@ -1,3 +1,4 @@
+// The handle of options: how values are set, checked and read, and what the stages take of them.
 #include "capi/options.hpp"
 
 #include "base/number_text.hpp"
