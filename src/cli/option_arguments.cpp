@@ -108,7 +108,7 @@ std::string option_help(const cleft_option_description& info)
     if (info.type == CLEFT_OPTION_TYPE_CHOICE)
         help += " (default " + choice_name(info.choices, std::llround(info.value)) + ")";
     else if (info.type != CLEFT_OPTION_TYPE_FLAG)
-        help += " (" + range_text(info) + "; default " + significant(info.value) + ")";
+        help += " (" + range_text(info) + "; default " + significant(info.value, 10) + ")";
     help.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(help.front())));
     return wrapped(help, 66);
 }
