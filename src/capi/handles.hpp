@@ -42,6 +42,9 @@ struct Owners {
     Owners& operator=(const Owners&) noexcept { return *this; }
 };
 
+// Which stage made a mesh that another goes on with: it need not be checked, and is worked on as it left that stage.
+enum class MadeBy { user, background, cleaving };
+
 template <Mark kind>
 struct Handle {
     static constexpr Mark kMark = kind;
@@ -92,6 +95,8 @@ struct cleft_sizing : cleft::capi::Handle<cleft::capi::Mark::sizing> {
 
 struct cleft_mesh : cleft::capi::Handle<cleft::capi::Mark::mesh> {
     std::optional<cleft::Frame> frame;  // of the volume or sizing field that it came from
+    cleft::capi::MadeBy made_by = cleft::capi::MadeBy::user;
+    std::vector<cleft::Vec3> local;     // a stage's own points for the next one, if the way back differs in last digits
     cleft::LabelledMesh mesh;           // world coordinates; `material` holds the user's labels
     std::vector<int32_t> labels;        // the different ones, ascending
     cleft::capi::LabelNames names;

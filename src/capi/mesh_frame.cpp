@@ -33,6 +33,14 @@ void turn_round(std::vector<Tet>& tets)
     throw Error(CLEFT_ERROR_INTERNAL, "the mesh came out wrong, and is not given back: " + fault);
 }
 
+bool come_back(const std::vector<Vec3>& local, const std::vector<Vec3>& world, const Frame& frame)
+{
+    for (size_t i = 0; i < local.size(); ++i)
+        if (frame.to_local(world[i]) != local[i])
+            return false;
+    return true;
+}
+
 }  // namespace
 
 std::vector<int32_t> distinct_labels(const std::vector<int32_t>& tet_labels)
@@ -69,6 +77,31 @@ cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const std::vector<in
     return out;
 }
 
+cleft_mesh to_next_stage(LabelledMesh&& mesh, MadeBy stage, const Frame& frame, const std::vector<int32_t>& labels,
+                         const Run& run)
+{
+    std::vector<Vec3> local = mesh.points;
+    cleft_mesh out = to_user(std::move(mesh), frame, labels, run);
+    out.made_by = stage;
+    if (!come_back(local, out.mesh.points, frame))
+        out.local = std::move(local);
+    return out;
+}
+
+bool is_as_left(const cleft_mesh& mesh, MadeBy stage, const Frame& frame)
+{
+    return mesh.made_by == stage && mesh.frame && mesh.frame->is_that_of(frame);
+}
+
+TetMesh as_left(const cleft_mesh& mesh)
+{
+    TetMesh out;
+    to_local(mesh, *mesh.frame, out.points, out.tets);
+    if (!mesh.local.empty())
+        out.points = mesh.local;
+    return out;
+}
+
 void to_local(const cleft_mesh& mesh, const Frame& frame, std::vector<Vec3>& points, std::vector<Tet>& tets)
 {
     points.resize(mesh.mesh.points.size());
@@ -82,7 +115,13 @@ void to_local(const cleft_mesh& mesh, const Frame& frame, std::vector<Vec3>& poi
 LabelledMesh to_stage(const cleft_mesh& mesh, const cleft_volume& volume)
 {
     LabelledMesh out;
-    to_local(mesh, volume.frame, out.points, out.tets);
+    if (is_as_left(mesh, MadeBy::cleaving, volume.frame)) {
+        TetMesh left = as_left(mesh);
+        out.points = std::move(left.points);
+        out.tets = std::move(left.tets);
+    } else {
+        to_local(mesh, volume.frame, out.points, out.tets);
+    }
     std::unordered_map<int32_t, Material> material_of;  // looked up only, never walked
     for (Material m = 0; m < volume.volume.material_count(); ++m)
         material_of[volume.volume.labels()[static_cast<size_t>(m)]] = m;

@@ -11,6 +11,13 @@ namespace cleft::capi
 // gets is checked (quick_fault()): an Error if a stage went wrong, or if the numbers of the world, far from the origin,
 // do not tell the points apart.
 cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const std::vector<int32_t>& labels, const Run& run);
+// The same of a stage that another goes on from: that gets the very points, not those that rounding to the world leaves.
+cleft_mesh to_next_stage(LabelledMesh&& mesh, MadeBy stage, const Frame& frame, const std::vector<int32_t>& labels,
+                         const Run& run);
+// Whether the mesh is as that stage left it, in this frame.
+bool is_as_left(const cleft_mesh& mesh, MadeBy stage, const Frame& frame);
+// Its points and tetrahedra, then.
+TetMesh as_left(const cleft_mesh& mesh);
 
 // The points and tetrahedra of a user's mesh in the local frame of a volume.
 void to_local(const cleft_mesh& mesh, const Frame& frame, std::vector<Vec3>& points, std::vector<Tet>& tets);

@@ -1,12 +1,11 @@
 // The entries that make meshes from volumes: background, cleaving, improving, stripping, and all at once.
-#include "base/stage_timer.hpp"
 #include "capi/firewall.hpp"
 #include "capi/given_mesh.hpp"
 #include "capi/kept_labels.hpp"
 #include "capi/mesh_frame.hpp"
 #include "capi/options.hpp"
 #include "mesh/quick_check.hpp"
-#include "pipeline/number_search.hpp"
+#include "pipeline/pipeline.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -27,14 +26,6 @@ cleft_mesh to_user(LabelledMesh&& mesh, const cleft_volume& volume, const Run& r
     return out;
 }
 
-// A label that is to be kept can have been lost; where all are, an empty mesh would be left.
-void require_kept(const LabelledMesh& mesh, const cleft::PipelineOptions& p)
-{
-    if (std::none_of(mesh.material.begin(), mesh.material.end(), [&](cleft::Material m) { return p.keeps(m); }))
-        throw Error(CLEFT_ERROR_LABEL_LOST,
-                    "none of the labels that are kept has a tetrahedron; a smaller size would keep them");
-}
-
 // What is left of a sound mesh is sound.
 void require_sound(const LabelledMesh& mesh, const Run& run)
 {
@@ -49,26 +40,41 @@ void note_result(const Run& run, const LabelledMesh& mesh)
     run.note("mesh.tets", static_cast<double>(mesh.tets.size()));
 }
 
+// A user's own is checked, and may be repaired; one of cleft_background_create() is taken as that stage left it.
+struct Background {
+    cleft::TetMesh mesh;
+    bool is_repaired;
+
+    cleft::PipelineOptions options(cleft::PipelineOptions p) const
+    {
+        p.repair_angle = is_repaired ? 0 : p.repair_angle;
+        return p;
+    }
+};
+
+Background background_of(const cleft_mesh& mesh, const cleft::Frame& frame, const Run& run)
+{
+    if (is_as_left(mesh, MadeBy::background, frame))
+        return {as_left(mesh), true};
+    return {checked_background(mesh, frame, run), false};
+}
+
 // What is given is held by the caller.
 LabelledMesh meshed(const cleft_volume& volume, const cleft_sizing* sizing, const cleft_mesh* background,
                     const cleft::PipelineOptions& p, const Run& run)
 {
     if (background && p.tets > 0)
         run.say(CLEFT_LOG_WARNING, "tets has no effect on a background that is given");
-    if (background)
-        return cleft::mesh_from_background(volume.volume, checked_background(*background, volume.frame, run), p, run);
+    if (background) {
+        Background from = background_of(*background, volume.frame, run);
+        return cleft::mesh_from_background(volume.volume, std::move(from.mesh), from.options(p), run);
+    }
     if (sizing) {
         if (sizing->frame.grid.dims != volume.frame.grid.dims)
             throw Error(CLEFT_ERROR_ARGUMENT, "the sizing field and the volume have different dims");
         return cleft::mesh_from_sizing(volume.volume, sizing->field, p, run);
     }
-    cleft::SizingField field;
-    {
-        const cleft::StageTimer timer(run, "sizing");
-        field = cleft::compute_sizing(volume.volume, p.sizing, cleft::part_of(run, 0.0, 0.1));
-    }
-    cleft::fit_to_number(field, volume.volume, p, cleft::part_of(run, 0.0, 0.1));
-    return cleft::mesh_from_sizing(volume.volume, std::move(field), p, cleft::part_of(run, 0.1, 1.0));
+    return cleft::mesh_from_volume(volume.volume, p, run);
 }
 
 }  // namespace
@@ -81,7 +87,7 @@ cleft_status cleft_background_create(cleft_context* context, const cleft_sizing*
         cleft::TetMesh mesh = cleft::make_background(s->field, pipeline_options(options), run);
         LabelledMesh labelled{std::move(mesh.points), std::move(mesh.tets), {}};
         labelled.material.assign(labelled.tets.size(), 0);
-        return cleft::capi::to_user(std::move(labelled), s->frame, {0}, run);
+        return to_next_stage(std::move(labelled), MadeBy::background, s->frame, {0}, run);
     });
 }
 
@@ -91,12 +97,14 @@ cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volum
     return guarded_create(context, out, [&](const Run& run) {
         const auto v = held(volume, "volume");
         const auto from = held(background, "background");
-        cleft::PipelineOptions p = pipeline_options(options);
+        const cleft::PipelineOptions p = pipeline_options(options);
         warn_of_unused_smooth(v->volume, options, run);
-        p.improve.effort = cleft::Effort::off;
-        cleft::TetMesh mesh = checked_background(*from, v->frame, run);
-        cleft::repair_background(mesh, p, cleft::part_of(run, 0.0, 0.3));
-        return to_user(cleft::cleave_and_improve(v->volume, mesh, p, cleft::part_of(run, 0.3, 1.0)), *v, run);
+        Background given = background_of(*from, v->frame, run);
+        cleft::repair_background(given.mesh, given.options(p), cleft::part_of(run, 0.0, 0.3));
+        LabelledMesh cleaved = cleft::cleave(v->volume, given.mesh, p.cleave, cleft::part_of(run, 0.3, 1.0));
+        cleft_mesh result = to_next_stage(std::move(cleaved), MadeBy::cleaving, v->frame, v->volume.labels(), run);
+        add_label_names(result.names, v->names, result.labels);
+        return result;
     });
 }
 
@@ -106,13 +114,13 @@ cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volu
     return guarded_create(context, out, [&](const Run& run) {
         const auto v = held(volume, "volume");
         const auto from = held(mesh, "mesh");
-        const cleft::PipelineOptions p = pipeline_options(options);
+        const cleft::PipelineOptions p = pipeline_options(options, *v);
         warn_of_unused_smooth(v->volume, options, run);
-        require_valid(*from, "mesh", run);
-        LabelledMesh work = to_stage(*from, *v);
-        const cleft::StageTimer timer(run, "improving");
-        cleft::improve(work, v->volume, p.improve, run);
-        cleft_mesh result = cleft::capi::to_user(std::move(work), v->frame, v->volume.labels(), run);
+        if (!is_as_left(*from, MadeBy::cleaving, v->frame))
+            require_valid(*from, "mesh", run);
+        const cleft::Cleaved cleaved = [&](const Run&) { return to_stage(*from, *v); };
+        cleft_mesh result = cleft::capi::to_user(cleft::improved_and_finished(v->volume, cleaved, p, run), v->frame,
+                                                 v->volume.labels(), run);
         add_label_names(result.names, from->names, result.labels);
         add_label_names(result.names, v->names, result.labels);
         return result;
@@ -127,6 +135,8 @@ cleft_status cleft_mesh_strip(cleft_context* context, const cleft_mesh* mesh, co
         const auto lists = held(options, "options");
         require_sound(from->mesh, run);
         cleft_mesh copy = *from;
+        copy.made_by = MadeBy::user;
+        copy.local = {};
         strip_labels(copy, &*lists);
         warn_of_unknown_labels(from->labels, &*lists, "mesh", run);
         return copy;
@@ -145,7 +155,6 @@ cleft_status cleft_mesh_volume(cleft_context* context, const cleft_volume* volum
         warn_of_unknown_labels(v->volume.labels(), options, "volume", run);
         warn_of_unused_smooth(v->volume, options, run);
         LabelledMesh mesh = meshed(*v, sizing, background, p, run);
-        require_kept(mesh, p);
         cleft_mesh result = to_user(std::move(mesh), *v, run);
         strip_labels(result, options);
         note_result(run, result.mesh);

@@ -1,9 +1,8 @@
 #include "base/number_text.hpp"
-#include "base/stage_timer.hpp"
 #include "capi/firewall.hpp"
 #include "capi/options.hpp"
 #include "pipeline/expected_mesh.hpp"
-#include "pipeline/number_search.hpp"
+#include "pipeline/pipeline.hpp"
 
 #include <cmath>
 
@@ -25,10 +24,9 @@ std::vector<double> as_doubles(cleft_type type, const void* values, int64_t coun
     throw Error(CLEFT_ERROR_ARGUMENT, "the values of a sizing field must be FLOAT32 or FLOAT64");
 }
 
-// The handle of a field, scaled to the wanted number of tetrahedra if the options have one.
+// The handle of a field.
 cleft_sizing finished(const cleft_volume& v, SizingField field, const cleft::PipelineOptions& p, const Run& run)
 {
-    cleft::fit_to_number(field, v.volume, p, run);
     run.note("sizing.expected_background_tets", cleft::expected_background_tets(field));
     const double expected = cleft::expected_background_tets(field, v.volume, p.keep);
     const cleft::ExpectedMesh mesh = cleft::expected_mesh(field, v.volume, p.keep, run);
@@ -47,8 +45,7 @@ cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* vol
         const auto v = held(volume, "volume");
         const cleft::PipelineOptions p = pipeline_options(options, *v);
         warn_of_unused_smooth(v->volume, options, run);
-        const cleft::StageTimer timer(run, "sizing");
-        return finished(*v, cleft::compute_sizing(v->volume, p.sizing, run), p, run);
+        return finished(*v, cleft::make_sizing(v->volume, p, run), p, run);
     });
 }
 
@@ -80,6 +77,7 @@ cleft_status cleft_sizing_create_values(cleft_context* context, const cleft_volu
             p.sizing.user = field.h.data();
             field = cleft::compute_sizing(v->volume, p.sizing, run);
         }
+        cleft::scale_to_number(field, v->volume, p, run);
         return finished(*v, std::move(field), p, run);
     });
 }

@@ -1,7 +1,5 @@
-// Cleaves and improves a background; again, on other ways, where the first one ends with a few bad tetrahedra.
+// Improves a cleaved mesh; again, on other ways, where the first one ends with a few bad tetrahedra.
 #include "pipeline/improved_mesh.hpp"
-
-#include "base/stage_timer.hpp"
 
 namespace cleft
 {
@@ -21,43 +19,30 @@ struct Try {
     Shortfall left;
 };
 
-Try first_try(const Volume& volume, const TetMesh& background, const PipelineOptions& options, const Run& run)
+Try try_with(const Volume& volume, const Cleaved& cleaved, const ImproveOptions& options, const Run& run)
 {
-    LabelledMesh cleaved;
-    {
-        const StageTimer timer(run, "cleaving");
-        cleaved = cleave(volume, background, options.cleave, part_of(run, 0.0, 0.7));
-    }
-    LocalMesh mesh(std::move(cleaved), run);
-    const Shortfall left = improve(mesh, volume, options.improve, part_of(run, 0.7, 0.9));
-    return {std::move(mesh), left};
-}
-
-Try another_try(const Volume& volume, const TetMesh& background, const PipelineOptions& options, double margin,
-                const Run& run)
-{
-    ImproveOptions higher = options.improve;
-    higher.margin = margin;
-    LocalMesh mesh(cleave(volume, background, options.cleave, run), run);
-    const Shortfall left = improve(mesh, volume, higher, run);
+    LocalMesh mesh(cleaved(part_of(run, 0.0, 0.75)), run);
+    const Shortfall left = improve(mesh, volume, options, part_of(run, 0.75, 1.0));
     return {std::move(mesh), left};
 }
 
 }  // namespace
 
-LocalMesh improved_mesh(const Volume& volume, const TetMesh& background, const PipelineOptions& options, const Run& run)
+LocalMesh improved_mesh(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options, const Run& run)
 {
-    Try best = first_try(volume, background, options, run);
+    Try best = try_with(volume, cleaved, options.improve, run);
     int tries = 1;
     for (const double margin : kMargins) {
         if (best.left.tets == 0 || best.left.tets > kFew || best.mesh.slot_count() > kMostTets)
             break;
         ++tries;
+        ImproveOptions higher = options.improve;
+        higher.margin = margin;
         Metrics noted;
-        Run quiet = part_of(run, 0.9, 0.9);
+        Run quiet = part_of(run, 1.0, 1.0);
         quiet.log = nullptr;
         quiet.metrics = &noted;
-        Try other = another_try(volume, background, options, margin, quiet);
+        Try other = try_with(volume, cleaved, higher, quiet);
         if (other.left.least <= best.left.least)
             continue;
         best = std::move(other);

@@ -121,7 +121,9 @@ void warn_of_number(const LabelledMesh& mesh, const PipelineOptions& options, bo
 void fit_to_number(SizingField& field, const Volume& volume, const PipelineOptions& options, const Run& run)
 {
     constexpr int kRounds = 4;  // the gradation limit bends the power law
-    for (int round = 0; options.tets > 0 && round < kRounds; ++round) {
+    if (options.tets <= 0 || field.found_for == options.tets)
+        return;
+    for (int round = 0; round < kRounds; ++round) {
         const double ratio = expected_kept(field, volume, options) / static_cast<double>(options.tets);
         if (std::abs(ratio - 1) < 0.05)
             return;
@@ -138,8 +140,12 @@ LabelledMesh mesh_of_number(const Volume& volume, SizingField& field, const Pipe
     NumberSearch search(wanted);
     Run silent = run;  // warnings are of the mesh that is kept
     silent.log = nullptr;
-    const double first = std::max(1.0, least_factor(1, expected_of_all(field, options), limit));
-    double factor = 1, next = std::max(first, first_factor(field, volume, options));
+    const bool was_found = field.found_for == options.tets;
+    double factor = 1, next = 1;
+    fit_to_number(field, volume, options, run);
+    if (!was_found)
+        next = std::max(
+            {1.0, least_factor(1, expected_of_all(field, options), limit), first_factor(field, volume, options)});
     bool is_limited = false;
     LabelledMesh mesh;
     for (int round = 0; round < kRounds && !is_limited; ++round) {
@@ -153,12 +159,17 @@ LabelledMesh mesh_of_number(const Volume& volume, SizingField& field, const Pipe
         const double all = static_cast<double>(mesh.tets.size());
         const double count = static_cast<double>(kept_count(mesh, options));
         run.note("pipeline.rounds.count", round + 1);
-        if (std::abs(count - wanted) <= kTolerance * wanted)
-            return mesh;
+        const bool is_where_a_search_ended = round == 0 && was_found && kept_count(mesh, options) == field.found;
+        if (is_where_a_search_ended || std::abs(count - wanted) <= kTolerance * wanted)
+            break;
         next = std::max(search.next(factor, count), least_factor(factor, all, limit));
         is_limited = limit > 0 && all >= kNearLimit * limit && count < wanted;
     }
+    field.found_for = options.tets;
+    field.found = kept_count(mesh, options);
     warn_of_number(mesh, options, is_limited, run);
+    if (options.background == BackgroundKind::lattice)
+        warn_of_coarse_lattice(field, run);
     return mesh;
 }
 

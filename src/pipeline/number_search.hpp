@@ -11,7 +11,8 @@ namespace cleft
 void fit_to_number(SizingField& field, const Volume& volume, const PipelineOptions& options, const Run& run);
 
 // The mesh at the scale of the sizing field that gives options.tets tetrahedra of the kept materials, without the
-// finishing. Warns if the number is not met.
+// finishing; the field is left at that scale. A field whose scale was found for that number is tried as it is. Warns if
+// the number is not met.
 LabelledMesh mesh_of_number(const Volume& volume, SizingField& field, const PipelineOptions& options, const Run& run);
 
 }  // namespace cleft

@@ -89,8 +89,26 @@ TetMesh lattice_of(const SizingField& field, const PipelineOptions& options, con
     return lattice_background(field.grid, size, run);
 }
 
+// A label that is to be kept can have been lost; where all are, an empty mesh would be left.
+void require_kept(const LabelledMesh& mesh, const PipelineOptions& options)
+{
+    if (std::none_of(mesh.material.begin(), mesh.material.end(), [&](Material m) { return options.keeps(m); }))
+        throw Error(CLEFT_ERROR_LABEL_LOST,
+                    "none of the labels that are kept has a tetrahedron; a smaller size would keep them");
+}
+
+LabelledMesh improved(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options, const Run& run)
+{
+    if (options.improve.effort == Effort::off)
+        return cleaved(run);
+    LocalMesh mesh = improved_mesh(volume, cleaved, options, part_of(run, 0.0, 0.9));
+    fit_volumes(mesh, volume, options.improve.target_angle, part_of(run, 0.9, 1.0));
+    return mesh.take();
+}
+
 LabelledMesh finished(const Volume& volume, LabelledMesh mesh, const PipelineOptions& options, const Run& run)
 {
+    require_kept(mesh, options);
     if (options.strict)
         require_all_labels(volume, mesh, options, run);
     warn_of_volume_differences(volume, mesh, options.keep, run);
@@ -122,6 +140,20 @@ void warn_of_coarse_lattice(const SizingField& field, const Run& run)
                                        ", which may lose the thinnest parts: a size of " +
                                        number_text(field.least() / field.scale) +
                                        " resolves them, or a graded background with fewer tetrahedra");
+}
+
+SizingField make_sizing(const Volume& volume, const PipelineOptions& options, const Run& run)
+{
+    const double meshing = options.tets > 0 ? 0.1 : 1;
+    SizingField field = compute_sizing(volume, options.sizing, part_of(run, 0.0, meshing));
+    scale_to_number(field, volume, options, part_of(run, meshing, 1.0));
+    return field;
+}
+
+void scale_to_number(SizingField& field, const Volume& volume, const PipelineOptions& options, const Run& run)
+{
+    if (options.tets > 0)
+        mesh_of_number(volume, field, options, run);
 }
 
 TetMesh make_background(const SizingField& field, const PipelineOptions& options, const Run& run)
@@ -158,21 +190,27 @@ void repair_background(TetMesh& background, const PipelineOptions& options, cons
 LabelledMesh cleave_and_improve(const Volume& volume, const TetMesh& background, const PipelineOptions& options,
                                 const Run& run)
 {
-    if (options.improve.effort == Effort::off) {
-        const StageTimer timer(run, "cleaving");
-        return cleave(volume, background, options.cleave, part_of(run, 0.0, 0.7));
-    }
-    LocalMesh mesh = improved_mesh(volume, background, options, run);
-    fit_volumes(mesh, volume, options.improve.target_angle, part_of(run, 0.9, 1.0));
-    return mesh.take();
+    const Cleaved cleaved = [&](const Run& part) { return cleave(volume, background, options.cleave, part); };
+    return improved(volume, cleaved, options, run);
+}
+
+LabelledMesh improved_and_finished(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options,
+                                   const Run& run)
+{
+    return finished(volume, improved(volume, cleaved, options, run), options, run);
+}
+
+LabelledMesh mesh_from_volume(const Volume& volume, const PipelineOptions& options, const Run& run)
+{
+    const Run first = part_of(run, 0.0, 0.1);
+    SizingField field = compute_sizing(volume, options.sizing, first);
+    return mesh_from_sizing(volume, std::move(field), options, part_of(run, 0.1, 1.0));
 }
 
 LabelledMesh mesh_from_sizing(const Volume& volume, SizingField field, const PipelineOptions& options, const Run& run)
 {
     if (options.tets > 0) {
         LabelledMesh mesh = mesh_of_number(volume, field, options, run);
-        if (options.background == BackgroundKind::lattice)
-            warn_of_coarse_lattice(field, run);
         field = SizingField();
         return finished(volume, std::move(mesh), options, run);
     }

@@ -7,6 +7,7 @@
 #include "sizing/sizing.hpp"
 #include "volume/volume.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace cleft
@@ -32,6 +33,11 @@ struct PipelineOptions {
 // The same run with its progress squeezed into [from, to].
 Run part_of(const Run& run, double from, double to);
 
+// The stage of sizing. With options.tets the field is scaled until its mesh has that number, for which meshes are made.
+SizingField make_sizing(const Volume& volume, const PipelineOptions& options, const Run& run);
+// The same for a field that is given.
+void scale_to_number(SizingField& field, const Volume& volume, const PipelineOptions& options, const Run& run);
+
 TetMesh make_background(const SizingField& field, const PipelineOptions& options, const Run& run);
 
 // Warns if the one size of a lattice is coarser than the thinnest parts ask for.
@@ -40,9 +46,20 @@ void warn_of_coarse_lattice(const SizingField& field, const Run& run);
 // Repairs poor tetrahedra of a user's own background, as the options say.
 void repair_background(TetMesh& background, const PipelineOptions& options, const Run& run);
 
-// Cleaving and improving.
+// Cleaving and improving, without what ends a mesh.
 LabelledMesh cleave_and_improve(const Volume& volume, const TetMesh& background, const PipelineOptions& options,
                                 const Run& run);
+
+// Gives a cleaved mesh, the same one whenever it is called: improving may need it again, and need not hold it.
+using Cleaved = std::function<LabelledMesh(const Run& run)>;
+
+// The last stage: angles and volumes of a cleaved mesh are improved, what was missed is told (with `strict`, refused),
+// and the mesh is ordered.
+LabelledMesh improved_and_finished(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options,
+                                   const Run& run);
+
+// All stages.
+LabelledMesh mesh_from_volume(const Volume& volume, const PipelineOptions& options, const Run& run);
 
 // From the sizing field on; the field is given away so that its memory is free when cleaving begins.
 LabelledMesh mesh_from_sizing(const Volume& volume, SizingField field, const PipelineOptions& options, const Run& run);

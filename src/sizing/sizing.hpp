@@ -38,6 +38,8 @@ struct SizingField {
     std::vector<float> h;
     double gradation = 0.3;
     double scale = 1;  // what its values have been multiplied by since they were asked for
+    // The scale was found by meshing for a wanted number of tetrahedra (0: for none), and gave so many.
+    int64_t found_for = 0, found = 0;
 
     double at(const Vec3& x) const;
     double least() const;

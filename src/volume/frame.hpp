@@ -19,6 +19,7 @@ struct Frame : Placement {
     // put exactly on it, so that planes survive the way to the world and back.
     Vec3 to_local(const Vec3& world) const;
     bool flips() const { return linear.determinant() < 0; }
+    bool is_that_of(const Frame& other) const { return grid.dims == other.grid.dims && affine == other.affine; }
 };
 
 // Throws an Error naming the entry at fault. `affine` may be null: spacing 1, the corner of the box at the origin.

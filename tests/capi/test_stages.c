@@ -357,11 +357,115 @@ static void strict_refuses_a_mesh_without_a_label(void** state)
     cleft_context_destroy(context);
 }
 
+/* What the one call and the five calls are compared for. */
+struct request {
+    const char *background, *tets, *strict, *improve;
+    int strips, has_own_sizes, is_sheared;
+};
+
+static cleft_options* options_for(const struct request* r)
+{
+    static const int32_t stripped = -3;
+    cleft_options* options = NULL;
+    assert_int_equal(cleft_options_create(&options), CLEFT_OK);
+    assert_int_equal(cleft_options_set_text(options, "background", r->background), CLEFT_OK);
+    assert_int_equal(cleft_options_set_text(options, "tets", r->tets), CLEFT_OK);
+    assert_int_equal(cleft_options_set_text(options, "strict", r->strict), CLEFT_OK);
+    assert_int_equal(cleft_options_set_text(options, "improve", r->improve), CLEFT_OK);
+    assert_int_equal(cleft_options_set_strip(options, &stripped, r->strips), CLEFT_OK);
+    return options;
+}
+
+static cleft_volume* volume_for(cleft_context* context, const struct request* r)
+{
+    /* spacings and an origin that no product or sum holds exactly; the last is mirrored */
+    static const double affines[2][12] = {{0.7, 0, 0, -3.1, 0, 0.9, 0, 100.3, 0, 0, 1.3, 7.7},
+                                          {0.7, 0.1, 0, -3.1, 0.2, -0.9, 0.3, 100.3, 0.1, 0, 1.3, 7.7}};
+    const int64_t dims[3] = {N, N, N};
+    int32_t* labels = ball_labels(N);
+    cleft_volume* volume = NULL;
+    assert_ok(context, cleft_volume_create_labels(context, CLEFT_TYPE_INT32, labels, dims, affines[r->is_sheared], NULL,
+                                                  &volume));
+    free(labels);
+    return volume;
+}
+
+static void make_sizing(cleft_context* context, const cleft_volume* volume, const struct request* r,
+                        const cleft_options* options, cleft_sizing** out)
+{
+    static float sizes[N * N * N];
+    if (!r->has_own_sizes) {
+        assert_ok(context, cleft_sizing_create(context, volume, options, out));
+        return;
+    }
+    for (int v = 0; v < N * N * N; ++v)
+        sizes[v] = 1.7f + 0.05f * (float)(v % N);
+    assert_ok(context, cleft_sizing_create_values(context, volume, CLEFT_TYPE_FLOAT32, sizes, 0, options, out));
+}
+
+static void assert_same_arrays(const cleft_mesh* a, const cleft_mesh* b)
+{
+    const size_t points = (size_t)cleft_mesh_point_count(a), tets = (size_t)cleft_mesh_tet_count(a);
+    assert_int_equal(cleft_mesh_point_count(b), points);
+    assert_int_equal(cleft_mesh_tet_count(b), tets);
+    assert_true(tets > 0);
+    assert_memory_equal(cleft_mesh_points(a), cleft_mesh_points(b), 3 * points * sizeof(double));
+    assert_memory_equal(cleft_mesh_tets(a), cleft_mesh_tets(b), 4 * tets * sizeof(int32_t));
+    assert_memory_equal(cleft_mesh_tet_labels(a), cleft_mesh_tet_labels(b), tets * sizeof(int32_t));
+}
+
+static void compare(const struct request* r)
+{
+    cleft_context* context = new_context();
+    cleft_volume* volume = volume_for(context, r);
+    cleft_options* options = options_for(r);
+    cleft_sizing* sizing = NULL;
+    cleft_mesh *background = NULL, *cleaved = NULL, *improved = NULL, *stripped = NULL, *whole = NULL, *from = NULL;
+    print_message("%s, tets %s, strict %s, improve %s, strips %d, own sizes %d, sheared %d\n", r->background, r->tets,
+                  r->strict, r->improve, r->strips, r->has_own_sizes, r->is_sheared);
+    make_sizing(context, volume, r, options, &sizing);
+    assert_ok(context, cleft_background_create(context, sizing, options, &background));
+    assert_ok(context, cleft_mesh_cleave(context, volume, background, options, &cleaved));
+    assert_ok(context, cleft_mesh_improve(context, volume, cleaved, options, &improved));
+    assert_ok(context, cleft_mesh_strip(context, improved, options, &stripped));
+    assert_ok(context, cleft_mesh_volume(context, volume, r->has_own_sizes ? sizing : NULL, NULL, options, &whole));
+    assert_same_arrays(stripped, whole);
+    assert_int_equal(cleft_options_set_text(options, "tets", "0"), CLEFT_OK);
+    assert_ok(context, cleft_mesh_volume(context, volume, NULL, background, options, &from));
+    assert_same_arrays(stripped, from);
+    cleft_mesh_destroy(from);
+    cleft_mesh_destroy(whole);
+    cleft_mesh_destroy(stripped);
+    cleft_mesh_destroy(improved);
+    cleft_mesh_destroy(cleaved);
+    cleft_mesh_destroy(background);
+    cleft_sizing_destroy(sizing);
+    cleft_options_destroy(options);
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
+static void the_one_call_is_the_five_calls(void** state)
+{
+    static const char* const backgrounds[3] = {"particles", "lattice", "octree"};
+    (void)state;
+    for (int b = 0; b < 3; ++b) {
+        const struct request requests[] = {
+            {backgrounds[b], "0", "false", "fast", 0, 0, 0},    {backgrounds[b], "0", "true", "fast", 1, 0, 1},
+            {backgrounds[b], "6000", "false", "fast", 1, 0, 1}, {backgrounds[b], "5000", "false", "off", 0, 1, 0},
+            {backgrounds[b], "0", "true", "best", 0, 1, 1},
+        };
+        for (size_t i = 0; i < sizeof requests / sizeof *requests; ++i)
+            compare(requests + i);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sizing_is_computed_constant_or_the_users),
         cmocka_unit_test(stages_one_by_one_give_a_sound_mesh),
+        cmocka_unit_test(the_one_call_is_the_five_calls),
         cmocka_unit_test(one_call_gives_the_same_bytes_for_every_thread_count),
         cmocka_unit_test(a_mirrored_world_still_has_positive_tetrahedra),
         cmocka_unit_test(stripped_labels_are_gone_and_the_rest_stays),
