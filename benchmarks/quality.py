@@ -21,7 +21,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 LARGE = 20000  # voxels
 COLUMNS = ("tetrahedra", "least angle", "greatest angle", "below 10, 15, 20", "radius ratio 95 %",
            "volume error of labels above 1,000 / 100 voxels", "pieces above 30 voxels lost", "from true surface",
-           "CPU s")
+           "CPU s", "estimate: tetrahedra, memory")
 
 
 def mesh(cleft, files, options, folder):
@@ -32,7 +32,11 @@ def mesh(cleft, files, options, folder):
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode != 0:
         return None, (done.stderr.strip() or "ended by %d" % done.returncode).splitlines()[-1]
-    return json.loads(report.read_text()), surface
+    found = json.loads(report.read_text())
+    command = [cleft, "mesh", *files, "--estimate", "--json", report, "--quiet", *map(str, options)]
+    subprocess.run(command, check=True)
+    found["estimate"] = json.loads(report.read_text())["estimate"]
+    return found, surface
 
 
 def options_of(background, first):
@@ -82,10 +86,18 @@ def volume_errors(report):
     return "%s / %s %% (median %s)" % (worst_error(report, 1000), worst_error(report, 100), median_error(report))
 
 
+def estimate(report):
+    """The estimated number over the true one, and the estimated memory over the peak when the mesh was there."""
+    peak = next(stage["peak_bytes"] for stage in report["stages"] if stage["name"] == "result_check")
+    bound = "up to " if report["estimate"]["is_bound"] else ""
+    return "%s%+.0f %%, %.2f" % (bound, 100 * report["estimate"]["tets"] / report["mesh"]["tets"] - 100,
+                                 report["estimate"]["peak_bytes"] / peak)
+
+
 def row(report, surface, spheres):
     lost = sum(r["large_components_lost"] for r in report["labels"])
     return [*angles(report), "%.2f" % report["quality"]["radius_ratio_95"], volume_errors(report), str(lost),
-            distance_to_spheres(surface, spheres) if spheres else "", "%.1f" % report["cpu_seconds"]]
+            distance_to_spheres(surface, spheres) if spheres else "", "%.1f" % report["cpu_seconds"], estimate(report)]
 
 
 def line(cells):

@@ -373,9 +373,10 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_sample(const cleft_volume* v
 /* -------------------------------------------------------------------------------------------------- sizing -- */
 
 /** The sizing field of a volume from its features: three distance transforms (see docs/method.md), limited by the
- *  options and the label sizes. With TETS, scaled to the number of tetrahedra expected of the labels that strip and
- *  only keep. `options` may be NULL.
- *  Options read: SIZE, SIZE_MIN, SIZE_MAX, FEATURE_SCALE, GRADATION, INTERFACE_SIZE, KEEP_THIN, TETS and MAX_TETS.
+ *  options and the label sizes. With TETS the field is scaled until its mesh has that number of tetrahedra in the
+ *  labels that strip and only keep. Meshes are made for that as cleft_mesh_volume() makes them, and it takes as long.
+ *  `options` may be NULL.
+ *  Options read: SMOOTH.
  *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* volume,
                                                            const cleft_options* options,
@@ -384,8 +385,8 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_create(cleft_context* contex
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_create_constant(cleft_context* context, const cleft_volume* volume,
                                                                     double size, cleft_sizing** out) CLEFT_NOEXCEPT;
 /** The user's own field: one value a voxel of the volume, within 1e-30 to 1e30, x fastest, FLOAT32 or FLOAT64; taken as
- * it is, and combined by minimum with the computed one if `combine` is nonzero (options as in cleft_sizing_create()).
- *  The caller owns *out. \since 0.1 */
+ *  it is, and combined by minimum with the computed one if `combine` is nonzero (options as in cleft_sizing_create()).
+ *  With TETS it is scaled as there. The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_create_values(cleft_context* context, const cleft_volume* volume,
                                                                   cleft_type type, const void* values, int32_t combine,
                                                                   const cleft_options* options,
@@ -402,13 +403,11 @@ CLEFT_API const float* cleft_sizing_values(const cleft_sizing* sizing) CLEFT_NOE
 /** The field at a world point. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_at(const cleft_sizing* sizing, const double point[3],
                                                        double* size) CLEFT_NOEXCEPT;
-/** Tetrahedra that a background of particles of this field will have, within some 10 %, in the labels that strip and
- *  only of the options keep with which the field was made (all, if there were none). The number in all labels is the
- *  figure "sizing.expected_background_tets" on the context. A finished mesh has 10 to 30 % more, and up to 24 times as
- *  many where nearly each point has a label of its own: the figures "sizing.expected_mesh_tets" and
- *  "sizing.expected_kept_mesh_tets" tell of it. Sizes of the user's that jump from voxel to voxel count as they are
- *  interpolated. 0 for NULL.
- *  \since 0.1 */
+/** Tetrahedra that a background of this field will have, within some 10 %. The options with which the field was made
+ *  say which: of the kind BACKGROUND, in the labels that strip and only keep (without options: of particles, in all
+ *  labels). The number in all labels is the figure "sizing.expected_background_tets" on the context.
+ *  cleft_mesh_estimate() tells of the finished mesh. User-supplied sizes that jump from voxel to voxel count as they
+ *  are interpolated. 0 for NULL. \since 0.1 */
 CLEFT_API double cleft_sizing_expected_tets(const cleft_sizing* sizing) CLEFT_NOEXCEPT;
 
 /* ---------------------------------------------------------------------------------------------- background -- */
@@ -416,7 +415,7 @@ CLEFT_API double cleft_sizing_expected_tets(const cleft_sizing* sizing) CLEFT_NO
 /** The background mesh of a sizing field, of the kind of the option BACKGROUND. It fills the box and knows nothing of
  *  materials: its only label is 0. Particles have STEPS and a SEED. A lattice has one size, the least of the field;
  *  where neither SIZE nor SIZE_MIN nor TETS ask for it, it is raised to keep to MAX_TETS. `options` may be NULL.
- *  Options read: BACKGROUND, SIZE, SIZE_MIN, TETS, MAX_TETS, STEPS and SEED.
+ *  Options read: SMOOTH.
  *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_background_create(cleft_context* context, const cleft_sizing* sizing,
                                                                const cleft_options* options,
@@ -435,18 +434,20 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_create(cleft_context* context,
 /** Destroys a mesh, and the arrays borrowed from it; NULL is allowed. \since 0.1 */
 CLEFT_API void cleft_mesh_destroy(cleft_mesh* mesh) CLEFT_NOEXCEPT;
 
-/** Cleaves a background along the interfaces of a volume; with REPAIR above 0, poor tetrahedra of the background are
- *  repaired first. The background must be positively oriented and conforming, else CLEFT_ERROR_INVALID_MESH with the
- *  first fault; outside of the volume's box, CLEFT_ERROR_ARGUMENT. It need not fill the box: a warning tells how much
- *  of it it fills, or that it reaches out. `options` may be NULL.
- *  Options read: SNAP and REPAIR.
+/** Cleaves a background along the interfaces of a volume; with REPAIR above 0, poor tetrahedra of a background that is
+ *  not of cleft_background_create() are repaired first. The background must be positively oriented and conforming, else
+ *  CLEFT_ERROR_INVALID_MESH with the first fault; outside of the volume's box, CLEFT_ERROR_ARGUMENT. It need not fill
+ *  the box: a warning tells how much of it it fills, or that it reaches out. `options` may be NULL.
+ *  Options read: SMOOTH.
  *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volume,
                                                          const cleft_mesh* background, const cleft_options* options,
                                                          cleft_mesh** out) CLEFT_NOEXCEPT;
-/** Raises the worst dihedral angles of a cleaved mesh of this volume. CLEFT_ERROR_INVALID_MESH if the mesh is not
- *  positively oriented and conforming. `options` may be NULL.
- *  Options read: IMPROVE.
+/** The last stage: raises the worst dihedral angles of a cleaved mesh of this volume, fits its volumes to those of the
+ *  voxels (with IMPROVE off, neither), and orders points and tetrahedra spatially. Warns and, with STRICT, fails as
+ *  cleft_mesh_volume() does. CLEFT_ERROR_INVALID_MESH if the mesh is not positively oriented and conforming. `options`
+ *  may be NULL.
+ *  Options read: SMOOTH.
  *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volume,
                                                           const cleft_mesh* mesh, const cleft_options* options,
@@ -455,20 +456,37 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_improve(cleft_context* context
  *  \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_strip(cleft_context* context, const cleft_mesh* mesh,
                                                         const cleft_options* options, cleft_mesh** out) CLEFT_NOEXCEPT;
-/** All of it: sizing (unless given), background (unless given), cleaving, improving, spatial ordering, stripping.
- *  `sizing`, `background` and `options` may be NULL.
- *  Options read: all but SMOOTH.
- *  With TETS, the size is corrected until the number of tetrahedra
- *  that strip and only keep is within 10 % (at most eight rounds; where labels are left out, the whole mesh keeps to
- *  MAX_TETS, and a warning tells if the number is not met). With STRICT, CLEFT_ERROR_LABEL_LOST if a kept label, or a
- *  piece of more than 30 voxels of one, is not in the mesh or broke, or if two kept labels are a cleft_contact; also,
- *  without STRICT, if no kept label is in the mesh. Warns (CLEFT_LOG_WARNING, in one sentence) of kept labels of 100
- *  voxels or more whose volume in the mesh differs by more than 5 % from that of their voxels.
- *  Warns in one sentence, too, of tetrahedra with dihedral angles below 20 or above 155 degrees in the frame of the
- * voxel axes, unless IMPROVE is off. The caller owns *out. \since 0.1 */
+/** All of it: cleft_sizing_create() (unless given), cleft_background_create() (unless given), cleft_mesh_cleave(),
+ *  cleft_mesh_improve() and cleft_mesh_strip(). Called one by one, these give the same bytes. `sizing`, `background` and
+ *  `options` may be NULL.
+ *  Options read: SMOOTH.
+ *  With TETS, the size is corrected until the number of tetrahedra that strip and only keep is within 10 % (at most
+ *  eight rounds; where labels are left out, the whole mesh keeps to MAX_TETS, and a warning tells if the number is not
+ *  met). With STRICT, CLEFT_ERROR_LABEL_LOST if a kept label, or a piece of more than 30 voxels of one, is not in the
+ *  mesh or broke, or if two kept labels are a cleft_contact; also, without STRICT, if no kept label is in the mesh.
+ *  Warns (CLEFT_LOG_WARNING, in one sentence) of kept labels of 100 voxels or more whose volume in the mesh differs by
+ *  more than 5 % from that of their voxels. Warns in one sentence, too, of tetrahedra with dihedral angles below 20 or
+ *  above 155 degrees in the frame of the voxel axes, unless IMPROVE is off. The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_volume(cleft_context* context, const cleft_volume* volume,
                                                          const cleft_sizing* sizing, const cleft_mesh* background,
                                                          const cleft_options* options, cleft_mesh** out) CLEFT_NOEXCEPT;
+
+/** What a mesh will come to. The caller sets struct_size to sizeof(cleft_estimate). \since 0.1 */
+typedef struct cleft_estimate {
+    uint32_t struct_size;
+    int32_t is_bound;       /**< 1: there may be fewer; labels have few points each, and most cuts may have to stay */
+    double tets;            /**< tetrahedra of the finished mesh, of the labels that strip and only keep */
+    double whole_tets;      /**< of the mesh from which the other labels are left out */
+    double background_tets; /**< of the background that is cleaved */
+    double peak_bytes;      /**< the most memory of the process that makes the mesh and nothing else, no less */
+} cleft_estimate;
+
+/** What cleft_mesh_volume() will come to with the same arguments, within 15 % (see docs/quality.md). It computes the
+ *  sizing field unless that or a background is given, and makes no mesh. \since 0.1 */
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_estimate(cleft_context* context, const cleft_volume* volume,
+                                                           const cleft_sizing* sizing, const cleft_mesh* background,
+                                                           const cleft_options* options,
+                                                           cleft_estimate* out) CLEFT_NOEXCEPT;
 
 /** Number of points; 0 for NULL. \since 0.1 */
 CLEFT_API int64_t cleft_mesh_point_count(const cleft_mesh* mesh) CLEFT_NOEXCEPT;

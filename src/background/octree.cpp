@@ -264,4 +264,28 @@ TetMesh octree_background(const SizingField& field, const Run& run)
     return mesh;
 }
 
+// A face is counted where the finer of the two leaves, or one of two equal ones, would write its tetrahedra.
+int64_t octree_tets(const SizingField& field, const Run& run)
+{
+    constexpr int64_t kAtWall = 2, kBetweenEqual = 4, kFromFiner = 4;
+    const Octree tree = build_octree(field, run);
+    int64_t tets = 0;
+    for (size_t c = 0; c < tree.cells.size(); ++c) {
+        run.check_at(c);
+        const OctreeCell& cell = tree.cells[c];
+        for (int face = 0; cell.first_child < 0 && face < 6; ++face) {
+            Int3 behind = cell.at;
+            behind[static_cast<size_t>(face / 2)] += face % 2 == 1 ? 1 : -1;
+            const int32_t other = tree.find(behind, cell.level);
+            if (other < 0)
+                tets += kAtWall;
+            else if (tree.is_leaf(other) && tree.cells[static_cast<size_t>(other)].level < cell.level)
+                tets += kFromFiner;
+            else if (tree.is_leaf(other) && face % 2 == 1)
+                tets += kBetweenEqual;
+        }
+    }
+    return tets;
+}
+
 }  // namespace cleft

@@ -13,4 +13,7 @@ namespace cleft
 // only (after Labelle and Shewchuk, isosurface stuffing): see octree.cpp.
 TetMesh octree_background(const SizingField& field, const Run& run);
 
+// How many tetrahedra that has, by its tree alone; those that split sides add are taken as usual.
+int64_t octree_tets(const SizingField& field, const Run& run);
+
 }  // namespace cleft

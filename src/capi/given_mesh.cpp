@@ -1,4 +1,4 @@
-// Checks the meshes of users before a stage works on them.
+// Checks what users give before a stage works on it.
 #include "capi/given_mesh.hpp"
 
 #include "base/number_text.hpp"
@@ -7,7 +7,6 @@
 #include "mesh/bounding_box.hpp"
 #include "mesh/quick_check.hpp"
 #include "mesh/validate.hpp"
-#include "pipeline/pipeline.hpp"
 
 #include <algorithm>
 #include <string>
@@ -84,6 +83,9 @@ void require_valid(const cleft_mesh& mesh, const char* whose, const Run& run)
         throw Error(CLEFT_ERROR_INVALID_MESH, std::string("the ") + whose + " is not valid: " + found.first_fault);
 }
 
+namespace
+{
+
 TetMesh checked_background(const cleft_mesh& mesh, const Frame& frame, const Run& run)
 {
     require_valid(mesh, "background", run);
@@ -98,6 +100,22 @@ TetMesh checked_background(const cleft_mesh& mesh, const Frame& frame, const Run
                         fault);
     check_cover(Cover(out), frame.grid.extent(), run);
     return out;
+}
+
+}  // namespace
+
+GivenBackground given_background(const cleft_mesh& mesh, const Frame& frame, const Run& run)
+{
+    if (is_as_left(mesh, MadeBy::background, frame))
+        return {as_left(mesh), true};
+    return {checked_background(mesh, frame, run), false};
+}
+
+SizingField given_field(const cleft_sizing& sizing, const cleft_volume& volume)
+{
+    if (sizing.frame.grid.dims != volume.frame.grid.dims)
+        throw Error(CLEFT_ERROR_ARGUMENT, "the sizing field and the volume have different dims");
+    return sizing.field;
 }
 
 }  // namespace cleft::capi

@@ -1,8 +1,9 @@
-// Meshes that users give to be worked on, checked whole: the stages build on sound ones.
+// What users give to a stage: meshes, checked whole, for the stages build on sound ones; and fields of sizes.
 #pragma once
 
 #include "base/run.hpp"
 #include "capi/handles.hpp"
+#include "pipeline/pipeline.hpp"
 
 namespace cleft::capi
 {
@@ -11,8 +12,24 @@ namespace cleft::capi
 // `whose` is what it is called: "background". Points that are in no tetrahedron are no fault.
 void require_valid(const cleft_mesh& mesh, const char* whose, const Run& run);
 
-// A user's background in the frame of a volume, without the points that it does not use. Refuses what is not valid,
-// overlaps, or lies outside of the volume's box; warns where it does not fill the box, or reaches out of it.
-TetMesh checked_background(const cleft_mesh& mesh, const Frame& frame, const Run& run);
+// A background in the frame of a volume.
+struct GivenBackground {
+    TetMesh mesh;
+    bool is_ours;  // of cleft_background_create(), which repairs its own
+
+    PipelineOptions options(PipelineOptions p) const
+    {
+        p.repair_angle = is_ours ? 0 : p.repair_angle;
+        return p;
+    }
+};
+
+// One of cleft_background_create() is taken as that stage left it. Any other is taken without the points that it does
+// not use; what is not valid, overlaps, or lies outside of the volume's box is refused; where it does not fill the box,
+// or reaches out of it, a warning says so.
+GivenBackground given_background(const cleft_mesh& mesh, const Frame& frame, const Run& run);
+
+// A copy of the field, which must have the dims of the volume.
+SizingField given_field(const cleft_sizing& sizing, const cleft_volume& volume);
 
 }  // namespace cleft::capi

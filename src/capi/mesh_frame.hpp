@@ -11,7 +11,8 @@ namespace cleft::capi
 // gets is checked (quick_fault()): an Error if a stage went wrong, or if the numbers of the world, far from the origin,
 // do not tell the points apart.
 cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const std::vector<int32_t>& labels, const Run& run);
-// The same of a stage that another goes on from: that gets the very points, not those that rounding to the world leaves.
+// The same of a stage that another goes on from: that gets the very points, not those that rounding to the world
+// leaves.
 cleft_mesh to_next_stage(LabelledMesh&& mesh, MadeBy stage, const Frame& frame, const std::vector<int32_t>& labels,
                          const Run& run);
 // Whether the mesh is as that stage left it, in this frame.

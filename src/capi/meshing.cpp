@@ -40,25 +40,6 @@ void note_result(const Run& run, const LabelledMesh& mesh)
     run.note("mesh.tets", static_cast<double>(mesh.tets.size()));
 }
 
-// A user's own is checked, and may be repaired; one of cleft_background_create() is taken as that stage left it.
-struct Background {
-    cleft::TetMesh mesh;
-    bool is_repaired;
-
-    cleft::PipelineOptions options(cleft::PipelineOptions p) const
-    {
-        p.repair_angle = is_repaired ? 0 : p.repair_angle;
-        return p;
-    }
-};
-
-Background background_of(const cleft_mesh& mesh, const cleft::Frame& frame, const Run& run)
-{
-    if (is_as_left(mesh, MadeBy::background, frame))
-        return {as_left(mesh), true};
-    return {checked_background(mesh, frame, run), false};
-}
-
 // What is given is held by the caller.
 LabelledMesh meshed(const cleft_volume& volume, const cleft_sizing* sizing, const cleft_mesh* background,
                     const cleft::PipelineOptions& p, const Run& run)
@@ -66,14 +47,11 @@ LabelledMesh meshed(const cleft_volume& volume, const cleft_sizing* sizing, cons
     if (background && p.tets > 0)
         run.say(CLEFT_LOG_WARNING, "tets has no effect on a background that is given");
     if (background) {
-        Background from = background_of(*background, volume.frame, run);
+        GivenBackground from = given_background(*background, volume.frame, run);
         return cleft::mesh_from_background(volume.volume, std::move(from.mesh), from.options(p), run);
     }
-    if (sizing) {
-        if (sizing->frame.grid.dims != volume.frame.grid.dims)
-            throw Error(CLEFT_ERROR_ARGUMENT, "the sizing field and the volume have different dims");
-        return cleft::mesh_from_sizing(volume.volume, sizing->field, p, run);
-    }
+    if (sizing)
+        return cleft::mesh_from_sizing(volume.volume, given_field(*sizing, volume), p, run);
     return cleft::mesh_from_volume(volume.volume, p, run);
 }
 
@@ -99,7 +77,7 @@ cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volum
         const auto from = held(background, "background");
         const cleft::PipelineOptions p = pipeline_options(options);
         warn_of_unused_smooth(v->volume, options, run);
-        Background given = background_of(*from, v->frame, run);
+        GivenBackground given = given_background(*from, v->frame, run);
         cleft::repair_background(given.mesh, given.options(p), cleft::part_of(run, 0.0, 0.3));
         LabelledMesh cleaved = cleft::cleave(v->volume, given.mesh, p.cleave, cleft::part_of(run, 0.3, 1.0));
         cleft_mesh result = to_next_stage(std::move(cleaved), MadeBy::cleaving, v->frame, v->volume.labels(), run);

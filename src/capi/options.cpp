@@ -125,6 +125,7 @@ PipelineOptions pipeline_options(const cleft_options* options)
     out.sizing.max_tets = out.tets > 0 ? 0 : out.max_tets;
     if (options)
         out.sizing.label_sizes = options->label_sizes;
+    out.background.lattice = {out.sizing.max_tets, out.sizing.size > 0 || out.sizing.size_min > 0};
     return out;
 }
 

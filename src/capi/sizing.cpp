@@ -1,7 +1,6 @@
 #include "base/number_text.hpp"
 #include "capi/firewall.hpp"
 #include "capi/options.hpp"
-#include "pipeline/expected_mesh.hpp"
 #include "pipeline/pipeline.hpp"
 
 #include <cmath>
@@ -27,13 +26,9 @@ std::vector<double> as_doubles(cleft_type type, const void* values, int64_t coun
 // The handle of a field.
 cleft_sizing finished(const cleft_volume& v, SizingField field, const cleft::PipelineOptions& p, const Run& run)
 {
-    run.note("sizing.expected_background_tets", cleft::expected_background_tets(field));
-    const double expected = cleft::expected_background_tets(field, v.volume, p.keep);
-    const cleft::ExpectedMesh mesh = cleft::expected_mesh(field, v.volume, p.keep, run);
-    run.note("sizing.expected_mesh_tets", mesh.tets);
-    run.note("sizing.expected_kept_mesh_tets", mesh.kept);
-    run.note("sizing.expected_mesh_is_bound", mesh.is_bound ? 1 : 0);
-    return {{}, v.frame, std::move(field), expected};
+    const cleft::ExpectedTets expected = cleft::expected_tets(field, p.background, v.volume, p.keep, run);
+    run.note("sizing.expected_background_tets", expected.all);
+    return {{}, v.frame, std::move(field), expected.kept};
 }
 
 }  // namespace

@@ -98,71 +98,21 @@ Mesh read_background(Session& session, const std::string& path)
     return background;
 }
 
-struct Estimate {
-    double tets = 0;        // of the labels that are kept
-    double whole_tets = 0;  // of the mesh that they are taken from
-    double bytes = 0;
-    bool is_bound = false;  // there may be fewer
-};
-
-// The share of the tetrahedra of a background whose middles lie in labels that are kept.
-double kept_share(const Session& session, const MeshArguments& arguments, const cleft_volume* volume,
-                  const cleft_mesh* background)
+int tell_estimate(Session& session, const MeshArguments& arguments, const cleft_volume* volume,
+                  const cleft_sizing* sizing, const cleft_mesh* background, const cleft_options* options)
 {
-    const int64_t count = cleft_mesh_tet_count(background);
-    const double* points = cleft_mesh_points(background);
-    const int32_t* tets = cleft_mesh_tets(background);
-    std::vector<double> middles(static_cast<std::size_t>(3 * count), 0.0);
-    for (int64_t i = 0; i < 4 * count; ++i)
-        for (int64_t axis = 0; axis < 3; ++axis)
-            middles[static_cast<std::size_t>(3 * (i / 4) + axis)] += points[3 * int64_t{tets[i]} + axis] / 4;
-    std::vector<int32_t> labels(static_cast<std::size_t>(count));
-    session.check(cleft_volume_sample(volume, middles.data(), count, labels.data()), EXIT_MESHING_FAILED);
-    const auto left_out =
-        std::count_if(labels.begin(), labels.end(), [&](int32_t label) { return arguments.left_out(label); });
-    return count > 0 ? 1 - static_cast<double>(left_out) / static_cast<double>(count) : 0;
-}
-
-Estimate estimated(const Session& session, const MeshArguments& arguments, const cleft_volume* volume, int64_t voxels,
-                   const cleft_mesh* background)
-{
-    Estimate estimate;
-    if (background != nullptr) {
-        const double cleaved = 1.15;  // on most volumes
-        estimate.whole_tets = cleaved * static_cast<double>(cleft_mesh_tet_count(background));
-        estimate.tets = estimate.whole_tets * kept_share(session, arguments, volume, background);
-    } else {
-        for (const auto& [name, value] : session.metrics()) {
-            if (name == "sizing.expected_kept_mesh_tets")
-                estimate.tets = value;
-            else if (name == "sizing.expected_mesh_tets")
-                estimate.whole_tets = value;
-            else if (name == "sizing.expected_mesh_is_bound")
-                estimate.is_bound = value != 0;
-        }
-    }
-    // What real volumes took, rounded up: for the program, a voxel and a tetrahedron. Many labels have tables of
-    // theirs.
-    estimate.bytes =
-        3e7 + 12.0 * static_cast<double>(voxels) + (estimate.is_bound ? 420.0 : 200.0) * estimate.whole_tets;
-    return estimate;
-}
-
-int tell_estimate(Session& session, const MeshArguments& arguments, const cleft_volume* volume, Sizing sizing,
-                  const cleft_mesh* background, const cleft_options* options)
-{
-    if (!sizing && background == nullptr)
-        session.timed("sizing", "sizing field", [&] {
-            sizing = session.make<Sizing>(EXIT_MESHING_FAILED, [&](cleft_sizing** out) {
-                return cleft_sizing_create(session.context(), volume, options, out);
-            });
-        });
+    cleft_estimate estimate{};
+    estimate.struct_size = sizeof estimate;
+    session.timed("estimate", "estimating", [&] {
+        session.check(cleft_mesh_estimate(session.context(), volume, sizing, background, options, &estimate),
+                      EXIT_MESHING_FAILED);
+    });
     const VolumeFindings found = look_at_volume(session, volume);
-    const Estimate estimate = estimated(session, arguments, volume, found.voxel_count(), background);
     session.clear_progress();
     if (arguments.run.prints()) {
-        std::string text = volume_line(found) + left("Estimate", 11) + (estimate.is_bound ? "up to " : "") +
-                           rounded(estimate.tets) + " tetrahedra, about " + bytes_text(estimate.bytes) + " of memory\n";
+        std::string text = volume_line(found) + left("Estimate", 11) + (estimate.is_bound != 0 ? "up to " : "") +
+                           rounded(estimate.tets) + " tetrahedra, about " + bytes_text(estimate.peak_bytes) +
+                           " of memory\n";
         if (estimate.whole_tets > 1.01 * estimate.tets)
             text += left("", 11) + "of " + rounded(estimate.whole_tets) + " with the labels that are left out\n";
         print_summary_text(text);
@@ -172,8 +122,9 @@ int tell_estimate(Session& session, const MeshArguments& arguments, const cleft_
         report["volume"] = volume_json(found);
         report["estimate"] = {{"tets", estimate.tets},
                               {"whole_tets", estimate.whole_tets},
-                              {"peak_bytes", estimate.bytes},
-                              {"is_bound", estimate.is_bound}};
+                              {"background_tets", estimate.background_tets},
+                              {"peak_bytes", estimate.peak_bytes},
+                              {"is_bound", estimate.is_bound != 0}};
         add_run(report, session);
         write_json(report, arguments.run.json);
     }
@@ -333,7 +284,7 @@ int run_mesh(MeshArguments& arguments)
     Sizing sizing = read_sizing(session, arguments, volume.get(), options.get());
     Mesh background = read_background(session, arguments.background_file);
     if (arguments.estimate)
-        return tell_estimate(session, arguments, volume.get(), std::move(sizing), background.get(), options.get());
+        return tell_estimate(session, arguments, volume.get(), sizing.get(), background.get(), options.get());
 
     Mesh mesh;
     session.timed("mesh", "meshing", [&] {

@@ -1,6 +1,5 @@
 #include "pipeline/number_search.hpp"
 
-#include "background/lattice.hpp"
 #include "base/number_text.hpp"
 #include "base/stage_timer.hpp"
 
@@ -22,11 +21,10 @@ double expected_kept(const SizingField& field, const Volume& volume, const Pipel
     return kCleavedOverBackground * expected_background_tets(field, volume, options.keep);
 }
 
-double expected_of_all(const SizingField& field, const PipelineOptions& options)
+double expected_of_all(const SizingField& field, const PipelineOptions& options, const Run& run)
 {
-    if (options.background != BackgroundKind::lattice)
-        return kCleavedOverBackground * expected_background_tets(field);
-    return kCleavedOverBackground * lattice_tets_for(field.grid, field.least());
+    const BackgroundOptions& background = options.background;
+    return kCleavedOverBackground * row_of(background.kind).expected_tets(field, background, run);
 }
 
 // The number of tetrahedra that no round may pass; 0: none. Without it, those of a label of a few voxels would have the
@@ -47,13 +45,13 @@ double kept_share(const Volume& volume, const PipelineOptions& options)
     return std::max(kept, 1.0) / static_cast<double>(volume.grid().size());
 }
 
-// Where the search for a number begins: a lattice as fine as the field asks for could fill the memory.
-double first_factor(const SizingField& field, const Volume& volume, const PipelineOptions& options)
+// Where the search for a number begins: one size everywhere, as fine as the field's least, could fill the memory.
+double first_factor(const SizingField& field, const Volume& volume, const PipelineOptions& options, const Run& run)
 {
-    if (options.background != BackgroundKind::lattice)
+    if (is_graded(options.background.kind))
         return 1;
-    const double wanted = static_cast<double>(options.tets) / kCleavedOverBackground / kept_share(volume, options);
-    return std::max(1.0, lattice_size_for(field.grid, wanted) / field.least());
+    const double wanted = static_cast<double>(options.tets) / kept_share(volume, options);
+    return std::max(1.0, std::cbrt(expected_of_all(field, options, run) / wanted));
 }
 
 int64_t kept_count(const LabelledMesh& mesh, const PipelineOptions& options)
@@ -144,8 +142,8 @@ LabelledMesh mesh_of_number(const Volume& volume, SizingField& field, const Pipe
     double factor = 1, next = 1;
     fit_to_number(field, volume, options, run);
     if (!was_found)
-        next = std::max(
-            {1.0, least_factor(1, expected_of_all(field, options), limit), first_factor(field, volume, options)});
+        next = std::max({1.0, least_factor(1, expected_of_all(field, options, run), limit),
+                         first_factor(field, volume, options, run)});
     bool is_limited = false;
     LabelledMesh mesh;
     for (int round = 0; round < kRounds && !is_limited; ++round) {
@@ -168,7 +166,7 @@ LabelledMesh mesh_of_number(const Volume& volume, SizingField& field, const Pipe
     field.found_for = options.tets;
     field.found = kept_count(mesh, options);
     warn_of_number(mesh, options, is_limited, run);
-    if (options.background == BackgroundKind::lattice)
+    if (!is_graded(options.background.kind))
         warn_of_coarse_lattice(field, run);
     return mesh;
 }

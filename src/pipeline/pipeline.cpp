@@ -1,9 +1,6 @@
 #include "pipeline/pipeline.hpp"
 
-#include "background/lattice.hpp"
-#include "background/octree.hpp"
 #include "background/repair.hpp"
-#include "base/number_text.hpp"
 #include "base/stage_timer.hpp"
 #include "improving/fit_volumes.hpp"
 #include "mesh/finish.hpp"
@@ -51,44 +48,6 @@ void require_all_labels(const Volume& volume, const LabelledMesh& mesh, const Pi
                                                     "smaller size would keep them apart");
 }
 
-// Cells are no longer than the box is thin, whatever their size is to be: a plate can have many more of them than that
-// size asks for.
-void refuse_flat_lattice(const Grid& grid, double size, double most)
-{
-    constexpr double kRounded = 2;  // numbers of cells are whole
-    const double tets = lattice_tets(grid, size), asked = lattice_tets_for(grid, size);
-    if (most > 0 && tets > kRounded * std::max(most, asked))
-        throw Error(CLEFT_ERROR_TOO_LARGE, "a lattice as fine as the box is thin has about " + count_text(tets) +
-                                               " tetrahedra, more than max_tets, " + count_text(most) +
-                                               ": give a greater max_tets, or another background");
-}
-
-// The least that the field asks for. Where only features ask for it, not the user, a lattice that would have more than
-// max_tets is made coarser: one thin part would make it fill the memory.
-double lattice_size(const SizingField& field, const PipelineOptions& options, const Run& run)
-{
-    const double least = field.least(), most = options.sizing.max_tets;
-    const bool is_asked_for = options.sizing.size > 0 || options.sizing.size_min > 0 || least == field.greatest();
-    if (most <= 0 || is_asked_for)
-        return least;
-    const double size = lattice_size_for(field.grid, most);
-    if (size <= least)
-        return least;
-    const double asked = most * std::pow(size / least, 3);
-    run.say(CLEFT_LOG_WARNING, "a lattice of the least size, " + number_text(least) + ", has about " +
-                                   count_text(asked) + " tetrahedra: its size was raised to " + number_text(size) +
-                                   " to keep to max_tets, " + count_text(most));
-    return size;
-}
-
-TetMesh lattice_of(const SizingField& field, const PipelineOptions& options, const Run& run)
-{
-    warn_of_coarse_lattice(field, run);
-    const double size = lattice_size(field, options, run);
-    refuse_flat_lattice(field.grid, size, options.sizing.max_tets);
-    return lattice_background(field.grid, size, run);
-}
-
 // A label that is to be kept can have been lost; where all are, an empty mesh would be left.
 void require_kept(const LabelledMesh& mesh, const PipelineOptions& options)
 {
@@ -130,18 +89,6 @@ Run part_of(const Run& run, double from, double to)
     return part;
 }
 
-// Scaled for a wanted number of tetrahedra, the one size of a lattice can come out coarser than the thinnest parts ask
-// for, which is half of their thickness. A field that is constant asks for nothing of the kind.
-void warn_of_coarse_lattice(const SizingField& field, const Run& run)
-{
-    constexpr double kCoarse = 1.1;
-    if (field.scale > kCoarse && field.least() < field.greatest())
-        run.say(CLEFT_LOG_WARNING, "the lattice has one size, " + number_text(field.least()) +
-                                       ", which may lose the thinnest parts: a size of " +
-                                       number_text(field.least() / field.scale) +
-                                       " resolves them, or a graded background with fewer tetrahedra");
-}
-
 SizingField make_sizing(const Volume& volume, const PipelineOptions& options, const Run& run)
 {
     const double meshing = options.tets > 0 ? 0.1 : 1;
@@ -159,18 +106,7 @@ void scale_to_number(SizingField& field, const Volume& volume, const PipelineOpt
 TetMesh make_background(const SizingField& field, const PipelineOptions& options, const Run& run)
 {
     const StageTimer timer(run, "background");
-    TetMesh mesh;
-    switch (options.background) {
-        case BackgroundKind::particles:
-            mesh = particle_background(field, options.particles, run);
-            break;
-        case BackgroundKind::lattice:
-            mesh = lattice_of(field, options, run);
-            break;
-        case BackgroundKind::octree:
-            mesh = octree_background(field, run);
-            break;
-    }
+    TetMesh mesh = row_of(options.background.kind).make(field, options.background, run);
     run.note("background.points", static_cast<double>(mesh.points.size()));
     run.note("background.tets", static_cast<double>(mesh.tets.size()));
     return mesh;

@@ -1,7 +1,7 @@
 // The stages one after the other.
 #pragma once
 
-#include "background/particles.hpp"
+#include "background/kinds.hpp"
 #include "cleaving/cleave.hpp"
 #include "improving/improve.hpp"
 #include "sizing/sizing.hpp"
@@ -13,12 +13,9 @@
 namespace cleft
 {
 
-enum class BackgroundKind { particles, lattice, octree };
-
 struct PipelineOptions {
     SizingOptions sizing;
-    BackgroundKind background = BackgroundKind::particles;
-    ParticleOptions particles;
+    BackgroundOptions background;
     CleaveOptions cleave;
     ImproveOptions improve;
     double repair_angle = 30;  // degrees; 0: a user's background is cleaved as it is
@@ -39,9 +36,6 @@ SizingField make_sizing(const Volume& volume, const PipelineOptions& options, co
 void scale_to_number(SizingField& field, const Volume& volume, const PipelineOptions& options, const Run& run);
 
 TetMesh make_background(const SizingField& field, const PipelineOptions& options, const Run& run);
-
-// Warns if the one size of a lattice is coarser than the thinnest parts ask for.
-void warn_of_coarse_lattice(const SizingField& field, const Run& run);
 
 // Repairs poor tetrahedra of a user's own background, as the options say.
 void repair_background(TetMesh& background, const PipelineOptions& options, const Run& run);

@@ -52,7 +52,7 @@ bool comes_out_as(const LabelVolume& labels, const Shape& shape)
 {
     for (const BackgroundKind kind : kGraded) {
         PipelineOptions options;
-        options.background = kind;
+        options.background.kind = kind;
         const LabelledMesh mesh = meshed(labels, options);
         const Topology topology = topology_of(mesh, 2);
         if (topology.parts != shape.parts || topology.euler != shape.euler ||
@@ -122,7 +122,7 @@ static void half_a_voxel_keeps_what_is_one_thick(void**)
         Volume::from_labels(VoxelType::uint8, labels.voxels.data(), {labels.dims, Vec3(1, 1, 1)}, 5, Run());
     for (const BackgroundKind kind : kGraded) {
         PipelineOptions options;
-        options.background = kind;
+        options.background.kind = kind;
         options.sizing.size_min = 0.5;
         const std::vector<LabelRow> rows = label_report(volume, meshed(labels, options), Run()).rows;
         assert_true(rows[1].voxels > 30);

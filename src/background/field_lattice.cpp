@@ -1,0 +1,71 @@
+// Chooses the one size of a lattice for a field of sizes.
+#include "background/field_lattice.hpp"
+
+#include "background/lattice.hpp"
+#include "base/number_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cleft
+{
+
+namespace
+{
+
+// Cells are no longer than the box is thin, whatever their size is to be: a plate can have many more of them than that
+// size asks for.
+void refuse_flat_lattice(const Grid& grid, double size, double most)
+{
+    constexpr double kRounded = 2;  // numbers of cells are whole
+    const double tets = lattice_tets(grid, size), asked = lattice_tets_for(grid, size);
+    if (most > 0 && tets > kRounded * std::max(most, asked))
+        throw Error(CLEFT_ERROR_TOO_LARGE, "a lattice as fine as the box is thin has about " + count_text(tets) +
+                                               " tetrahedra, more than max_tets, " + count_text(most) +
+                                               ": give a greater max_tets, or another background");
+}
+
+void warn_of_raised_size(const SizingField& field, double size, double most, const Run& run)
+{
+    const double least = field.least();
+    if (size <= least)
+        return;
+    const double asked = most * std::pow(size / least, 3);
+    run.say(CLEFT_LOG_WARNING, "a lattice of the least size, " + number_text(least) + ", has about " +
+                                   count_text(asked) + " tetrahedra: its size was raised to " + number_text(size) +
+                                   " to keep to max_tets, " + count_text(most));
+}
+
+}  // namespace
+
+double field_lattice_size(const SizingField& field, const LatticeOptions& options)
+{
+    const double least = field.least();
+    const bool is_asked_for = options.is_size_given || least == field.greatest();
+    if (options.max_tets <= 0 || is_asked_for)
+        return least;
+    return std::max(least, lattice_size_for(field.grid, options.max_tets));
+}
+
+TetMesh field_lattice(const SizingField& field, const LatticeOptions& options, const Run& run)
+{
+    warn_of_coarse_lattice(field, run);
+    const double size = field_lattice_size(field, options);
+    warn_of_raised_size(field, size, options.max_tets, run);
+    refuse_flat_lattice(field.grid, size, options.max_tets);
+    return lattice_background(field.grid, size, run);
+}
+
+// Scaled for a wanted number of tetrahedra, the one size of a lattice can come out coarser than the thinnest parts ask
+// for, which is half of their thickness. A field that is constant asks for nothing of the kind.
+void warn_of_coarse_lattice(const SizingField& field, const Run& run)
+{
+    constexpr double kCoarse = 1.1;
+    if (field.scale > kCoarse && field.least() < field.greatest())
+        run.say(CLEFT_LOG_WARNING, "the lattice has one size, " + number_text(field.least()) +
+                                       ", which may lose the thinnest parts: a size of " +
+                                       number_text(field.least() / field.scale) +
+                                       " resolves them, or a graded background with fewer tetrahedra");
+}
+
+}  // namespace cleft

@@ -1,0 +1,61 @@
+// What each kind of background is made by, and how many tetrahedra it will have.
+#include "background/kinds.hpp"
+
+#include "background/lattice.hpp"
+#include "background/octree.hpp"
+
+namespace cleft
+{
+
+namespace
+{
+
+// In the order of BackgroundKind.
+constexpr BackgroundRow kRows[] = {
+    {[](const SizingField& field, const BackgroundOptions& options, const Run& run) {
+         return particle_background(field, options.particles, run);
+     },
+     [](const SizingField& field, const BackgroundOptions&, const Run&) { return expected_background_tets(field); },
+     nullptr},
+    {[](const SizingField& field, const BackgroundOptions& options, const Run& run) {
+         return field_lattice(field, options.lattice, run);
+     },
+     [](const SizingField& field, const BackgroundOptions& options, const Run&) {
+         return lattice_tets(field.grid, field_lattice_size(field, options.lattice));
+     },
+     [](const SizingField& field, const BackgroundOptions& options) {
+         return field_lattice_size(field, options.lattice);
+     }},
+    {[](const SizingField& field, const BackgroundOptions&, const Run& run) { return octree_background(field, run); },
+     [](const SizingField& field, const BackgroundOptions&, const Run& run) {
+         return static_cast<double>(octree_tets(field, run));
+     },
+     nullptr},
+};
+
+double kept_share_of_voxels(const Volume& volume, const std::vector<char>& keep)
+{
+    const std::vector<int64_t> voxels = volume.voxel_counts();
+    double kept = 0;
+    for (size_t m = 0; m < voxels.size(); ++m)
+        kept += keep.empty() || keep[m] != 0 ? static_cast<double>(voxels[m]) : 0;
+    return kept / static_cast<double>(volume.grid().size());
+}
+
+}  // namespace
+
+const BackgroundRow& row_of(BackgroundKind kind) { return kRows[static_cast<size_t>(kind)]; }
+
+ExpectedTets expected_tets(const SizingField& field, const BackgroundOptions& options, const Volume& volume,
+                           const std::vector<char>& keep, const Run& run)
+{
+    const double all = row_of(options.kind).expected_tets(field, options, run);
+    if (keep.empty())
+        return {all, all};
+    const double share = is_graded(options.kind)
+                             ? expected_background_tets(field, volume, keep) / expected_background_tets(field)
+                             : kept_share_of_voxels(volume, keep);
+    return {all, all * share};
+}
+
+}  // namespace cleft

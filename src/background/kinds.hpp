@@ -1,0 +1,38 @@
+// The kinds of background meshes that a sizing field can be given: one row each.
+#pragma once
+
+#include "background/field_lattice.hpp"
+#include "background/particles.hpp"
+
+#include <vector>
+
+namespace cleft
+{
+
+enum class BackgroundKind { particles, lattice, octree };
+
+struct BackgroundOptions {
+    BackgroundKind kind = BackgroundKind::particles;
+    ParticleOptions particles;
+    LatticeOptions lattice;
+};
+
+struct BackgroundRow {
+    TetMesh (*make)(const SizingField& field, const BackgroundOptions& options, const Run& run);
+    double (*expected_tets)(const SizingField& field, const BackgroundOptions& options, const Run& run);
+    // The one size of its tetrahedra; null where they follow the field.
+    double (*uniform_size)(const SizingField& field, const BackgroundOptions& options);
+};
+
+const BackgroundRow& row_of(BackgroundKind kind);
+
+inline bool is_graded(BackgroundKind kind) { return !row_of(kind).uniform_size; }
+
+// Of a background, of which some tetrahedra lie in materials with keep[material] != 0 (all if it is empty).
+struct ExpectedTets {
+    double all = 0, kept = 0;
+};
+ExpectedTets expected_tets(const SizingField& field, const BackgroundOptions& options, const Volume& volume,
+                           const std::vector<char>& keep, const Run& run);
+
+}  // namespace cleft

@@ -1,0 +1,45 @@
+// What a mesh will come to: tetrahedra and memory, before it is made.
+#include "pipeline/estimate.hpp"
+
+#include "base/struct_size.hpp"
+#include "capi/firewall.hpp"
+#include "capi/given_mesh.hpp"
+#include "capi/mesh_frame.hpp"
+#include "capi/options.hpp"
+
+using namespace cleft::capi;
+using cleft::Estimate;
+using cleft::Run;
+
+namespace
+{
+
+// What is given is held by the caller.
+Estimate estimated(const cleft_volume& volume, const cleft_sizing* sizing, const cleft_mesh* background,
+                   const cleft::PipelineOptions& p, const Run& run)
+{
+    if (background)
+        return cleft::estimate_from_background(volume.volume, given_background(*background, volume.frame, run).mesh, p,
+                                               run);
+    return cleft::estimate_from_sizing(
+        volume.volume, sizing ? given_field(*sizing, volume) : cleft::compute_sizing(volume.volume, p.sizing, run), p,
+        run);
+}
+
+}  // namespace
+
+cleft_status cleft_mesh_estimate(cleft_context* context, const cleft_volume* volume, const cleft_sizing* sizing,
+                                 const cleft_mesh* background, const cleft_options* options,
+                                 cleft_estimate* out) noexcept
+{
+    return guarded_run(context, [&](const Run& run) {
+        const auto v = held(volume, "volume");
+        const auto held_options = held_if_any(options, "options");
+        const auto held_sizing = held_if_any(sizing, "sizing");
+        const auto held_background = held_if_any(background, "background");
+        cleft::check_struct_size(*required(out, "out"), "cleft_estimate");
+        const Estimate found = estimated(*v, sizing, background, pipeline_options(options, *v), run);
+        cleft::give({0, found.is_bound, found.tets, found.whole_tets, found.background_tets, found.peak_bytes}, *out);
+        run.report(1, nullptr);
+    });
+}
