@@ -5,7 +5,9 @@
 #include "base/ordinal.hpp"
 #include "capi/mesh_frame.hpp"
 #include "mesh/bounding_box.hpp"
+#include "mesh/finish.hpp"
 #include "mesh/quick_check.hpp"
+#include "mesh/strip.hpp"
 #include "mesh/validate.hpp"
 
 #include <algorithm>
@@ -17,24 +19,6 @@ namespace cleft::capi
 namespace
 {
 
-void drop_unused_points(TetMesh& mesh)
-{
-    std::vector<int32_t> number(mesh.points.size(), -1);
-    for (const Tet& tet : mesh.tets)
-        for (const int32_t p : tet)
-            number[static_cast<size_t>(p)] = 0;
-    int32_t kept = 0;
-    for (size_t p = 0; p < mesh.points.size(); ++p)
-        if (number[p] == 0) {
-            number[p] = kept;
-            mesh.points[static_cast<size_t>(kept++)] = mesh.points[p];
-        }
-    mesh.points.resize(static_cast<size_t>(kept));
-    for (Tet& tet : mesh.tets)
-        for (int32_t& p : tet)
-            p = number[static_cast<size_t>(p)];
-}
-
 // How a background lies in the box of the volume.
 struct Cover {
     double volume = 0;  // of its tetrahedra
@@ -42,12 +26,10 @@ struct Cover {
 
     explicit Cover(const TetMesh& mesh)
     {
-        for (const Vec3& x : mesh.points)
-            box.add(x);
-        for (const Tet& tet : mesh.tets) {
-            const auto p = [&](size_t i) -> const Vec3& { return mesh.points[static_cast<size_t>(tet[i])]; };
-            volume += (p(1) - p(0)).cross(p(2) - p(0)).dot(p(3) - p(0)) / 6;
-        }
+        box.add(mesh.points);
+        for (const double tets :
+             material_volumes(mesh.points, mesh.tets, std::vector<Material>(mesh.tets.size(), 0), 1))
+            volume += tets;
     }
 };
 
@@ -91,7 +73,7 @@ TetMesh checked_background(const cleft_mesh& mesh, const Frame& frame, const Run
     require_valid(mesh, "background", run);
     TetMesh out;
     to_local(mesh, frame, out.points, out.tets);
-    drop_unused_points(out);
+    drop_unused_points(out.points, out.tets);
     const std::string fault = quick_fault(out.points, out.tets, run);
     if (!fault.empty())
         throw Error(CLEFT_ERROR_INVALID_MESH,

@@ -97,13 +97,13 @@ struct cleft_mesh : cleft::capi::Handle<cleft::capi::Mark::mesh> {
     std::optional<cleft::Frame> frame;  // of the volume or sizing field that it came from
     cleft::capi::MadeBy made_by = cleft::capi::MadeBy::user;
     std::vector<cleft::Vec3> local;  // a stage's own points for the next one, if the way back differs in last digits
-    cleft::LabelledMesh mesh;        // world coordinates; `material` holds the user's labels
-    std::vector<int32_t> labels;     // the different ones, ascending
+    cleft::UserMesh mesh;
+    std::vector<int32_t> labels;  // the different ones, ascending
     cleft::capi::LabelNames names;
 };
 
 struct cleft_surface : cleft::capi::Handle<cleft::capi::Mark::surface> {
-    cleft::Interfaces interfaces;  // `Material` holds the user's labels
+    cleft::Interfaces interfaces;  // whose regions are labels
 };
 
 struct cleft_report : cleft::capi::Handle<cleft::capi::Mark::report> {

@@ -1,7 +1,7 @@
 #include "capi/kept_labels.hpp"
 
 #include "capi/mesh_frame.hpp"
-#include "mesh/finish.hpp"
+#include "mesh/strip.hpp"
 
 #include <algorithm>
 #include <string>
@@ -79,17 +79,12 @@ void strip_labels(cleft_mesh& mesh, const cleft_options* options)
     const std::vector<char> keep = kept_labels(mesh.labels, options, "mesh");
     if (keep.empty())
         return;
-    // strip_materials numbers materials densely: labels become their place in the list, and back.
-    const auto place = [&](int32_t label) {
-        return static_cast<Material>(std::lower_bound(mesh.labels.begin(), mesh.labels.end(), label) -
-                                     mesh.labels.begin());
+    const auto is_kept = [&](int32_t label) {
+        const auto place = std::lower_bound(mesh.labels.begin(), mesh.labels.end(), label) - mesh.labels.begin();
+        return keep[static_cast<size_t>(place)] != 0;
     };
-    for (int32_t& label : mesh.mesh.material)
-        label = place(label);
-    strip_materials(mesh.mesh, keep);
-    for (int32_t& label : mesh.mesh.material)
-        label = mesh.labels[static_cast<size_t>(label)];
-    mesh.labels = distinct_labels(mesh.mesh.material);
+    strip(mesh.mesh.points, mesh.mesh.tets, mesh.mesh.labels, is_kept);
+    mesh.labels = distinct_labels(mesh.mesh.labels);
     const LabelNames all = std::exchange(mesh.names, {});
     add_label_names(mesh.names, all, mesh.labels);
 }

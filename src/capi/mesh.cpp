@@ -2,7 +2,7 @@
 #include "base/ordinal.hpp"
 #include "capi/firewall.hpp"
 #include "capi/mesh_frame.hpp"
-#include "mesh/adjacency.hpp"
+#include "mesh/quadratic.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -76,10 +76,10 @@ cleft_status cleft_mesh_create(cleft_context* context, int64_t point_count, cons
         }
         mesh.mesh.tets = checked_tets(tets, tet_count, point_count, index_base);
         if (labels)
-            mesh.mesh.material.assign(labels, labels + tet_count);
+            mesh.mesh.labels.assign(labels, labels + tet_count);
         else
-            mesh.mesh.material.assign(static_cast<size_t>(tet_count), 0);
-        mesh.labels = distinct_labels(mesh.mesh.material);
+            mesh.mesh.labels.assign(static_cast<size_t>(tet_count), 0);
+        mesh.labels = distinct_labels(mesh.mesh.labels);
         return mesh;
     });
 }
@@ -108,7 +108,7 @@ const int32_t* cleft_mesh_tets(const cleft_mesh* mesh) noexcept
 
 const int32_t* cleft_mesh_tet_labels(const cleft_mesh* mesh) noexcept
 {
-    return is_sound(mesh) ? data_or_null(mesh->mesh.material) : nullptr;
+    return is_sound(mesh) ? data_or_null(mesh->mesh.labels) : nullptr;
 }
 
 int64_t cleft_mesh_label_count(const cleft_mesh* mesh) noexcept
@@ -161,7 +161,7 @@ cleft_status cleft_mesh_copy_tets(const cleft_mesh* mesh, int32_t index_base, in
 cleft_status cleft_mesh_copy_tet_labels(const cleft_mesh* mesh, int32_t* labels, int64_t capacity) noexcept
 {
     return guarded(nullptr, [&] {
-        const auto& from = checked(mesh, "mesh").mesh.material;
+        const auto& from = checked(mesh, "mesh").mesh.labels;
         required(labels, "labels");
         check_capacity(capacity, from.size());
         std::copy(from.begin(), from.end(), labels);
@@ -173,44 +173,27 @@ cleft_status cleft_mesh_copy_quadratic(const cleft_mesh* mesh, int32_t index_bas
                                        int64_t* point_count) noexcept
 {
     return guarded(nullptr, [&] {
-        const cleft::LabelledMesh& from = checked(mesh, "mesh").mesh;
+        const cleft::UserMesh& from = checked(mesh, "mesh").mesh;
         required(point_count, "point_count");
         check_counts(0, 0, index_base);
-        static constexpr int kMiddles[6][2] = {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}};
-        // Edges as sorted pairs, each once: the place in this list is the number of its middle.
-        std::vector<uint64_t> edges;
-        edges.reserve(6 * from.tets.size());
-        const auto key = [](int32_t a, int32_t b) {
-            return static_cast<uint64_t>(std::min(a, b)) << 32 | static_cast<uint32_t>(std::max(a, b));
-        };
-        for (const cleft::Tet& tet : from.tets)
-            for (const auto& ends : kMiddles)
-                edges.push_back(key(tet[static_cast<size_t>(ends[0])], tet[static_cast<size_t>(ends[1])]));
-        std::sort(edges.begin(), edges.end());
-        edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+        const cleft::MiddleNodes middles(from.tets);
         const size_t corners = from.points.size();
-        if (corners + edges.size() > static_cast<size_t>(INT32_MAX) - 1)
+        if (corners + middles.count() > static_cast<size_t>(INT32_MAX) - 1)
             throw Error(CLEFT_ERROR_TOO_LARGE, "more than 2147483646 points");
-        *point_count = static_cast<int64_t>(corners + edges.size());
+        *point_count = static_cast<int64_t>(corners + middles.count());
         if (!points && !tets)
             return;
-        check_capacity(point_capacity, 3 * (corners + edges.size()));
+        check_capacity(point_capacity, 3 * (corners + middles.count()));
         check_capacity(tet_capacity, 10 * from.tets.size());
         if (corners > 0)
             std::memcpy(required(points, "points"), from.points.front().data(), corners * sizeof(cleft::Vec3));
-        for (size_t e = 0; e < edges.size(); ++e) {
-            const cleft::Vec3 middle = 0.5 * (from.points[edges[e] >> 32] + from.points[edges[e] & 0xffffffffU]);
-            std::copy(middle.data(), middle.data() + 3, points + 3 * (corners + e));
+        for (size_t m = 0; m < middles.count(); ++m) {
+            const cleft::Vec3 middle = middles.place(m, from.points);
+            std::copy(middle.data(), middle.data() + 3, points + 3 * (corners + m));
         }
         required(tets, "tets");
-        for (const cleft::Tet& tet : from.tets) {
-            for (const int32_t corner : tet)
-                *tets++ = corner + index_base;
-            for (const auto& ends : kMiddles) {
-                const uint64_t edge = key(tet[static_cast<size_t>(ends[0])], tet[static_cast<size_t>(ends[1])]);
-                const auto at = std::lower_bound(edges.begin(), edges.end(), edge) - edges.begin();
-                *tets++ = static_cast<int32_t>(static_cast<int64_t>(corners) + at) + index_base;
-            }
-        }
+        for (const cleft::Tet& tet : from.tets)
+            for (const int32_t node : middles.nodes(tet, corners))
+                *tets++ = node + index_base;
     });
 }

@@ -39,13 +39,13 @@ static_assert(is(cleft::Side::x_min, CLEFT_SIDE_X_MIN) && is(cleft::Side::x_max,
               is(cleft::Side::other, CLEFT_SIDE_OTHER));
 
 // The mesh in the frame in which the sides of its box lie across the axes.
-LabelledMesh upright(const cleft_mesh& mesh)
+cleft::UserMesh upright(const cleft_mesh& mesh)
 {
     if (!mesh.frame)
         return mesh.mesh;
-    LabelledMesh local;
+    cleft::UserMesh local;
     to_local(mesh, *mesh.frame, local.points, local.tets);
-    local.material = mesh.mesh.material;
+    local.labels = mesh.mesh.labels;
     return local;
 }
 
@@ -65,7 +65,7 @@ cleft::LabelReport in_world(cleft::LabelReport report, const cleft::Placement& w
 }
 
 // The box that the mesh was made for; of a mesh without a volume that of its points.
-cleft::BoundingBox box_of(const cleft_mesh& mesh, const LabelledMesh& local)
+cleft::BoundingBox box_of(const cleft_mesh& mesh, const cleft::UserMesh& local)
 {
     cleft::BoundingBox box;
     if (mesh.frame) {
@@ -73,8 +73,7 @@ cleft::BoundingBox box_of(const cleft_mesh& mesh, const LabelledMesh& local)
         box.add(mesh.frame->grid.extent());
         return box;
     }
-    for (const cleft::Vec3& p : local.points)
-        box.add(p);
+    box.add(local.points);
     return box;
 }
 
@@ -89,7 +88,7 @@ cleft_status cleft_mesh_quality(cleft_context* context, const cleft_mesh* mesh, 
 {
     return guarded_run(context, [&](const Run& run) {
         const auto from = held(mesh, "mesh");
-        const LabelledMesh& m = from->mesh;
+        const cleft::UserMesh& m = from->mesh;
         cleft::check_struct_size(*required(out, "out"), "cleft_quality");
         const cleft::Quality q = cleft::measure_quality(m.points, m.tets, run);
         cleft_quality row{};
@@ -150,7 +149,7 @@ cleft_status cleft_surface_create(cleft_context* context, const cleft_mesh* mesh
     return guarded_create(context, out, [&](const Run& run) {
         const auto from = held(mesh, "mesh");
         const cleft_mesh& m = *from;
-        const LabelledMesh local = upright(m);
+        const cleft::UserMesh local = upright(m);
         const cleft::BoundingBox box = box_of(m, local);
         cleft_surface surface{{}, cleft::extract_interfaces(local, box.lo, box.hi, run)};
         if (m.frame && m.frame->flips()) {
@@ -192,7 +191,7 @@ const int32_t* cleft_surface_hull_triangles(const cleft_surface* surface) noexce
 
 const int32_t* cleft_surface_hull_labels(const cleft_surface* surface) noexcept
 {
-    return cleft_surface_hull_count(surface) ? surface->interfaces.hull_material.data() : nullptr;
+    return cleft_surface_hull_count(surface) ? surface->interfaces.hull_region.data() : nullptr;
 }
 
 const int32_t* cleft_surface_hull_sides(const cleft_surface* surface) noexcept

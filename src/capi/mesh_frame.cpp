@@ -62,7 +62,7 @@ cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const std::vector<in
     cleft_mesh out;
     out.frame = frame;
     out.mesh.tets = std::move(mesh.tets);
-    out.mesh.material = std::move(mesh.material);
+    out.mesh.labels = std::move(mesh.material);
     out.mesh.points.reserve(mesh.points.size());
     for (const Vec3& point : mesh.points)
         out.mesh.points.push_back(frame.to_world(point));
@@ -71,9 +71,9 @@ cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const std::vector<in
     const std::string fault = quick_fault(out.mesh.points, out.mesh.tets, run);
     if (!fault.empty())
         refuse_result(std::move(out.mesh.tets), mesh.points, frame, fault, run);
-    for (Material& m : out.mesh.material)
-        m = labels[static_cast<size_t>(m)];
-    out.labels = distinct_labels(out.mesh.material);
+    for (int32_t& label : out.mesh.labels)  // a material until here
+        label = labels[static_cast<size_t>(label)];
+    out.labels = distinct_labels(out.mesh.labels);
     return out;
 }
 
@@ -125,8 +125,8 @@ LabelledMesh to_stage(const cleft_mesh& mesh, const cleft_volume& volume)
     std::unordered_map<int32_t, Material> material_of;  // looked up only, never walked
     for (Material m = 0; m < volume.volume.material_count(); ++m)
         material_of[volume.volume.labels()[static_cast<size_t>(m)]] = m;
-    out.material.reserve(mesh.mesh.material.size());
-    for (const int32_t label : mesh.mesh.material) {
+    out.material.reserve(mesh.mesh.labels.size());
+    for (const int32_t label : mesh.mesh.labels) {
         const auto found = material_of.find(label);
         if (found == material_of.end())
             throw Error(CLEFT_ERROR_ARGUMENT,

@@ -27,14 +27,14 @@ cleft_mesh to_user(LabelledMesh&& mesh, const cleft_volume& volume, const Run& r
 }
 
 // What is left of a sound mesh is sound.
-void require_sound(const LabelledMesh& mesh, const Run& run)
+void require_sound(const cleft::UserMesh& mesh, const Run& run)
 {
     const std::string fault = cleft::quick_fault(mesh.points, mesh.tets, run);
     if (!fault.empty())
         throw Error(CLEFT_ERROR_INVALID_MESH, "the mesh is not valid: " + fault);
 }
 
-void note_result(const Run& run, const LabelledMesh& mesh)
+void note_result(const Run& run, const cleft::UserMesh& mesh)
 {
     run.note("mesh.points", static_cast<double>(mesh.points.size()));
     run.note("mesh.tets", static_cast<double>(mesh.tets.size()));

@@ -19,6 +19,11 @@ struct BoundingBox {
         lo = lo.cwiseMin(x);
         hi = hi.cwiseMax(x);
     }
+    void add(const std::vector<Vec3>& points)
+    {
+        for (const Vec3& x : points)
+            add(x);
+    }
     bool empty() const { return !(lo[0] <= hi[0]); }
     double longest() const { return empty() ? 0 : (hi - lo).maxCoeff(); }
     double volume() const { return empty() ? 0 : (hi - lo).prod(); }

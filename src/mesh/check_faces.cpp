@@ -14,17 +14,17 @@ constexpr double kSideTolerance = 1e-6;  // of the longest side of the box
 
 // A mesh with what the checks of its faces need.
 struct Subject {
-    const LabelledMesh& mesh;
+    const RegionMesh& mesh;
     const BoundingBox& box;
     const std::vector<Sign>& sign;
     const Placement& world;
     double tolerance;
 
     const Vec3& point(int32_t p) const { return mesh.points[static_cast<size_t>(p)]; }
-    bool same_material(const HalfFace& a, const HalfFace& b) const
+    bool same_region(const HalfFace& a, const HalfFace& b) const
     {
-        return mesh.material.size() != mesh.tets.size() ||
-               mesh.material[static_cast<size_t>(a.tet())] == mesh.material[static_cast<size_t>(b.tet())];
+        return mesh.region.size() != mesh.tets.size() ||
+               mesh.region[static_cast<size_t>(a.tet())] == mesh.region[static_cast<size_t>(b.tet())];
     }
     bool in_one_side(std::initializer_list<int32_t> points) const
     {
@@ -69,7 +69,7 @@ void check_shared_face(const Subject& s, const HalfFace& first, const HalfFace& 
     part.checks.shared.add(first.id);
     if (side_of_face(s, first) * side_of_face(s, second) > 0)
         part.checks.folded.add(first.id);
-    if (!s.same_material(first, second)) {
+    if (!s.same_region(first, second)) {
         part.checks.interfaces.add(first.id);
         part.interfaces.push_back(first.id);
     }
@@ -159,7 +159,7 @@ Tally find_open_edges(const Subject& s, const FacesPart& faces)
 
 }  // namespace
 
-FaceChecks check_faces(const LabelledMesh& mesh, const BoundingBox& box, const std::vector<Sign>& sign,
+FaceChecks check_faces(const RegionMesh& mesh, const BoundingBox& box, const std::vector<Sign>& sign,
                        const Placement& world, const Run& run)
 {
     const Subject subject{mesh, box, sign, world, kSideTolerance * box.longest()};

@@ -50,7 +50,7 @@ void check_repeated(const std::vector<Vec3>& points, const std::vector<char>& us
 
 }  // namespace
 
-PointChecks check_points(const LabelledMesh& mesh)
+PointChecks check_points(const RegionMesh& mesh)
 {
     const auto point_count = static_cast<int64_t>(mesh.points.size());
     std::vector<char> used(mesh.points.size(), 0);

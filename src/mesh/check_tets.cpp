@@ -13,7 +13,7 @@ namespace
 constexpr int64_t kTetsChecked = 4096;
 constexpr double kFlatVolume = 1e-12;  // of the cube of its mean edge
 
-std::array<Vec3, 4> corners_of(const LabelledMesh& mesh, size_t t)
+std::array<Vec3, 4> corners_of(const RegionMesh& mesh, size_t t)
 {
     std::array<Vec3, 4> x;
     for (size_t i = 0; i < 4; ++i)
@@ -31,7 +31,7 @@ double sum_of_edges(const std::array<Vec3, 4>& x)
 
 // The parts of measure(t, part) over all tetrahedra, joined in their order.
 template <class Measure>
-TetChecks over_tets(const LabelledMesh& mesh, const Run& run, const Measure& measure)
+TetChecks over_tets(const RegionMesh& mesh, const Run& run, const Measure& measure)
 {
     const auto count = static_cast<int64_t>(mesh.tets.size());
     std::vector<TetChecks> parts(static_cast<size_t>(chunk_count(count, kTetsChecked)));
@@ -50,7 +50,7 @@ TetChecks over_tets(const LabelledMesh& mesh, const Run& run, const Measure& mea
     return whole;
 }
 
-void check_tet(const LabelledMesh& mesh, size_t t, Sign& sign, TetChecks& part)
+void check_tet(const RegionMesh& mesh, size_t t, Sign& sign, TetChecks& part)
 {
     const auto place = static_cast<int64_t>(t);
     if (has_bad_index(mesh.tets[t], static_cast<int64_t>(mesh.points.size())))
@@ -71,7 +71,7 @@ void check_tet(const LabelledMesh& mesh, size_t t, Sign& sign, TetChecks& part)
 
 }  // namespace
 
-TetChecks check_tets(const LabelledMesh& mesh, const Run& run)
+TetChecks check_tets(const RegionMesh& mesh, const Run& run)
 {
     std::vector<Sign> sign(mesh.tets.size(), Sign::unknown);
     TetChecks out = over_tets(mesh, run, [&](size_t t, TetChecks& part) { check_tet(mesh, t, sign[t], part); });

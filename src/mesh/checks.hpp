@@ -35,7 +35,7 @@ struct PointChecks {
     int64_t repeated_of = -1;  // that other one, for the first
 };
 
-PointChecks check_points(const LabelledMesh& mesh);
+PointChecks check_points(const RegionMesh& mesh);
 
 // The exact orientation of a tetrahedron; unknown if a point is not there or not finite.
 enum class Sign : int8_t { negative = -1, flat = 0, positive = 1, unknown = 2 };
@@ -46,7 +46,7 @@ struct TetChecks {
     double volume = 0;  // sum of signed volumes
 };
 
-TetChecks check_tets(const LabelledMesh& mesh, const Run& run);
+TetChecks check_tets(const RegionMesh& mesh, const Run& run);
 
 // Places are half-faces (see HalfFace::id); that of an open edge is its least point * 2^32 + the other.
 struct FaceChecks {
@@ -57,7 +57,7 @@ struct FaceChecks {
 };
 
 // The area is told in the world.
-FaceChecks check_faces(const LabelledMesh& mesh, const BoundingBox& box, const std::vector<Sign>& sign,
+FaceChecks check_faces(const RegionMesh& mesh, const BoundingBox& box, const std::vector<Sign>& sign,
                        const Placement& world, const Run& run);
 
 }  // namespace cleft

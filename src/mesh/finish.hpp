@@ -10,9 +10,6 @@ namespace cleft
 // Renumbers points and tetrahedra along a Hilbert curve, for solvers; drops unused points.
 void order_spatially(LabelledMesh& mesh, const Run& run);
 
-// Keeps only tetrahedra with keep[material] != 0, and their points.
-void strip_materials(LabelledMesh& mesh, const std::vector<char>& keep);
-
 // Two materials, the lesser first, and the number of triangles between them.
 struct Border {
     Material first, second;

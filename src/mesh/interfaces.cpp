@@ -15,18 +15,18 @@ namespace
 {
 
 struct InterfaceFace {
-    std::array<Material, 2> pair;
+    std::array<int32_t, 2> pair;
     Triangle corners;
     bool operator<(const InterfaceFace& o) const { return std::tie(pair, corners) < std::tie(o.pair, o.corners); }
 };
 
 struct HullFace {
     Side side;
-    Material material;
+    int32_t region;
     Triangle corners;
     bool operator<(const HullFace& o) const
     {
-        return std::tie(side, material, corners) < std::tie(o.side, o.material, o.corners);
+        return std::tie(side, region, corners) < std::tie(o.side, o.region, o.corners);
     }
 };
 
@@ -36,7 +36,7 @@ struct Faces {
 };
 
 // The corners of a face, wound outward from its tetrahedron, the least corner first.
-Triangle outward(const LabelledMesh& mesh, const HalfFace& face)
+Triangle outward(const RegionMesh& mesh, const HalfFace& face)
 {
     Triangle t = face_points(mesh.tets, face.id);
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
@@ -44,7 +44,7 @@ Triangle outward(const LabelledMesh& mesh, const HalfFace& face)
 }
 
 // The first side that all three corners lie in.
-Side side_of(const LabelledMesh& mesh, const Triangle& t, const BoundingBox& box)
+Side side_of(const RegionMesh& mesh, const Triangle& t, const BoundingBox& box)
 {
     unsigned sides = 63;
     for (const int32_t p : t)
@@ -55,21 +55,21 @@ Side side_of(const LabelledMesh& mesh, const Triangle& t, const BoundingBox& box
     return static_cast<Side>(side);
 }
 
-void add_face(const LabelledMesh& mesh, const HalfFace* face, size_t count, const BoundingBox& box, Faces& out)
+void add_face(const RegionMesh& mesh, const HalfFace* face, size_t count, const BoundingBox& box, Faces& out)
 {
-    const auto material = [&](const HalfFace& f) { return mesh.material[static_cast<size_t>(f.tet())]; };
+    const auto region = [&](const HalfFace& f) { return mesh.region[static_cast<size_t>(f.tet())]; };
     if (count > 2)
         throw Error(CLEFT_ERROR_INVALID_MESH, std::to_string(count) +
                                                   " tetrahedra share one face, the first of them the " +
                                                   ordinal(face[0].tet()) + " tetrahedron: interfaces are not defined");
     if (count == 1) {
         const Triangle corners = outward(mesh, face[0]);
-        out.hull.push_back({side_of(mesh, corners, box), material(face[0]), corners});
-    } else if (material(face[0]) != material(face[1])) {
-        const bool in_order = material(face[0]) < material(face[1]);
+        out.hull.push_back({side_of(mesh, corners, box), region(face[0]), corners});
+    } else if (region(face[0]) != region(face[1])) {
+        const bool in_order = region(face[0]) < region(face[1]);
         const HalfFace& first = face[in_order ? 0 : 1];
         const HalfFace& second = face[in_order ? 1 : 0];
-        out.interfaces.push_back({{material(first), material(second)}, outward(mesh, first)});
+        out.interfaces.push_back({{region(first), region(second)}, outward(mesh, first)});
     }
 }
 
@@ -92,7 +92,7 @@ std::vector<Face> sorted_union(std::vector<Faces>& parts, std::vector<Face> Face
 
 }  // namespace
 
-Interfaces extract_interfaces(const LabelledMesh& mesh, const Vec3& lo, const Vec3& hi, const Run& run)
+Interfaces extract_interfaces(const RegionMesh& mesh, const Vec3& lo, const Vec3& hi, const Run& run)
 {
     run.report(0, "extracting interfaces");
     const auto point_count = static_cast<int64_t>(mesh.points.size());
@@ -118,11 +118,11 @@ Interfaces extract_interfaces(const LabelledMesh& mesh, const Vec3& lo, const Ve
     }
     const std::vector<HullFace> hull = sorted_union(parts, &Faces::hull);
     out.hull.reserve(hull.size());
-    out.hull_material.reserve(hull.size());
+    out.hull_region.reserve(hull.size());
     out.hull_side.reserve(hull.size());
     for (const HullFace& face : hull) {
         out.hull.push_back(face.corners);
-        out.hull_material.push_back(face.material);
+        out.hull_region.push_back(face.region);
         out.hull_side.push_back(face.side);
     }
     return out;

@@ -1,4 +1,4 @@
-// The triangles where materials meet and where the mesh ends.
+// The triangles where regions meet and where the mesh ends.
 #pragma once
 
 #include "base/run.hpp"
@@ -13,18 +13,17 @@ using Triangle = std::array<int32_t, 3>;
 enum class Side : int32_t { x_min = 0, x_max = 1, y_min = 2, y_max = 3, z_min = 4, z_max = 5, other = 6 };
 
 struct Interfaces {
-    // Between two materials: corners wound so that the normal points from the first material to the second; first <
+    // Between two regions: corners wound so that the normal points from the first region to the second; first <
     // second. Sorted by pair, then by corners.
     std::vector<Triangle> triangles;
-    std::vector<std::array<Material, 2>> pairs;
-    // Hull: wound outward, with the material inside. Sorted by side, then material, then corners.
+    std::vector<std::array<int32_t, 2>> pairs;
+    // Hull: wound outward, with the region inside. Sorted by side, then region, then corners.
     std::vector<Triangle> hull;
-    std::vector<Material> hull_material;
+    std::vector<int32_t> hull_region;
     std::vector<Side> hull_side;
 };
 
-// The materials may also be a caller's labels: any numbers of 32 bits, none of which means something else.
 // lo, hi: the box against which sides are decided, by exact coordinates.
-Interfaces extract_interfaces(const LabelledMesh& mesh, const Vec3& lo, const Vec3& hi, const Run& run);
+Interfaces extract_interfaces(const RegionMesh& mesh, const Vec3& lo, const Vec3& hi, const Run& run);
 
 }  // namespace cleft

@@ -1,4 +1,4 @@
-// What is in a mesh by material, and taking materials out of it.
+// What is in a mesh by material.
 #include "base/disjoint_sets.hpp"
 #include "mesh/face_buckets.hpp"
 #include "mesh/finish.hpp"
@@ -92,34 +92,6 @@ MeshParts mesh_parts(const LabelledMesh& mesh, const Run& run)
         }
     });
     return {sets.take(), borders.ascending()};
-}
-
-void strip_materials(LabelledMesh& mesh, const std::vector<char>& keep)
-{
-    size_t kept = 0;
-    std::vector<int32_t> new_number(mesh.points.size(), -1);
-    for (size_t t = 0; t < mesh.tets.size(); ++t) {
-        if (!keep[static_cast<size_t>(mesh.material[t])])
-            continue;
-        for (const int32_t p : mesh.tets[t])
-            new_number[static_cast<size_t>(p)] = 0;
-        mesh.tets[kept] = mesh.tets[t];
-        mesh.material[kept] = mesh.material[t];
-        ++kept;
-    }
-    mesh.tets.resize(kept);
-    mesh.material.resize(kept);
-
-    size_t points = 0;
-    for (size_t p = 0; p < mesh.points.size(); ++p)
-        if (new_number[p] == 0) {
-            new_number[p] = static_cast<int32_t>(points);
-            mesh.points[points++] = mesh.points[p];
-        }
-    mesh.points.resize(points);
-    for (Tet& tet : mesh.tets)
-        for (int32_t& p : tet)
-            p = new_number[static_cast<size_t>(p)];
 }
 
 }  // namespace cleft

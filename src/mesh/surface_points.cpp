@@ -52,13 +52,13 @@ std::vector<uint8_t> points_inside(const std::vector<Tet>& tets, size_t point_co
     return inside;
 }
 
-std::vector<uint8_t> surface_points(const LabelledMesh& mesh, const Run& run)
+std::vector<uint8_t> surface_points(const RegionMesh& mesh, const Run& run)
 {
-    // Apart from the materials, which may be any number: a caller's labels, too.
+    // Apart from the regions, which may be any number.
     enum class Met : uint8_t { none, one, several };
     std::vector<uint8_t> surface = points_inside(mesh.tets, mesh.points.size(), run);
     std::vector<Met> met(mesh.points.size(), Met::none);
-    std::vector<Material> material(mesh.points.size());  // where one is met
+    std::vector<int32_t> region(mesh.points.size());  // where one is met
     for (size_t t = 0; t < mesh.tets.size(); ++t) {
         if (has_bad_index(mesh.tets[t], static_cast<int64_t>(mesh.points.size())))
             continue;
@@ -66,8 +66,8 @@ std::vector<uint8_t> surface_points(const LabelledMesh& mesh, const Run& run)
             const auto p = static_cast<size_t>(corner);
             if (met[p] == Met::none) {
                 met[p] = Met::one;
-                material[p] = mesh.material[t];
-            } else if (material[p] != mesh.material[t]) {
+                region[p] = mesh.region[t];
+            } else if (region[p] != mesh.region[t]) {
                 met[p] = Met::several;
             }
         }

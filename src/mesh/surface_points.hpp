@@ -12,6 +12,6 @@ std::vector<uint8_t> points_inside(const std::vector<Tet>& tets, size_t point_co
 
 // By point: 1 if it is on the hull, or tetrahedra of several materials meet there. A face of the hull, and one between
 // two materials, has three such corners; most faces have not. Tetrahedra with a bad index are left out.
-std::vector<uint8_t> surface_points(const LabelledMesh& mesh, const Run& run);
+std::vector<uint8_t> surface_points(const RegionMesh& mesh, const Run& run);
 
 }  // namespace cleft

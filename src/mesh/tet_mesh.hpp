@@ -28,11 +28,32 @@ struct TetMesh {
     std::vector<Tet> tets;
 };
 
-// A mesh with the material of each tetrahedron.
+// A mesh of a stage: in the frame of the voxels, with the material of each tetrahedron.
 struct LabelledMesh {
     std::vector<Vec3> points;
     std::vector<Tet> tets;
     std::vector<Material> material;
+};
+
+// A mesh as users have it: in the world, under their labels, any numbers of 32 bits.
+struct UserMesh {
+    std::vector<Vec3> points;
+    std::vector<Tet> tets;
+    std::vector<int32_t> labels;
+};
+
+// Either of them, seen by what only asks which tetrahedra lie in one region. Borrows the arrays.
+struct RegionMesh {
+    const std::vector<Vec3>& points;
+    const std::vector<Tet>& tets;
+    const std::vector<int32_t>& region;
+
+    RegionMesh(const LabelledMesh& mesh) : points(mesh.points), tets(mesh.tets), region(mesh.material) {}
+    RegionMesh(const UserMesh& mesh) : points(mesh.points), tets(mesh.tets), region(mesh.labels) {}
+    RegionMesh(const std::vector<Vec3>& p, const std::vector<Tet>& t, const std::vector<int32_t>& r)
+        : points(p), tets(t), region(r)
+    {
+    }
 };
 
 }  // namespace cleft

@@ -27,7 +27,7 @@ std::string text(const Vec3& x) { return "(" + text(x[0]) + ", " + text(x[1]) + 
 class Naming
 {
 public:
-    Naming(const LabelledMesh& mesh, const Placement& world) : mesh_(mesh), world_(world) {}
+    Naming(const RegionMesh& mesh, const Placement& world) : mesh_(mesh), world_(world) {}
 
     std::string tet(int64_t t) const
     {
@@ -51,20 +51,20 @@ public:
 
 private:
     Vec3 at(int64_t p) const { return world_.to_world(mesh_.points[static_cast<size_t>(p)]); }
-    const LabelledMesh& mesh_;
+    const RegionMesh& mesh_;
     const Placement& world_;
 };
 
 // Causes before their effects: a bad index explains a hole, a repeated point explains a crack.
-std::string first_fault(const LabelledMesh& mesh, const Placement& world, const PointChecks& points,
+std::string first_fault(const RegionMesh& mesh, const Placement& world, const PointChecks& points,
                         const TetChecks& tets, const FaceChecks& faces)
 {
     const Naming name(mesh, world);
     if (mesh.tets.empty())
         return "the mesh has no tetrahedra";
-    if (!mesh.material.empty() && mesh.material.size() != mesh.tets.size())
+    if (!mesh.region.empty() && mesh.region.size() != mesh.tets.size())
         return "the mesh has " + std::to_string(mesh.tets.size()) + " tetrahedra but " +
-               std::to_string(mesh.material.size()) + " materials of tetrahedra";
+               std::to_string(mesh.region.size()) + " materials of tetrahedra";
     if (tets.bad_index.count)
         return "the " + ordinal(tets.bad_index.first) + " tetrahedron names a point that is not among the " +
                std::to_string(mesh.points.size()) + " points of the mesh";
@@ -89,7 +89,7 @@ std::string first_fault(const LabelledMesh& mesh, const Placement& world, const 
 
 bool differ(double a, double b) { return !(std::abs(a - b) <= kSameMeasure * std::abs(b)); }
 
-std::string first_box_fault(const LabelledMesh& mesh, const Placement& world, const FaceChecks& faces,
+std::string first_box_fault(const RegionMesh& mesh, const Placement& world, const FaceChecks& faces,
                             const Validation& v)
 {
     const Naming name(mesh, world);
@@ -107,7 +107,7 @@ std::string first_box_fault(const LabelledMesh& mesh, const Placement& world, co
 
 }  // namespace
 
-Validation validate(const LabelledMesh& mesh, bool fills_box, const Run& run, const Placement& world)
+Validation validate(const RegionMesh& mesh, bool fills_box, const Run& run, const Placement& world)
 {
     run.report(0, "validating");
     const PointChecks points = check_points(mesh);

@@ -47,8 +47,8 @@ struct Validation {
 };
 
 // With `fills_box`, hull faces off the bounding box, open interface edges, and a volume or hull area unlike the box's
-// (by 1e-9) are faults too; a mesh with a material stripped has them by right. An empty `material` stands for one
-// material. Volumes, areas and places are told in the world, in which the mesh lies as `world` says.
-Validation validate(const LabelledMesh& mesh, bool fills_box, const Run& run, const Placement& world = {});
+// (by 1e-9) are faults too; a mesh with a material stripped has them by right. An empty `region` stands for one
+// region. Volumes, areas and places are told in the world, in which the mesh lies as `world` says.
+Validation validate(const RegionMesh& mesh, bool fills_box, const Run& run, const Placement& world = {});
 
 }  // namespace cleft

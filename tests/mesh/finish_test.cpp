@@ -1,4 +1,5 @@
 #include "mesh/finish.hpp"
+#include "mesh/strip.hpp"
 
 #include "mesh/meshes.hpp"
 #include "mesh/validate.hpp"
@@ -108,20 +109,25 @@ void ordering_takes_degenerate_meshes(void**)
     assert_true(same(ordered(renumbered(mesh, random)), ordered(mesh)));
 }
 
+void strip_but(LabelledMesh& mesh, const std::vector<char>& keep)
+{
+    strip(mesh.points, mesh.tets, mesh.material, [&](int32_t m) { return keep[at(m)] != 0; });
+}
+
 void stripping_leaves_the_kept_materials(void**)
 {
     const LabelledMesh mesh = good_mesh(4);
     LabelledMesh out = mesh;
-    strip_materials(out, {0, 1, 0, 1});
+    strip_but(out, {0, 1, 0, 1});
     const auto before = material_volumes(mesh, 4), after = material_volumes(out, 4);
     assert_true(after[0] == 0 && after[2] == 0 && after[1] == before[1] && after[3] == before[3]);
     const Run run;
     assert_true(validate(out, false, run).valid());
 
     LabelledMesh all = mesh, none = mesh;
-    strip_materials(all, {1, 1, 1, 1});
+    strip_but(all, {1, 1, 1, 1});
     assert_true(same(all, mesh));
-    strip_materials(none, {0, 0, 0, 0});
+    strip_but(none, {0, 0, 0, 0});
     assert_true(none.points.empty() && none.tets.empty() && none.material.empty());
 }
 
@@ -179,9 +185,9 @@ void parts_of_noise_match_a_flood_fill(void**)
     assert_int_equal(number_of_parts(mesh), parts_by_filling(mesh));
     assert_true(number_of_parts(mesh) > 100);
     // What is left touches over edges and points that nothing else is around.
-    strip_materials(mesh, {0, 1, 0, 0, 1});
+    strip_but(mesh, {0, 1, 0, 0, 1});
     assert_int_equal(number_of_parts(mesh), parts_by_filling(mesh));
-    strip_materials(mesh, {0, 1, 0, 0, 0});
+    strip_but(mesh, {0, 1, 0, 0, 0});
     assert_int_equal(number_of_parts(mesh), parts_by_filling(mesh));
 }
 

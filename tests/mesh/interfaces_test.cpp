@@ -65,7 +65,7 @@ void triangles_are_those_between_two_materials(void**)
     assert_int_equal(found.triangles.size(), between);
     assert_int_equal(found.pairs.size(), between);
     assert_int_equal(found.hull.size(), hull);
-    assert_int_equal(found.hull_material.size(), hull);
+    assert_int_equal(found.hull_region.size(), hull);
     assert_int_equal(found.hull_side.size(), hull);
     for (size_t i = 0; i < between; ++i) {
         const auto& materials = faces[sorted(found.triangles[i])];
@@ -73,7 +73,7 @@ void triangles_are_those_between_two_materials(void**)
         assert_true(materials == std::vector<Material>({found.pairs[i][0], found.pairs[i][1]}));
     }
     for (size_t i = 0; i < hull; ++i)
-        assert_true(faces[sorted(found.hull[i])] == std::vector<Material>({found.hull_material[i]}));
+        assert_true(faces[sorted(found.hull[i])] == std::vector<Material>({found.hull_region[i]}));
 }
 
 // By the divergence theorem the triangles around a material, wound outward, give its volume.
@@ -87,7 +87,7 @@ void winding_gives_the_volume_of_each_material(void**)
         by_surface[at(found.pairs[i][1])] -= six_volumes(mesh, found.triangles[i]);
     }
     for (size_t i = 0; i < found.hull.size(); ++i)
-        by_surface[at(found.hull_material[i])] += six_volumes(mesh, found.hull[i]);
+        by_surface[at(found.hull_region[i])] += six_volumes(mesh, found.hull[i]);
     for (size_t t = 0; t < mesh.tets.size(); ++t) {
         const Tet& c = mesh.tets[t];
         by_tets[at(mesh.material[t])] +=
@@ -142,8 +142,8 @@ void everything_is_sorted(void**)
         assert_true(std::tie(found.pairs[i - 1], found.triangles[i - 1]) <
                     std::tie(found.pairs[i], found.triangles[i]));
     for (size_t i = 1; i < found.hull.size(); ++i)
-        assert_true(std::tie(found.hull_side[i - 1], found.hull_material[i - 1], found.hull[i - 1]) <
-                    std::tie(found.hull_side[i], found.hull_material[i], found.hull[i]));
+        assert_true(std::tie(found.hull_side[i - 1], found.hull_region[i - 1], found.hull[i - 1]) <
+                    std::tie(found.hull_side[i], found.hull_region[i], found.hull[i]));
 }
 
 void the_order_of_tetrahedra_and_the_threads_do_not_matter(void**)
@@ -156,7 +156,7 @@ void the_order_of_tetrahedra_and_the_threads_do_not_matter(void**)
     }
     const Interfaces found = extract(mesh, 2);
     assert_true(found.triangles == expected.triangles && found.pairs == expected.pairs);
-    assert_true(found.hull == expected.hull && found.hull_material == expected.hull_material);
+    assert_true(found.hull == expected.hull && found.hull_region == expected.hull_region);
     assert_true(found.hull_side == expected.hull_side);
 }
 

@@ -3,6 +3,7 @@
 
 #include "mesh/finish.hpp"
 #include "mesh/meshes.hpp"
+#include "mesh/strip.hpp"
 #include "support/cmocka.hpp"
 #include "support/near.hpp"
 
@@ -181,7 +182,7 @@ void random_nonsense_never_crashes(void**)
 void a_stripped_mesh_is_valid_without_its_box(void**)
 {
     LabelledMesh mesh = good_mesh(2);
-    strip_materials(mesh, {1, 0});
+    strip(mesh.points, mesh.tets, mesh.material, [](int32_t m) { return m == 0; });
     assert_true(check(mesh, false).valid());
     assert_false(check(mesh, true).valid());
 }

@@ -1,0 +1,40 @@
+// Takes tetrahedra and points out of a mesh, and numbers the rest anew.
+#include "mesh/strip.hpp"
+
+namespace cleft
+{
+
+void drop_unused_points(std::vector<Vec3>& points, std::vector<Tet>& tets)
+{
+    std::vector<int32_t> number(points.size(), -1);
+    for (const Tet& tet : tets)
+        for (const int32_t p : tet)
+            number[static_cast<size_t>(p)] = 0;
+    int32_t kept = 0;
+    for (size_t p = 0; p < points.size(); ++p)
+        if (number[p] == 0) {
+            number[p] = kept;
+            points[static_cast<size_t>(kept++)] = points[p];
+        }
+    points.resize(static_cast<size_t>(kept));
+    for (Tet& tet : tets)
+        for (int32_t& p : tet)
+            p = number[static_cast<size_t>(p)];
+}
+
+void strip(std::vector<Vec3>& points, std::vector<Tet>& tets, std::vector<int32_t>& regions,
+           const std::function<bool(int32_t region)>& keeps)
+{
+    size_t kept = 0;
+    for (size_t t = 0; t < tets.size(); ++t) {
+        if (!keeps(regions[t]))
+            continue;
+        tets[kept] = tets[t];
+        regions[kept++] = regions[t];
+    }
+    tets.resize(kept);
+    regions.resize(kept);
+    drop_unused_points(points, tets);
+}
+
+}  // namespace cleft
