@@ -110,6 +110,15 @@ module cleft_c
     type(c_ptr) :: calls
   end type
 
+  type, bind(C) :: cleft_estimate
+    integer(c_int32_t) :: struct_size
+    integer(c_int32_t) :: is_bound
+    real(c_double) :: tets
+    real(c_double) :: whole_tets
+    real(c_double) :: background_tets
+    real(c_double) :: peak_bytes
+  end type
+
   type, bind(C) :: cleft_quality
     integer(c_int32_t) :: struct_size
     integer(c_int32_t) :: reserved
@@ -631,6 +640,13 @@ module cleft_c
       import
       type(c_ptr), value :: context, volume, sizing, background, options
       type(c_ptr), intent(out) :: out
+      integer(c_int32_t) :: answer
+    end function
+
+    function cleft_mesh_estimate(context, volume, sizing, background, options, out) bind(C) result(answer)
+      import
+      type(c_ptr), value :: context, volume, sizing, background, options
+      type(cleft_estimate), intent(inout) :: out
       integer(c_int32_t) :: answer
     end function
 

@@ -10,7 +10,7 @@ module cleft_meshes
   use cleft_sizings
   implicit none
   private
-  public :: cleft_mesh
+  public :: cleft_mesh, estimate_mesh
 
   ! Immutable once made; given back when it goes out of scope. It cannot be copied.
   type, extends(cleft_handle) :: cleft_mesh
@@ -38,6 +38,33 @@ module cleft_meshes
   character(len=*), parameter :: closed = 'the mesh is not there: destroyed, or never made'
 
 contains
+
+  ! What mesh%create will come to with the same arguments: tetrahedra, within 15 %, and memory. No mesh is made.
+  function estimate_mesh(context, volume, options, sizing, background, stat, errmsg) result(figures)
+    type(cleft_context), intent(inout) :: context
+    type(cleft_volume), intent(in) :: volume
+    type(cleft_options), intent(inout), optional :: options
+    type(cleft_sizing), intent(in), optional :: sizing
+    type(cleft_mesh), intent(in), optional :: background
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    type(cleft_estimate) :: figures
+    type(c_ptr) :: sizing_at, background_at
+
+    sizing_at = c_null_ptr
+    background_at = c_null_ptr
+    if (present(sizing)) sizing_at = sizing%c_handle()
+    if (present(background)) background_at = background%c_handle()
+    figures%struct_size = int(c_sizeof(figures), c_int32_t)
+    if (present(sizing) .and. .not. c_associated(sizing_at)) then
+      call conclude(CLEFT_ERROR_NULL, 'sizing is not there: destroyed, or never made', stat, errmsg)
+    else if (present(background) .and. .not. c_associated(background_at)) then
+      call conclude(CLEFT_ERROR_NULL, 'background is not there: destroyed, or never made', stat, errmsg)
+    else
+      call context%conclude(cleft_mesh_estimate( &
+        context%c_handle(), volume%c_handle(), sizing_at, background_at, c_options(options), figures), stat, errmsg)
+    end if
+  end function
 
   ! All of it: sizing (unless given), background (unless given), cleaving, improving, ordering, stripping.
   subroutine create(self, context, volume, options, sizing, background, stat, errmsg)

@@ -21,6 +21,7 @@ CLEFT_STRUCT(cleft_quality, NativeQuality)
 CLEFT_STRUCT(cleft_validation, NativeValidation)
 CLEFT_STRUCT(cleft_label_report, NativeLabelReport)
 CLEFT_STRUCT(cleft_contact, NativeContact)
+CLEFT_STRUCT(cleft_estimate, NativeEstimate)
 %ignore cleft_quality::dihedral_histogram;
 %extend cleft_quality {
     int64_t histogram_bin(int32_t bin) { return $self->dihedral_histogram[bin]; }

@@ -12,6 +12,7 @@
 %thread cleft_mesh_cleave;
 %thread cleft_mesh_improve;
 %thread cleft_mesh_strip;
+%thread cleft_mesh_estimate;
 %thread cleft_mesh_volume;
 %thread cleft_mesh_copy_quadratic;
 %thread cleft_mesh_quality;

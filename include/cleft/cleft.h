@@ -376,7 +376,7 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_sample(const cleft_volume* v
  *  options and the label sizes. With TETS the field is scaled until its mesh has that number of tetrahedra in the
  *  labels that strip and only keep. Meshes are made for that as cleft_mesh_volume() makes them, and it takes as long.
  *  `options` may be NULL.
- *  Options read: SMOOTH.
+ *  Options read: all but SMOOTH, STRICT and REPAIR.
  *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* volume,
                                                            const cleft_options* options,
@@ -415,7 +415,7 @@ CLEFT_API double cleft_sizing_expected_tets(const cleft_sizing* sizing) CLEFT_NO
 /** The background mesh of a sizing field, of the kind of the option BACKGROUND. It fills the box and knows nothing of
  *  materials: its only label is 0. Particles have STEPS and a SEED. A lattice has one size, the least of the field;
  *  where neither SIZE nor SIZE_MIN nor TETS ask for it, it is raised to keep to MAX_TETS. `options` may be NULL.
- *  Options read: SMOOTH.
+ *  Options read: BACKGROUND, SIZE, SIZE_MIN, TETS, MAX_TETS, STEPS and SEED.
  *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_background_create(cleft_context* context, const cleft_sizing* sizing,
                                                                const cleft_options* options,
@@ -438,7 +438,7 @@ CLEFT_API void cleft_mesh_destroy(cleft_mesh* mesh) CLEFT_NOEXCEPT;
  *  not of cleft_background_create() are repaired first. The background must be positively oriented and conforming, else
  *  CLEFT_ERROR_INVALID_MESH with the first fault; outside of the volume's box, CLEFT_ERROR_ARGUMENT. It need not fill
  *  the box: a warning tells how much of it it fills, or that it reaches out. `options` may be NULL.
- *  Options read: SMOOTH.
+ *  Options read: SNAP and REPAIR.
  *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volume,
                                                          const cleft_mesh* background, const cleft_options* options,
@@ -447,7 +447,7 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_cleave(cleft_context* context,
  *  voxels (with IMPROVE off, neither), and orders points and tetrahedra spatially. Warns and, with STRICT, fails as
  *  cleft_mesh_volume() does. CLEFT_ERROR_INVALID_MESH if the mesh is not positively oriented and conforming. `options`
  *  may be NULL.
- *  Options read: SMOOTH.
+ *  Options read: IMPROVE and STRICT.
  *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volume,
                                                           const cleft_mesh* mesh, const cleft_options* options,
@@ -457,9 +457,9 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_improve(cleft_context* context
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_strip(cleft_context* context, const cleft_mesh* mesh,
                                                         const cleft_options* options, cleft_mesh** out) CLEFT_NOEXCEPT;
 /** All of it: cleft_sizing_create() (unless given), cleft_background_create() (unless given), cleft_mesh_cleave(),
- *  cleft_mesh_improve() and cleft_mesh_strip(). Called one by one, these give the same bytes. `sizing`, `background` and
- *  `options` may be NULL.
- *  Options read: SMOOTH.
+ *  cleft_mesh_improve() and cleft_mesh_strip(). Called one by one, these give the same bytes. `sizing`, `background`
+ *  and `options` may be NULL.
+ *  Options read: all but SMOOTH.
  *  With TETS, the size is corrected until the number of tetrahedra that strip and only keep is within 10 % (at most
  *  eight rounds; where labels are left out, the whole mesh keeps to MAX_TETS, and a warning tells if the number is not
  *  met). With STRICT, CLEFT_ERROR_LABEL_LOST if a kept label, or a piece of more than 30 voxels of one, is not in the
@@ -474,11 +474,11 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_volume(cleft_context* context,
 /** What a mesh will come to. The caller sets struct_size to sizeof(cleft_estimate). \since 0.1 */
 typedef struct cleft_estimate {
     uint32_t struct_size;
-    int32_t is_bound;       /**< 1: there may be fewer; labels have few points each, and most cuts may have to stay */
-    double tets;            /**< tetrahedra of the finished mesh, of the labels that strip and only keep */
-    double whole_tets;      /**< of the mesh from which the other labels are left out */
-    double background_tets; /**< of the background that is cleaved */
-    double peak_bytes;      /**< the most memory of the process that makes the mesh and nothing else, no less */
+    int32_t is_bound;       /**< 1 if there may be fewer: labels have few points each, and most cuts may have to stay */
+    double tets;            /**< tetrahedra of the finished mesh, in the labels that strip and only keep */
+    double whole_tets;      /**< tetrahedra of the mesh from which the other labels are left out */
+    double background_tets; /**< tetrahedra of the background that is cleaved */
+    double peak_bytes;      /**< the most memory that a process takes to make the mesh, in bytes, no less */
 } cleft_estimate;
 
 /** What cleft_mesh_volume() will come to with the same arguments, within 15 % (see docs/quality.md). It computes the

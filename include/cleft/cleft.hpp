@@ -171,6 +171,16 @@ public:
                                      background ? background->get() : nullptr, options.get(), out);
         });
     }
+    /** What of_volume() will come to with the same arguments. */
+    static cleft_estimate estimate(const Context& context, const Volume& volume, const Options& options = Options(),
+                                   const Sizing* sizing = nullptr, const Mesh* background = nullptr)
+    {
+        cleft_estimate found{};
+        found.struct_size = sizeof found;
+        context.check(cleft_mesh_estimate(context.get(), volume.get(), sizing ? sizing->get() : nullptr,
+                                          background ? background->get() : nullptr, options.get(), &found));
+        return found;
+    }
     /** The background of a sizing field. */
     static Mesh background(const Context& context, const Sizing& sizing, const Options& options = Options())
     {

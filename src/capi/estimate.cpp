@@ -11,6 +11,9 @@ using namespace cleft::capi;
 using cleft::Estimate;
 using cleft::Run;
 
+template <>
+inline constexpr size_t cleft::kFirstSize<cleft_estimate> = CLEFT_END_OF(cleft_estimate, peak_bytes);
+
 namespace
 {
 
@@ -39,7 +42,8 @@ cleft_status cleft_mesh_estimate(cleft_context* context, const cleft_volume* vol
         const auto held_background = held_if_any(background, "background");
         cleft::check_struct_size(*required(out, "out"), "cleft_estimate");
         const Estimate found = estimated(*v, sizing, background, pipeline_options(options, *v), run);
-        cleft::give({0, found.is_bound, found.tets, found.whole_tets, found.background_tets, found.peak_bytes}, *out);
+        cleft::copy_out<cleft_estimate>(
+            {0, found.is_bound, found.tets, found.whole_tets, found.background_tets, found.peak_bytes}, *out);
         run.report(1, nullptr);
     });
 }

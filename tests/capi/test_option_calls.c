@@ -10,6 +10,8 @@ enum { N = 12, MOST_TEXTS = 5 };
 /* Other options, as name and value in turn. Improving is off, which saves most of the time. */
 static const char* const kSettings[][2 * MOST_TEXTS] = {
     {"improve", "off", NULL},
+    {"improve", "off", "tets", "2000", NULL},
+    {"improve", "off", "tets", "1000", "snap", "none", NULL},
     {"improve", "off", "background", "lattice", NULL},
     {"improve", "off", "background", "lattice", "max_tets", "1500", NULL},
     {"improve", "off", "background", "lattice", "size", "2", NULL},
@@ -32,6 +34,7 @@ typedef struct {
     cleft_sizing* sizing;
     cleft_mesh* background; /* with poor tetrahedra */
     cleft_mesh* cleaved;
+    cleft_mesh* broken; /* cleaved, too, but so coarse that the sheet is in pieces */
 } world;
 
 static uint64_t mixed(uint64_t hash, const void* bytes, size_t count)
@@ -105,9 +108,14 @@ static uint64_t cleave_call(world* w, const cleft_options* options)
 
 static uint64_t improve_call(world* w, const cleft_options* options)
 {
-    cleft_mesh* mesh = NULL;
-    const cleft_status status = cleft_mesh_improve(w->context, w->volume, w->cleaved, options, &mesh);
-    return mesh_hash(mesh, status);
+    uint64_t hash = 0;
+    for (int i = 0; i < 2; ++i) {
+        cleft_mesh* mesh = NULL;
+        const cleft_status status =
+            cleft_mesh_improve(w->context, w->volume, i == 0 ? w->cleaved : w->broken, options, &mesh);
+        hash = 31 * hash + mesh_hash(mesh, status);
+    }
+    return hash;
 }
 
 /* With the stages' own backgrounds, and with one that is given. */
@@ -126,7 +134,7 @@ static const struct {
     const char* name;
     uint64_t (*run)(world*, const cleft_options*);
     int settings; /* how many of kSettings are tried: others tell the kind of background apart */
-} kCalls[] = {{"volume", volume_call, 1}, {"sizing", sizing_call, 1},   {"background", background_call, SETTINGS},
+} kCalls[] = {{"volume", volume_call, 1}, {"sizing", sizing_call, 3},   {"background", background_call, SETTINGS},
               {"cleave", cleave_call, 1}, {"improve", improve_call, 1}, {"mesh", mesh_call, SETTINGS}};
 enum { CALLS = sizeof kCalls / sizeof *kCalls };
 
@@ -165,6 +173,21 @@ static cleft_mesh* poor_background(world* w)
     return moved;
 }
 
+static cleft_mesh* broken_mesh(world* w)
+{
+    static const char* const lattice[] = {"background", "lattice", NULL};
+    cleft_options* options = options_of(lattice);
+    cleft_sizing* sizing = NULL;
+    cleft_mesh *background = NULL, *cleaved = NULL;
+    assert_ok(w->context, cleft_sizing_create_constant(w->context, w->volume, 3, &sizing));
+    assert_ok(w->context, cleft_background_create(w->context, sizing, options, &background));
+    assert_ok(w->context, cleft_mesh_cleave(w->context, w->volume, background, NULL, &cleaved));
+    cleft_mesh_destroy(background);
+    cleft_sizing_destroy(sizing);
+    cleft_options_destroy(options);
+    return cleaved;
+}
+
 static void make_world(world* w)
 {
     w->context = new_context();
@@ -172,10 +195,12 @@ static void make_world(world* w)
     assert_ok(w->context, cleft_sizing_create(w->context, w->volume, NULL, &w->sizing));
     w->background = poor_background(w);
     assert_ok(w->context, cleft_mesh_cleave(w->context, w->volume, w->background, NULL, &w->cleaved));
+    w->broken = broken_mesh(w);
 }
 
 static void destroy_world(world* w)
 {
+    cleft_mesh_destroy(w->broken);
     cleft_mesh_destroy(w->cleaved);
     cleft_mesh_destroy(w->background);
     cleft_sizing_destroy(w->sizing);

@@ -37,7 +37,8 @@ class Help(CommandTest):
         self.assertIn("--max-tets", sizes)
         self.assertNotIn("--max-tets", self.options_of("mesh", "Meshing"))
         self.assertEqual(self.options_of("sizing", "Sizes"), [name for name in sizes if name not in ("--sizing", "--combine")])
-        self.assertEqual(self.options_of("sizing", "Meshing"), ["--smooth"])
+        self.assertEqual(self.options_of("sizing", "Meshing"),
+                         ["--background", "--smooth", "--snap", "--improve", "--steps", "--seed"])
 
     def test_lines_fit_a_wide_terminal(self):
         for command in ((), ("mesh",), ("info",), ("check",), ("convert",), ("sizing",)):

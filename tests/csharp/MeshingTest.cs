@@ -81,6 +81,40 @@ sealed class MeshingTest
         Checks.Equal(new[] { 1 }, mesher.Strip(improved, new Options { Only = new[] { 1 } }).Labels.ToArray());
     }
 
+    void TestTheOneCallIsTheFiveCalls()
+    {
+        double[] affine = { 0.7, 0.1, 0, -3.1, 0.2, -0.9, 0.3, 100.3, 0.1, 0, 1.3, 7.7 };
+        Volume volume = mesher.Labels(Checks.BallLabels(), Checks.Grid.WithAffine(affine));
+        Sizing own = mesher.Sizing(volume, Enumerable.Range(0, 12 * 13 * 14).Select(i => 1.5f + 0.1f * (i % 12)).ToArray());
+        foreach (Background kind in Enum.GetValues(typeof(Background))) {
+            SameByStages(volume, null, new Options { Background = kind });
+            SameByStages(volume, null, new Options { Background = kind, Tets = 3000, Strip = new[] { 0 } });
+            SameByStages(volume, own, new Options { Background = kind, Strict = true, Strip = new[] { 0 } });
+        }
+    }
+
+    void SameByStages(Volume volume, Sizing given, Options options)
+    {
+        Mesh background = mesher.BackgroundMesh(given ?? mesher.Sizing(volume, options), options);
+        Mesh improved = mesher.Improve(volume, mesher.Cleave(volume, background, options), options);
+        Mesh stages = mesher.Strip(improved, options), whole = mesher.Mesh(volume, given, null, options);
+        Checks.Equal(whole.CopyPoints(), stages.CopyPoints());
+        Checks.Equal(whole.CopyTets(), stages.CopyTets());
+        Checks.Equal(whole.CopyTetLabels(), stages.CopyTetLabels());
+    }
+
+    void TestEstimate()
+    {
+        Volume volume = Checks.BallVolume(mesher);
+        Options options = new Options { Background = Background.Octree, Size = 1 };
+        Estimate estimate = mesher.Estimate(volume, options: options);
+        double tets = mesher.Mesh(volume, options).TetCount;
+        Checks.Near(tets, estimate.Tets, 0.15);
+        Checks.Check(estimate.PeakBytes > 100 * tets, "memory");
+        Mesh own = mesher.BackgroundMesh(mesher.ConstantSizing(volume, 2));
+        Checks.Near(own.TetCount, mesher.Estimate(volume, background: own).BackgroundTets, 0);
+    }
+
     void TestSizing()
     {
         Volume volume = Checks.BallVolume(mesher);

@@ -32,6 +32,8 @@ program test_meshing
   call mesh_is_sound()
   call mesh_goes_through_arrays()
   call stages_make_a_mesh()
+  call the_one_call_is_the_five_calls()
+  call the_estimate_is_near()
   call surface_belongs_to_mesh()
   call report_agrees()
   call indicators_are_taken()
@@ -136,6 +138,74 @@ contains
     call strip%set_strip([0])
     call stripped%strip(context, improved, strip)
     call check(all(stripped%labels() == [5, 9]), 'label 0 can be stripped')
+  end subroutine
+
+  subroutine the_one_call_is_the_five_calls()
+    character(len=9), parameter :: backgrounds(3) = [character(len=9) :: 'particles', 'lattice', 'octree']
+    type(cleft_sizing) :: own
+    real(c_float), allocatable :: values(:, :, :)
+    integer :: b
+
+    call own%create(context, volume, options)
+    values = 0.9 * own%values()
+    call own%create_values(context, volume, values)
+    do b = 1, 3
+      call stages_agree(trim(backgrounds(b)), 0)
+      call stages_agree(trim(backgrounds(b)), 3000)
+      call stages_agree(trim(backgrounds(b)), 0, own)
+    end do
+  end subroutine
+
+  subroutine stages_agree(kind, tets, own)
+    character(len=*), intent(in) :: kind
+    integer, intent(in) :: tets
+    type(cleft_sizing), intent(in), optional :: own
+    type(cleft_options) :: wanted
+    type(cleft_sizing) :: sizing
+
+    call wanted%set('background', kind)
+    call wanted%set('tets', tets)
+    if (tets > 0) call wanted%set_strip([0])
+    if (present(own)) then
+      call wanted%set('strict', .true.)
+      call compare(own, wanted, .true.)
+    else
+      call sizing%create(context, volume, wanted)
+      call compare(sizing, wanted, .false.)
+    end if
+  end subroutine
+
+  subroutine compare(sizing, wanted, is_given)
+    type(cleft_sizing), intent(in) :: sizing
+    type(cleft_options), intent(inout) :: wanted
+    logical, intent(in) :: is_given
+    type(cleft_mesh) :: background, cleaved, improved, stripped, whole
+
+    call background%create_background(context, sizing, wanted)
+    call cleaved%cleave(context, volume, background, wanted)
+    call improved%improve(context, volume, cleaved, wanted)
+    call stripped%strip(context, improved, wanted)
+    if (is_given) then
+      call whole%create(context, volume, wanted, sizing)
+    else
+      call whole%create(context, volume, wanted)
+    end if
+    call check(stripped%tet_count() == whole%tet_count(), 'the five calls make as many tetrahedra as the one')
+    call check(all(stripped%points() == whole%points()) .and. all(stripped%tets() == whole%tets()) .and. &
+      all(stripped%tet_labels() == whole%tet_labels()), 'the five calls make the mesh of the one')
+  end subroutine
+
+  subroutine the_estimate_is_near()
+    type(cleft_estimate) :: figures
+    type(cleft_options) :: wanted
+    type(cleft_mesh) :: made
+
+    call wanted%set('background', 'octree')
+    call wanted%set('size', 0.8d0)
+    figures = estimate_mesh(context, volume, wanted)
+    call made%create(context, volume, wanted)
+    call check(abs(figures%tets - made%tet_count()) < 0.15d0 * made%tet_count(), 'the estimate is near')
+    call check(figures%peak_bytes > 100 * figures%tets, 'a mesh takes memory')
   end subroutine
 
   subroutine surface_belongs_to_mesh()

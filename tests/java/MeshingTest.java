@@ -79,6 +79,40 @@ final class MeshingTest {
         Checks.equal(new int[] {1}, mesher.strip(improved, new Options().only(1)).labels());
     }
 
+    void testTheOneCallIsTheFiveCalls() {
+        double[] affine = {0.7, 0.1, 0, -3.1, 0.2, -0.9, 0.3, 100.3, 0.1, 0, 1.3, 7.7};
+        Volume volume = mesher.labels(Checks.ballLabels(), Checks.GRID.affine(affine), null);
+        float[] values = new float[12 * 13 * 14];
+        for (int i = 0; i < values.length; ++i)
+            values[i] = 1.5f + 0.1f * (i % 12);
+        Sizing own = mesher.sizing(volume, values, false, null);
+        for (Background kind : Background.values()) {
+            sameByStages(volume, null, new Options().background(kind));
+            sameByStages(volume, null, new Options().background(kind).tets(3000).strip(0));
+            sameByStages(volume, own, new Options().background(kind).strict(true).strip(0));
+        }
+    }
+
+    private void sameByStages(Volume volume, Sizing given, Options options) {
+        Mesh background = mesher.background(given != null ? given : mesher.sizing(volume, options), options);
+        Mesh improved = mesher.improve(volume, mesher.cleave(volume, background, options), options);
+        Mesh stages = mesher.strip(improved, options), whole = mesher.mesh(volume, given, null, options);
+        Checks.equal(whole.points(), stages.points());
+        Checks.equal(whole.tets(), stages.tets());
+        Checks.equal(whole.tetLabels(), stages.tetLabels());
+    }
+
+    void testEstimate() {
+        Volume volume = Checks.ballVolume(mesher);
+        Options options = new Options().background(Background.OCTREE).size(1);
+        Estimate estimate = mesher.estimate(volume, null, null, options);
+        double tets = mesher.mesh(volume, options).tetCount();
+        Checks.near(tets, estimate.tets(), 0.15);
+        Checks.check(estimate.peakBytes() > 100 * tets, "memory");
+        Mesh own = mesher.background(mesher.constantSizing(volume, 2), null);
+        Checks.near(own.tetCount(), mesher.estimate(volume, null, own, null).backgroundTets(), 0);
+    }
+
     void testSizing() {
         Volume volume = Checks.ballVolume(mesher);
         Checks.near(2.5, mesher.constantSizing(volume, 2.5).at(6, 6, 6), 1e-6);

@@ -34,6 +34,33 @@ class Meshes(unittest.TestCase):
         self.assertEqual(stripped.different_labels.tolist(), [1, 7])
         self.assertEqual(cleft.strip_labels(improved, only=[1]).different_labels.tolist(), [1])
 
+    def test_the_one_call_is_the_five_calls(self):
+        affine = np.array([[0.7, 0.1, 0, -3.1], [0.2, -0.9, 0.3, 100.3], [0.1, 0, 1.3, 7.7], [0, 0, 0, 1]])
+        volume = ball_volume(16, affine=affine)
+        sizes = np.linspace(1.5, 2.5, int(np.prod(volume.shape))).reshape(volume.shape)
+        own = cleft.Sizing.from_values(volume, sizes)
+        for background in ("particles", "lattice", "octree"):
+            for given, keywords in ((None, {}), (None, {"tets": 4000, "strip": [0]}),
+                                    (own, {"strict": True, "strip": [0]})):
+                with self.subTest(background=background, **keywords):
+                    options = cleft.Options(background=background, **keywords)
+                    sizing = given or cleft.Sizing(volume, options=options)
+                    background_mesh = cleft.make_background(sizing, options=options)
+                    cleaved = cleft.cleave(volume, background_mesh, options=options)
+                    improved = cleft.improve(volume, cleaved, options=options)
+                    stripped = cleft.strip_labels(improved, options=options)
+                    self.assertTrue(same_mesh(stripped, cleft.mesh(volume, sizing=given, options=options)))
+
+    def test_the_estimate_is_near(self):
+        volume = ball_volume(24)
+        for keywords in ({"background": "octree"}, {"size": 2.0, "strip": [0]}):
+            estimate = cleft.estimate(volume, **keywords)
+            tets = len(cleft.mesh(volume, **keywords).tets)
+            self.assertLess(abs(estimate.tets - tets), 0.15 * tets)
+            self.assertGreater(estimate.peak_bytes, 100 * estimate.whole_tets)
+        own = cleft.make_background(cleft.Sizing.constant(volume, 2.0))
+        self.assertEqual(cleft.estimate(volume, background_mesh=own).background_tets, len(own.tets))
+
     def test_sizing(self):
         volume = ball_volume()
         self.assertAlmostEqual(cleft.Sizing.constant(volume, 2.5).at((6, 6, 6)), 2.5)

@@ -84,6 +84,7 @@ def _record(name, about, values):
 
 
 _RECORDS = {
+    "Estimate": "What a mesh will come to.",
     "Quality": "The shape of a mesh in figures.",
     "Validation": "What is wrong with a mesh; all counts of faults are 0 for a sound one.",
     "LabelReport": "What became of one label. Volumes are in world units cubed.",

@@ -6,7 +6,7 @@ from . import headers
 
 # The structs that come out of the library, and what their classes are called.
 RECORDS = {"cleft_quality": "Quality", "cleft_validation": "Validation", "cleft_label_report": "LabelReport",
-           "cleft_contact": "Contact"}
+           "cleft_contact": "Contact", "cleft_estimate": "Estimate"}
 # How the lowest level of the bindings gives one element of an array, by its index.
 ELEMENTS = {"dihedral_histogram": "histogram_bin"}
 # The enumerations of cleft_io.h: class, prefix, first constant.

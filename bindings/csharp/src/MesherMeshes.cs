@@ -70,6 +70,19 @@ namespace Cleft
 
         // ------------------------------------------------------------------------------------- what meshes are
 
+        /// <summary>
+        /// What Mesh(volume, sizing, background, options) will come to: tetrahedra, within 15 %, and memory. No mesh is made.
+        /// </summary>
+        public Estimate Estimate(Volume volume, Sizing sizing = null, Mesh background = null, Options options = null)
+        {
+            NativeHandle of = Required(volume, nameof(volume)), how = HandleOf(options);
+            NativeHandle sizes = HandleOf(sizing), behind = HandleOf(background);
+            using (var figures = new NativeEstimate()) {
+                Run(context => CleftNative.cleft_mesh_estimate(context, of, sizes, behind, how, figures));
+                return new Estimate(figures);
+            }
+        }
+
         /// <summary>The shape of the tetrahedra in figures.</summary>
         public Quality Quality(Mesh mesh)
         {

@@ -192,4 +192,27 @@ namespace Cleft
         /// <summary>The triangles that the two share.</summary>
         public long Triangles { get; }
     }
+
+    public sealed partial class Estimate
+    {
+        internal Estimate(NativeEstimate row)
+        {
+            IsBound = row.is_bound != 0;
+            Tets = row.tets;
+            WholeTets = row.whole_tets;
+            BackgroundTets = row.background_tets;
+            PeakBytes = row.peak_bytes;
+        }
+
+        /// <summary>True if there may be fewer: labels have few points each, and most cuts may have to stay.</summary>
+        public bool IsBound { get; }
+        /// <summary>Tetrahedra of the finished mesh, in the labels that strip and only keep.</summary>
+        public double Tets { get; }
+        /// <summary>Tetrahedra of the mesh from which the other labels are left out.</summary>
+        public double WholeTets { get; }
+        /// <summary>Tetrahedra of the background that is cleaved.</summary>
+        public double BackgroundTets { get; }
+        /// <summary>The most memory that a process takes to make the mesh, in bytes, no less.</summary>
+        public double PeakBytes { get; }
+    }
 }

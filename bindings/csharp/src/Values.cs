@@ -3,6 +3,17 @@ using System.Collections.Generic;
 
 namespace Cleft
 {
+    /// <summary>What a mesh will come to.</summary>
+    public sealed partial class Estimate
+    {
+        /// <summary>What this is, in a few words.</summary>
+        public override string ToString()
+        {
+            return FormattableString.Invariant(
+                $"Estimate of {(IsBound ? "up to " : "")}{Tets:0} tetrahedra and {PeakBytes:0} bytes");
+        }
+    }
+
     /// <summary>The shape of a mesh in figures. Angles are dihedral angles, in degrees.</summary>
     public sealed partial class Quality
     {

@@ -17,10 +17,10 @@ from .errors import (Busy, Cancelled, CleftError, CleftWarning, Closed, FileErro
                      InvalidArgument, InvalidMesh, LabelLost, NotFinite, OptionError, OutOfMemory, TooLarge, Unsupported)
 from .files import (Format, formats, guess, read_field, read_mesh, read_raw, read_sizing, read_volume, write_mesh,
                     write_sizing)
-from .meshes import Mesh, cleave, improve, make_background, mesh, strip_labels
+from .meshes import Mesh, cleave, estimate, improve, make_background, mesh, strip_labels
 from .mesher import Mesher
 from .options import OptionDescription, OptionKeywords, Options, option_table
-from .results import Contact, LabelReport, Quality, Report, Validation
+from .results import Contact, Estimate, LabelReport, Quality, Report, Validation
 from .sizing import Sizing
 from .surface import SIDES, Surface
 from .volume import Volume
@@ -30,10 +30,10 @@ __version__: str = _native.cleft_version(None, None, None)
 has_tetgen: bool = bool(_native.cleft_has_tetgen())
 
 __all__ = [
-    "SIDES", "Busy", "Cancelled", "CleftError", "CleftWarning", "Closed", "Contact", "FileError", "Format", "FormatError",
+    "SIDES", "Busy", "Cancelled", "CleftError", "CleftWarning", "Closed", "Contact", "Estimate", "FileError", "Format", "FormatError",
     "InternalError", "InvalidArgument", "InvalidMesh", "LabelLost", "LabelReport", "Mesh", "Mesher", "NotFinite",
     "OptionDescription", "OptionError", "OptionKeywords", "Options", "OutOfMemory", "Quality", "Report", "Sizing",
-    "Surface", "TooLarge", "Unsupported", "Validation", "Volume", "cleave", "formats", "guess", "has_tetgen", "improve",
+    "Surface", "TooLarge", "Unsupported", "Validation", "Volume", "cleave", "estimate", "formats", "guess", "has_tetgen", "improve",
     "make_background", "mesh", "option_table", "read_field", "read_mesh", "read_raw", "read_sizing", "read_volume",
     "strip_labels", "write_mesh", "write_sizing",
 ]

@@ -7,6 +7,19 @@ from typing import Any
 
 
 @dataclass(frozen=True)
+class Estimate:
+    """What a mesh will come to."""
+
+    # <Estimate> made by tools/generate.py from include/cleft/cleft.h
+    is_bound: bool  #: true if there may be fewer: labels have few points each, and most cuts may have to stay
+    tets: float  #: tetrahedra of the finished mesh, in the labels that strip and only keep
+    whole_tets: float  #: tetrahedra of the mesh from which the other labels are left out
+    background_tets: float  #: tetrahedra of the background that is cleaved
+    peak_bytes: float  #: the most memory that a process takes to make the mesh, in bytes, no less
+    # </Estimate>
+
+
+@dataclass(frozen=True)
 class Quality:
     """The shape of a mesh in figures; angles are dihedral angles, in degrees."""
 
