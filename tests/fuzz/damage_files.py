@@ -1,4 +1,4 @@
-"""damage_files.py CLEFT (--count N | --seconds T) [--seed S] [--keep FOLDER]: damaged files of all formats.
+"""damage_files.py CLEFT (--count N | --seconds T) [--seed S] [--keep FOLDER] [--any-memory]: damaged files of all formats.
 
 Each file of the corpora of readers is cut, spliced, and changed byte by byte, and given to `cleft info` and `cleft mesh`
 (or `cleft check`) in a process with limits on memory and time. Each run must end with an exit status that is documented,
@@ -29,6 +29,7 @@ parser.add_argument('--count', type=int)
 parser.add_argument('--seconds', type=float)
 parser.add_argument('--seed', type=int, default=1)
 parser.add_argument('--keep', type=pathlib.Path)
+parser.add_argument('--any-memory', action='store_true')
 given = parser.parse_args()
 
 STRANGE = [bytes(n) for n in (1, 2, 4, 8)] + [b'\xff' * n for n in (1, 2, 4, 8)] + [
@@ -65,7 +66,8 @@ def damaged(data, others, chance):
 
 
 def limit():
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    if not given.any_memory:
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 

@@ -16,7 +16,7 @@ namespace
 {
 
 // Of the processor, for one volume that takes a few at most: what takes longer does not end.
-constexpr int kMostSeconds = 200;
+constexpr int kMostSeconds = STORM_SECONDS;
 
 char running[64];  // for the signal handler, which may not allocate
 
