@@ -1,5 +1,6 @@
 """Failures: the exit code, the message, the report, and no file left behind."""
 import json
+import os
 import resource
 import unittest
 
@@ -47,6 +48,7 @@ class Failures(CommandTest):
         self.assertLess(error["status"], 0)
         self.assertIn("none.nrrd", error["message"])
 
+    @unittest.skipIf(os.environ.get("SANITIZERS"), "sanitizers reserve more addresses than the limit allows")
     def test_out_of_memory(self):
         def little_memory():
             resource.setrlimit(resource.RLIMIT_AS, (600_000_000, 600_000_000))
