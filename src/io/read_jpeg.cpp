@@ -23,16 +23,12 @@ struct JpegDecoder {
     jpeg_progress_mgr progress{};
     std::jmp_buf leave{};
     char message[JMSG_LENGTH_MAX] = {};
-    bool created = false;
 
     JpegDecoder() = default;
     JpegDecoder(const JpegDecoder&) = delete;
     JpegDecoder& operator=(const JpegDecoder&) = delete;
-    ~JpegDecoder()
-    {
-        if (created)
-            jpeg_destroy_decompress(&jpeg);
-    }
+    // Also of one that was never made, or made in part: jpeg_create_decompress() may fail after it took memory.
+    ~JpegDecoder() { jpeg_destroy_decompress(&jpeg); }
 };
 
 [[noreturn]] void leave(j_common_ptr jpeg)
@@ -72,7 +68,6 @@ bool read_jpeg_header(JpegDecoder& decoder, std::FILE* file)
     decoder.errors.emit_message = keep_message;
     decoder.errors.output_message = print_nothing;
     jpeg_create_decompress(&decoder.jpeg);
-    decoder.created = true;
     decoder.progress.progress_monitor = check_scans;
     decoder.jpeg.progress = &decoder.progress;
     jpeg_stdio_src(&decoder.jpeg, file);
