@@ -33,6 +33,10 @@ constexpr BackgroundRow kRows[] = {
      nullptr},
 };
 
+}  // namespace
+
+const BackgroundRow& row_of(BackgroundKind kind) { return kRows[static_cast<size_t>(kind)]; }
+
 double kept_share_of_voxels(const Volume& volume, const std::vector<char>& keep)
 {
     const std::vector<int64_t> voxels = volume.voxel_counts();
@@ -41,10 +45,6 @@ double kept_share_of_voxels(const Volume& volume, const std::vector<char>& keep)
         kept += keep.empty() || keep[m] != 0 ? static_cast<double>(voxels[m]) : 0;
     return kept / static_cast<double>(volume.grid().size());
 }
-
-}  // namespace
-
-const BackgroundRow& row_of(BackgroundKind kind) { return kRows[static_cast<size_t>(kind)]; }
 
 ExpectedTets expected_tets(const SizingField& field, const BackgroundOptions& options, const Volume& volume,
                            const std::vector<char>& keep, const Run& run)

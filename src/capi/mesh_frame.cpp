@@ -33,6 +33,22 @@ void turn_round(std::vector<Tet>& tets)
     throw Error(CLEFT_ERROR_INTERNAL, "the mesh came out wrong, and is not given back: " + fault);
 }
 
+std::vector<Vec3> local_points(const cleft_mesh& mesh, const Frame& frame)
+{
+    std::vector<Vec3> points(mesh.mesh.points.size());
+    for (size_t i = 0; i < points.size(); ++i)
+        points[i] = frame.to_local(mesh.mesh.points[i]);
+    return points;
+}
+
+std::vector<Tet> local_tets(const cleft_mesh& mesh, const Frame& frame)
+{
+    std::vector<Tet> tets = mesh.mesh.tets;
+    if (frame.flips())
+        turn_round(tets);
+    return tets;
+}
+
 bool come_back(const std::vector<Vec3>& local, const std::vector<Vec3>& world, const Frame& frame)
 {
     for (size_t i = 0; i < local.size(); ++i)
@@ -95,21 +111,14 @@ bool is_as_left(const cleft_mesh& mesh, MadeBy stage, const Frame& frame)
 
 TetMesh as_left(const cleft_mesh& mesh)
 {
-    TetMesh out;
-    to_local(mesh, *mesh.frame, out.points, out.tets);
-    if (!mesh.local.empty())
-        out.points = mesh.local;
-    return out;
+    const std::vector<Vec3>& kept = mesh.local;
+    return {kept.empty() ? local_points(mesh, *mesh.frame) : kept, local_tets(mesh, *mesh.frame)};
 }
 
 void to_local(const cleft_mesh& mesh, const Frame& frame, std::vector<Vec3>& points, std::vector<Tet>& tets)
 {
-    points.resize(mesh.mesh.points.size());
-    for (size_t i = 0; i < points.size(); ++i)
-        points[i] = frame.to_local(mesh.mesh.points[i]);
-    tets = mesh.mesh.tets;
-    if (frame.flips())
-        turn_round(tets);
+    points = local_points(mesh, frame);
+    tets = local_tets(mesh, frame);
 }
 
 LabelledMesh to_stage(const cleft_mesh& mesh, const cleft_volume& volume)

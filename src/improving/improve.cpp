@@ -56,12 +56,11 @@ Shortfall shortfall(const LocalMesh& mesh, double target, const Run& run)
 // a margin, they have had a higher aim from the beginning.
 Shortfall search_on(LocalMesh& mesh, Improver& improver, const ImproveOptions& options, const Run& run)
 {
-    constexpr double kMargins[] = {1, 2, 0.5, 3};  // in degrees
     constexpr int64_t kFew = 300;
     const double target = sine_of(options.target_angle);
     Shortfall left = shortfall(mesh, target, run);
     int rounds = 0;
-    for (const double margin : kMargins) {
+    for (const double margin : kHigherAims) {
         if (options.margin > 0 || left.tets == 0 || left.tets > kFew)
             break;
         improver.aim_higher(sine_of(options.target_angle + margin));

@@ -16,6 +16,10 @@ struct ImproveOptions {
     double margin = 0;         // degrees; aims so much higher, which leads to another mesh
 };
 
+// In degrees above the target. A search that aims a little higher takes other ways, few of which end at the same bad
+// tetrahedra.
+inline constexpr double kHigherAims[] = {1, 2, 0.5, 3};
+
 // The tetrahedra that are short of the target.
 struct Shortfall {
     int64_t tets = 0;

@@ -7,8 +7,6 @@ namespace cleft
 namespace
 {
 
-// In degrees. A search that aims a little higher takes other ways, few of which end at the same bad tetrahedra.
-constexpr double kMargins[] = {1, 2, 0.5, 3};
 // More bad ones than these have a cause that another try does not take away.
 constexpr int64_t kFew = 100;
 // A try costs about as much as the first one: in a larger mesh that is too much for a few tetrahedra.
@@ -32,7 +30,7 @@ LocalMesh improved_mesh(const Volume& volume, const Cleaved& cleaved, const Pipe
 {
     Try best = try_with(volume, cleaved, options.improve, run);
     int tries = 1;
-    for (const double margin : kMargins) {
+    for (const double margin : kHigherAims) {
         if (best.left.tets == 0 || best.left.tets > kFew || best.mesh.slot_count() > kMostTets)
             break;
         ++tries;

@@ -36,21 +36,14 @@ double limit_of(const PipelineOptions& options)
     return std::max(options.max_tets, static_cast<double>(options.tets));
 }
 
-double kept_share(const Volume& volume, const PipelineOptions& options)
-{
-    const std::vector<int64_t> voxels = volume.voxel_counts();
-    double kept = 0;
-    for (size_t m = 0; m < voxels.size(); ++m)
-        kept += options.keeps(static_cast<Material>(m)) ? static_cast<double>(voxels[m]) : 0;
-    return std::max(kept, 1.0) / static_cast<double>(volume.grid().size());
-}
-
 // Where the search for a number begins: one size everywhere, as fine as the field's least, could fill the memory.
 double first_factor(const SizingField& field, const Volume& volume, const PipelineOptions& options, const Run& run)
 {
     if (is_graded(options.background.kind))
         return 1;
-    const double wanted = static_cast<double>(options.tets) / kept_share(volume, options);
+    const double one_voxel = 1 / static_cast<double>(volume.grid().size());
+    const double share = std::max(kept_share_of_voxels(volume, options.keep), one_voxel);
+    const double wanted = static_cast<double>(options.tets) / share;
     return std::max(1.0, std::cbrt(expected_of_all(field, options, run) / wanted));
 }
 
