@@ -27,7 +27,8 @@ namespace fs = std::filesystem;
 namespace
 {
 
-constexpr int kMostLinks = 40;  // one after the other, as the kernel allows
+// Linux follows at most 40 symbolic links in one path (path_resolution(7)). The same bound here ends a circle of links.
+constexpr int kMostLinks = 40;
 
 [[noreturn]] void cannot_write(const std::string& path, int error)
 {
@@ -47,6 +48,7 @@ fs::path target_of(const std::string& path)
         target = target.parent_path() / next;
     }
     const fs::file_status status = fs::status(target, ignored);
+    // A rename onto a device or a pipe would replace the device node by a plain file.
     if (fs::exists(status) && !fs::is_regular_file(status))
         throw Error(CLEFT_ERROR_FILE, "cannot write '" + path + "': it is no regular file");
     return target;
@@ -55,6 +57,8 @@ fs::path target_of(const std::string& path)
 // One whose files cannot be listed may still be written to.
 int open_folder(const fs::path& folder)
 {
+    // O_PATH needs no permission to read the folder. It suffices for openat() and renameat(), but
+    // fsync() of the folder then fails, which commit_all() ignores.
     const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     return descriptor < 0 && errno == EACCES ? open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC) : descriptor;
 }
@@ -64,6 +68,7 @@ void keep_permissions(int folder, const std::string& old, int descriptor)
 {
     struct stat status {
     };
+    // 07777 keeps the set-user-id, set-group-id and sticky bits beside the nine bits of access.
     if (fstatat(folder, old.c_str(), &status, 0) == 0 && fchmod(descriptor, status.st_mode & 07777) != 0)
         errno = 0;  // the new file then has the permissions of any new file
 }
@@ -74,9 +79,13 @@ template <class Take>
 bool take_free_name(const char* kind, std::string& name, const Take& take)
 {
     for (int i = 0;; ++i) {
+        // The process number keeps two runs in one folder apart, so that few names are tried. The
+        // dot hides the file from patterns such as "*", which another run may be reading.
         name = std::string(".cleft-") + kind + std::to_string(getpid()) + "-" + std::to_string(i);
         if (take(name.c_str()))
             return true;
+        // Any other error (no space, no permission, a read-only file system) would come again for
+        // each further name.
         if (errno != EEXIST)
             return false;
     }
@@ -89,6 +98,8 @@ public:
     OldFile(int folder, const std::string& name)
         : folder_(folder), name_(name), is_there_(faccessat(folder, name.c_str(), F_OK, 0) == 0)
     {
+        // A hard link costs no copy, and the name itself stays where it is until the rename
+        // replaces it.
         const auto link_to = [&](const char* second) { return linkat(folder, name_.c_str(), folder, second, 0) == 0; };
         if (is_there_ && !take_free_name("old", second_, link_to))
             second_.clear();  // no hard links here
@@ -101,6 +112,8 @@ public:
     OldFile(const OldFile&) = delete;
     OldFile& operator=(const OldFile&) = delete;
 
+    // Called while an Error is on its way out, so it must not throw. What cannot be put back stays
+    // as the rename left it.
     void put_back() noexcept
     {
         if (!is_there_)
@@ -136,6 +149,8 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path), buffer_(std::make
     struct stat status {
     };
     int error = 0;
+    // The temporary name is short, so it would hide that the final name is too long until the whole
+    // file is written.
     if (fstatat(folder_, name_.c_str(), &status, 0) != 0 && errno == ENAMETOOLONG)
         error = errno;
     else if (!take_free_name("part", name, create))
@@ -144,6 +159,7 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path), buffer_(std::make
         close(folder_);
         cannot_write(path, error);
     }
+    // swap() takes no memory. From here on the destructor knows of the file and removes it.
     temporary_.swap(name);
     keep_permissions(folder_, name_, descriptor_);
 }
@@ -173,6 +189,7 @@ void AtomicFile::write(const void* data, size_t bytes)
     }
 }
 
+// The buffer is written as a whole, so a caller never sees a part of a call to write() fail.
 void AtomicFile::flush()
 {
     if (const int error = write_quietly(descriptor_, buffer_.get(), used_))
@@ -184,8 +201,12 @@ void AtomicFile::flush()
 void AtomicFile::finish()
 {
     flush();
+    // Without fsync() a power failure after the rename could leave the new name with an empty file
+    // (on ext4 and XFS, for example).
     if (fsync(descriptor_) != 0)
         fail(errno);
+    // NFS reports a full disk or quota at close() only. The descriptor is gone even if close()
+    // fails, so the destructor must not close it again.
     if (close(std::exchange(descriptor_, -1)) != 0)
         fail(errno);
 }
@@ -199,12 +220,15 @@ void AtomicFile::take_name()
 
 void AtomicFile::commit_all(const std::initializer_list<AtomicFile*>& files)
 {
+    // All data are on the disk before the first rename. What fails for want of space therefore
+    // fails while the old files are untouched.
     for (AtomicFile* file : files)
         file->finish();
     std::vector<std::unique_ptr<OldFile>> old;
     if (files.size() > 1)  // of one file, the renaming itself is all or nothing
         for (const AtomicFile* file : files)
             old.push_back(std::make_unique<OldFile>(file->folder_, file->name_));
+    // Files before this position have taken their names and must be put back if a later one fails.
     size_t renamed = 0;
     try {
         for (AtomicFile* file : files) {

@@ -23,8 +23,12 @@ public:
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
 
+    // Appends `bytes` bytes. Throws Error(CLEFT_ERROR_FILE) where the system cannot write, which
+    // may be later than the call, as the file is buffered.
     void write(const void* data, size_t bytes);
 
+    // The value as it lies in memory. Formats of fixed byte order may use it, since the writers
+    // require a little-endian machine.
     template <class T>
     void binary(const T& value)
     {
@@ -39,12 +43,17 @@ public:
         (put(parts), ...);
     }
 
+    // Flushes to the disk and takes the final name. Nothing may be written afterwards. Throws
+    // Error(CLEFT_ERROR_FILE); the old file is then unchanged.
     void commit() { commit_all({this}); }
     // All or none: if one cannot take its name, the others get their old contents back.
     static void commit_all(const std::initializer_list<AtomicFile*>& files);
 
 private:
+    // 1 MiB: few enough calls to the system for files of gigabytes, and little beside the mesh.
     static constexpr size_t capacity = size_t{1} << 20;
+    // The shortest form of a double has at most 24 characters ("-2.2250738585072014e-308"), and an
+    // int64 20.
     static constexpr size_t longest_number = 32;
 
     void put(char c)
@@ -66,6 +75,8 @@ private:
     }
 
     void flush();
+    // finish() writes and closes the temporary; take_name() renames it. They are apart so that
+    // commit_all() can finish all files first.
     void finish();
     void take_name();
     [[noreturn]] void fail(int error) const;

@@ -12,9 +12,12 @@
 namespace cleft::io
 {
 
+// It refers to the bytes and does not own them. Reading is by memcpy, since the places in headers
+// are not aligned for their types.
 class BinaryHeader
 {
 public:
+    // `big_endian` is the order in the file, whatever the machine's own order is.
     BinaryHeader(const std::vector<unsigned char>& bytes, bool big_endian)
         : BinaryHeader(bytes.data(), bytes.size(), big_endian)
     {
@@ -24,6 +27,8 @@ public:
     {
     }
 
+    // The number of type T at `offset`. Throws Error(CLEFT_ERROR_FORMAT) where the header ends
+    // before it.
     template <class T>
     T at(size_t offset) const
     {

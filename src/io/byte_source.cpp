@@ -20,6 +20,7 @@ namespace cleft::io
 namespace
 {
 
+// 256 kB: the cost of a call to the system is then small beside that of the copy.
 constexpr size_t buffer_bytes = size_t{1} << 18;
 
 [[noreturn]] void cannot_read(int error) { throw_system_failure("cannot read it", error); }
@@ -40,6 +41,8 @@ int open_regular(const std::string& path, uintmax_t& size)
     }
     if (S_ISDIR(status.st_mode))
         throw Error(CLEFT_ERROR_FILE, "it is a folder, not a file");
+    // open() of a pipe without a writer would wait for ever, and /dev/zero would never end. So
+    // stat() comes before open().
     if (!S_ISREG(status.st_mode))
         throw Error(CLEFT_ERROR_FILE, "it is a device or pipe, not a file");
     const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -59,11 +62,15 @@ public:
         uintmax_t size = 0;
         descriptor_ = open_regular(path, size);
         try {
+            // The subtraction on the right cannot wrap, as the left side has been checked. A
+            // header's claim of 2^64 - 1 bytes stops here.
             if (offset > size || (length != to_the_end && length > size - offset))
                 too_short(offset > size ? offset - size : length - (size - offset));
             unread_ = length == to_the_end ? size - offset : length;
             if (offset > 0 && lseek(descriptor_, static_cast<off_t>(offset), SEEK_SET) < 0)
                 cannot_read(errno);
+            // 15: the largest window of RFC 1951, 32 kB. 32: zlib finds out by itself whether gzip
+            // (RFC 1952) or zlib (RFC 1950) wraps the data.
             if (coding == Coding::deflated && inflateInit2(&stream_, 15 + 32) != Z_OK)
                 throw std::bad_alloc();
         } catch (...) {
@@ -96,9 +103,11 @@ private:
     {
         bytes = static_cast<size_t>(std::min<uintmax_t>(bytes, unread_));
         for (size_t done = 0; done < bytes;) {
+            // Linux transfers at most 2^31 - 4096 bytes a call; 2^30 stays below it.
             const ssize_t got = ::read(descriptor_, to + done, std::min(bytes - done, size_t{1} << 30));
             if (got < 0 && errno != EINTR)
                 cannot_read(errno);
+            // The size was that of stat(), so the file has shrunk while it was being read.
             if (got == 0)
                 too_short(bytes - done);
             done += got > 0 ? static_cast<size_t>(got) : 0;
@@ -123,6 +132,7 @@ private:
         while (done < bytes && !(ended_ && !next_member())) {
             if (!fill())
                 throw Error(CLEFT_ERROR_FORMAT, "its compressed data end too early");
+            // zlib counts in 32 bits; a larger request is served piece by piece.
             const auto room = static_cast<uInt>(std::min(bytes - done, size_t{1} << 30));
             stream_.next_out = reinterpret_cast<Bytef*>(to + done);
             stream_.avail_out = room;
@@ -130,6 +140,9 @@ private:
             done += room - stream_.avail_out;
             if (result == Z_MEM_ERROR)
                 throw std::bad_alloc();
+            // Z_BUF_ERROR only asks for more input or room, which the next turn gives. Z_NEED_DICT
+            // is damage: no image format uses a preset dictionary. zlib checks the check sum before
+            // it answers Z_STREAM_END.
             if (result != Z_OK && result != Z_STREAM_END && result != Z_BUF_ERROR)
                 throw Error(CLEFT_ERROR_FORMAT, "its compressed data are damaged");
             ended_ = result == Z_STREAM_END;
@@ -139,8 +152,12 @@ private:
 
     // A gzip file may be of several members, one after the other, which are one stream. Anything else behind them, such
     // as the zeros that fill blocks up, is no part of it.
+    // RFC 1952, section 2.2: "a gzip file consists of a series of members". bgzip and pigz write
+    // such files.
     bool next_member()
     {
+        // 0x1f is the first byte of a gzip member (ID1). tar and some tape tools pad with zeros,
+        // which are no member.
         if (!fill() || stream_.next_in[0] != 0x1f)
             return false;
         ended_ = false;
@@ -171,6 +188,8 @@ void ByteSource::expect(uintmax_t bytes) const
 {
     const uintmax_t left = state_->left();
     if (state_->is_plain()) {
+        // A plain source knows exactly what is left, so that nothing need be allocated for what is
+        // not there.
         if (bytes > left)
             too_short(bytes - left);
     } else if (bytes / greatest_deflate_ratio > left + 8) {  // some bits may be with zlib already
@@ -195,6 +214,7 @@ void ByteSource::skip(uintmax_t bytes)
         state_->pass_over(bytes);
         return;
     }
+    // A compressed stream cannot seek, so what is skipped must be decompressed.
     std::vector<char> waste(static_cast<size_t>(std::min<uintmax_t>(bytes, buffer_bytes)));
     while (bytes > 0) {
         const auto step = static_cast<size_t>(std::min<uintmax_t>(bytes, waste.size()));
@@ -208,6 +228,7 @@ std::string ByteSource::read_rest()
     std::string text;
     for (size_t got = 1; got > 0;) {
         const size_t before = text.size();
+        // The size of what is compressed is not known. Doubling keeps the number of copies small.
         text.resize(before + std::max(buffer_bytes, before));
         got = read_some(text.data() + before, text.size() - before);
         text.resize(before + got);

@@ -11,11 +11,14 @@
 namespace cleft::io
 {
 
-// zlib shrinks by this factor at most, 258 bytes to two bits: a longer claim is a damaged one.
+// Deflate shrinks by this factor at most: its longest match is of 258 bytes (RFC 1951, section 3.2.5), and a match
+// takes two bits at least. A header that claims more than this of its compressed data is damaged, or made to exhaust
+// memory.
 constexpr uintmax_t greatest_deflate_ratio = 1032;
 
 enum class Coding { plain, deflated };  // deflated: gzip (of several members, too) or a zlib stream
 
+// A source can be moved, not copied. It holds a descriptor of the file until it is destroyed.
 class ByteSource
 {
 public:
@@ -34,6 +37,8 @@ public:
     void read(void* to, size_t bytes);
     // Less than was asked for only at the end.
     size_t read_some(void* to, size_t bytes);
+    // Passes over so many bytes, which must be there. It costs a seek in a plain file and a
+    // decompression in another.
     void skip(uintmax_t bytes);
     // All that is left.
     std::string read_rest();

@@ -10,6 +10,8 @@
 namespace cleft::io
 {
 
+// The lists as the file has them, not yet checked against each other or against the number of
+// points.
 struct CellLists {
     std::vector<int64_t> corners;
     std::vector<int64_t> offsets;  // one more than there are cells: cell i has corners [offsets[i], offsets[i + 1])

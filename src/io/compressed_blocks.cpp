@@ -1,3 +1,5 @@
+// Compresses the arrays of VTK's XML files in blocks, several at a time, and inflates such blocks.
+// The form is that of vtkZLibDataCompressor.
 #include "io/compressed_blocks.hpp"
 
 #include "base/parallel.hpp"
@@ -12,6 +14,8 @@ namespace cleft::io
 namespace
 {
 
+// 256 kB: enough blocks to keep all threads busy, each far larger than the 32 kB that deflate looks back. The size is
+// fixed, since one that depended on the number of threads would change the bytes of the file.
 constexpr size_t block_bytes = size_t{1} << 18;
 // Coordinates and numbers of points hardly shrink any further at a higher level, which takes twice as long.
 constexpr int level = 1;
@@ -23,11 +27,15 @@ struct Free {
 
 std::string compress_block(const char* data, size_t bytes)
 {
+    // A compressor of libdeflate must not be used by two threads at once, so each block has its
+    // own.
     const std::unique_ptr<libdeflate_compressor, Free> compressor(libdeflate_alloc_compressor(level));
     if (!compressor)
         throw std::bad_alloc();
     std::string out(libdeflate_zlib_compress_bound(compressor.get(), bytes), '\0');
     out.resize(libdeflate_zlib_compress(compressor.get(), data, bytes, out.data(), out.size()));
+    // The bound is a little above the block's own size. All blocks together would hold the array
+    // twice.
     out.shrink_to_fit();
     return out;
 }
@@ -46,6 +54,9 @@ std::string compress_blocks(const void* data, size_t bytes, int threads)
                         blocks[static_cast<size_t>(block)] =
                             compress_block(from + begin, static_cast<size_t>(end - begin));
                     });
+    // The header of "VTK File Formats" for compressed data: number of blocks, size of a block, size
+    // of the last partial block, then the compressed sizes. The third number is 0 where the last
+    // block is full.
     std::vector<uint64_t> header{blocks.size(), block_bytes, bytes % block_bytes};
     for (const std::string& block : blocks)
         header.push_back(block.size());

@@ -21,10 +21,14 @@ using Affine = std::array<double, 12>;
 // Names of labels that no voxel has are dropped.
 void name_labels(cleft_context* context, const Image& image, cleft_volume* volume)
 {
+    // A segmentation lists all its segments, also those that were emptied. A name without voxels
+    // would be refused by the core for another reason than its letters.
     const int32_t* const labels = cleft_volume_labels(volume);
     const int32_t* const end = labels + cleft_volume_label_count(volume);
     for (const auto& [label, name] : image.names)
         if (std::find(labels, end, label) != end &&
+            // DICOM and NRRD do not guarantee UTF-8. A wrong name costs its label nothing else, so
+            // it is reported and left out.
             cleft_volume_set_label_name(volume, label, name.c_str()) != CLEFT_OK)
             tell(context, "the name of label " + std::to_string(label) + " is not UTF-8, and is left out");
 }
@@ -39,6 +43,8 @@ void create_labels(cleft_context* context, const cleft_options* options, Image& 
 }
 
 // One type for all: float, or double if one is double.
+// The core takes one array type for all functions of a volume. Whole numbers become float; one file
+// of double makes all of them double, so that it loses no digits.
 void unify(std::vector<Source>& sources)
 {
     bool wide = false;
@@ -55,11 +61,15 @@ void create_functions(cleft_context* context, std::vector<Source>& sources, cons
 {
     unify(sources);
     std::vector<const void*> fields;
+    // The fields of one file follow each other, so a file of four dimensions gives several
+    // functions.
     for (const Source& source : sources)
         for (int64_t f = 0; f < source.image.fields; ++f)
             fields.push_back(source.image.voxels.get() +
                              static_cast<size_t>(f * source.image.field_size()) * size_of(source.image.component));
     const Image& first = sources.front().image;
+    // The core's sentence speaks of functions by number. The path in front lets the user find the
+    // file.
     const std::string who = "'" + sources.front().path + (sources.size() > 1 ? "' and others: " : "': ");
     check(context,
           cleft_volume_create_indicators(context, type_of(first.component), fields.data(),
@@ -79,11 +89,13 @@ void create_volume(cleft_context* context, const cleft_options* options, std::ve
                    const Affine& affine, cleft_io_kind kind, cleft_volume** out)
 {
     std::vector<std::string> notes;
+    // The fields point into `sources`, which must not be moved until the volume is made.
     const std::vector<Field> fields = fields_of(sources);
     const Meaning meaning = meaning_of(fields, kind, notes);
     Image masks;
     if (meaning == Meaning::masks)
         masks = label_map_of_masks(fields, notes);
+    // Notes are told before the volume is made, so that they also explain a failure that follows.
     for (const std::string& note : notes)
         tell(context, note);
     if (meaning == Meaning::functions)

@@ -24,6 +24,8 @@ namespace cleft::io
 namespace
 {
 
+// GDCM may loop without end on a damaged code stream. The child sends nothing before all is
+// decoded, so this bounds the whole decoding, which takes seconds for files of common size.
 constexpr int patience_ms = 60000;  // for the next piece of the pixels
 
 bool write_all(int pipe, const void* data, size_t size)
@@ -47,6 +49,7 @@ bool read_all(int pipe, void* data, size_t size)
         const int events = poll(&ready, 1, patience_ms);
         if (events < 0 && errno == EINTR)
             continue;
+        // 0 events: the time is over. The destructor of Decoder then kills the child.
         if (events <= 0)
             return false;
         const ssize_t got = read(pipe, at, size);
@@ -60,22 +63,30 @@ bool read_all(int pipe, void* data, size_t size)
     return true;
 }
 
+// The child has no other way to tell want of memory from damage: its exceptions end with it. 1
+// stands for all other failures.
 constexpr int out_of_memory = 3;  // an exit status
 constexpr const char* no_process = "no process can be started to read compressed pixels";
 
 // In the child: whatever happens ends here.
 [[noreturn]] void decode_and_exit(const std::string& path, int pipe)
 {
+    // A crash of the decoder is an expected outcome here, and its core file would hold the
+    // patient's image.
     const rlimit no_core{0, 0};
     setrlimit(RLIMIT_CORE, &no_core);
+    // The caller's handlers came along with fork(). Python, Java and .NET have some that would
+    // print a trace or try to go on.
     signal(SIGABRT, SIG_DFL);
     signal(SIGSEGV, SIG_DFL);
     // What the library says of damaged files is not for the terminal.
+    // The parent's messages must not change because GDCM prints warnings to both streams.
     if (!freopen("/dev/null", "w", stderr) || !freopen("/dev/null", "w", stdout))
         _exit(1);
     try {
         gdcm::ImageReader reader;
         reader.SetFileName(path.c_str());
+        // Read() answers false for want of memory as for damage; errno tells the two apart.
         forget_want_of_memory();
         if (!reader.Read())
             _exit(errno == ENOMEM ? out_of_memory : 1);
@@ -84,6 +95,8 @@ constexpr const char* no_process = "no process can be started to read compressed
         std::vector<char> values(static_cast<size_t>(size));
         const bool written = image.GetBuffer(values.data()) && write_all(pipe, &size, sizeof size) &&
                              write_all(pipe, values.data(), values.size());
+        // _exit() and not exit(): buffers and atexit() handlers are the parent's, and would run
+        // twice.
         _exit(written ? 0 : 1);
     } catch (const std::bad_alloc&) {
         _exit(out_of_memory);
@@ -96,6 +109,8 @@ constexpr const char* no_process = "no process can be started to read compressed
 class Decoder
 {
 public:
+    // fork() copies only the calling thread. The child may still allocate memory, as glibc resets
+    // the locks of malloc() in it.
     explicit Decoder(const std::string& path)
     {
         int ends[2];
@@ -112,6 +127,8 @@ public:
             close(ends[0]);
             decode_and_exit(path, ends[1]);
         }
+        // The parent must close its own writing end. Otherwise read() would never see the end of
+        // the pipe when the child is gone.
         close(ends[1]);
         pipe_ = ends[0];
     }
@@ -120,6 +137,8 @@ public:
         close(pipe_);
         if (child_ < 0)
             return;
+        // The child may still be decoding if the parent has given up or has enough. It holds
+        // nothing that must be saved.
         kill(child_, SIGKILL);
         wait();
     }
@@ -138,6 +157,8 @@ private:
     int wait()
     {
         int status = 0;
+        // Without waitpid() the child would stay as a zombie for as long as the caller's process
+        // lives.
         while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
         }
         child_ = -1;
@@ -154,12 +175,16 @@ void read_compressed_pixels(const std::string& path, Image& image)
 {
     Decoder decoder(path);
     int64_t size = 0;
+    // The length of the decoded pixels is checked against the header before memory is taken for
+    // them.
     const int64_t wanted = image.field_size() * static_cast<int64_t>(size_of(image.component));
     bool whole = read_all(decoder.pipe(), &size, sizeof size) && size == wanted;
     if (whole) {
         allocate_voxels(image);
         whole = read_all(decoder.pipe(), image.voxels.get(), image.bytes());
     }
+    // A child that runs out of memory has sent nothing. Waiting for it is safe only then, as its
+    // pipe has ended.
     if (size == 0 && decoder.ran_out_of_memory())
         throw std::bad_alloc();
     if (!whole)

@@ -17,11 +17,13 @@ namespace cleft::io
 namespace
 {
 
+// PS3.5, section 7.1.1 (undefined length) and section 7.5 (items and their two delimiters).
 constexpr uint32_t undefined_length = 0xFFFFFFFFu;
 constexpr DicomTag item_tag = 0xFFFEE000u;
 constexpr DicomTag item_end_tag = 0xFFFEE00Du;
 constexpr DicomTag sequence_end_tag = 0xFFFEE0DDu;
-constexpr int deepest = 16;  // sequences in sequences
+// Sequences in sequences: image objects nest a few levels deep. The bound protects the stack, as the reader recurses.
+constexpr int deepest = 16;
 
 [[noreturn]] void refuse_damaged(const std::string& what)
 {
@@ -31,6 +33,7 @@ constexpr int deepest = 16;  // sequences in sequences
 std::string name_of(DicomTag tag)
 {
     char text[20];
+    // The notation of PS3.6, by which a user finds the element in a data dictionary.
     std::snprintf(text, sizeof text, "(%04x,%04x)", tag >> 16, tag & 0xFFFFu);
     return text;
 }
@@ -41,6 +44,8 @@ struct ElementHead {
     uint32_t length = 0;
 };
 
+// Reads one data set element by element, as PS3.5, section 7.1 lays them out. It never goes beyond
+// the bytes it was given.
 class ElementReader
 {
 public:
@@ -49,6 +54,8 @@ public:
     bool at_end() const { return at_ == bytes_.size(); }
     size_t place() const { return at_; }
 
+    // Tag, type (the standard calls it VR) and length of the next element. Items and delimiters
+    // have no type in either encoding.
     ElementHead head()
     {
         ElementHead head;
@@ -59,7 +66,11 @@ public:
             return head;
         }
         std::memcpy(head.type, take(2, head.tag).data(), 2);
+        // The types that PS3.5, section 7.1.2 (table 7.1-1) gives two reserved bytes and a length
+        // of 32 bits. All others have a length of 16 bits.
         static const char* const long_types = "OB OD OF OL OV OW SQ SV UC UN UR UT UV";
+        // All types are two capital letters. Anything else means that a length before it was wrong,
+        // or that the file has implicit types.
         if (!std::isupper(head.type[0]) || !std::isupper(head.type[1]))
             refuse_damaged("the element " + name_of(head.tag) + " has no type");
         const bool is_long = std::strstr(long_types, head.type) != nullptr;
@@ -69,20 +80,27 @@ public:
         return head;
     }
 
+    // The value behind a head that was just read. `depth` counts the sequences around it.
     DicomElement element(const ElementHead& head, int depth)
     {
         DicomElement element;
         // What has an unknown type and no length is written without types inside.
+        // PS3.5, section 6.2.2: a value of type UN and undefined length is encoded as Implicit VR
+        // Little Endian.
         const bool unknown = std::strcmp(head.type, "UN") == 0;
         element.implicit = encoding_.implicit || unknown;
         element.in_words = std::strcmp(head.type, "OW") == 0;
         if (head.length != undefined_length) {
             element.bytes = take(head.length, head.tag);
+            // Pixel data of undefined length are encapsulated (PS3.5, section A.4): items that are
+            // fragments of a code stream and not data sets.
         } else if (head.tag == pixels_tag) {
             element.encapsulated = true;
             element.fragments = fragments();
         } else {
             const size_t start = at_;
+            // The items inside follow the encoding of this element. The reader goes back to the
+            // file's own behind it.
             const bool implicit_before = encoding_.implicit;
             encoding_.implicit = element.implicit;
             const size_t end = skip_items(depth);
@@ -94,6 +112,8 @@ public:
 
     std::string_view take(size_t count, DicomTag tag)
     {
+        // at_ never exceeds the size, so the difference cannot wrap, whatever length the file
+        // claims.
         if (count > bytes_.size() - at_)
             refuse_damaged("the element " + name_of(tag) + " goes beyond the end of the file");
         const std::string_view taken = bytes_.substr(at_, count);
@@ -112,6 +132,8 @@ public:
             const ElementHead inner = head();
             if (inner.tag == item_end_tag)
                 return bytes_.substr(start, before - start);
+            // Elements are read only to find the end of the item. Nothing else tells where an item
+            // of undefined length ends.
             element(inner, depth);
         }
     }
@@ -164,6 +186,8 @@ private:
 
 std::string without_padding(std::string_view bytes)
 {
+    // PS3.5, section 6.2: text is padded to an even length with a blank, UIDs with a zero byte.
+    // Leading blanks mean nothing in the types that are read here.
     const size_t end = bytes.find_last_not_of(std::string_view(" \0", 2));
     const size_t start = bytes.find_first_not_of(' ');
     return end == std::string_view::npos ? std::string() : std::string(bytes.substr(start, end + 1 - start));
@@ -182,6 +206,8 @@ std::string inflated(std::string_view packed)
         libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
     if (!decompressor)
         throw std::bad_alloc();
+    // Most data sets deflate to a third or a quarter, so the first guess mostly suffices. The bound
+    // is the ratio that deflate cannot exceed.
     for (size_t room = 8 * packed.size() + 1000;; room *= 4) {
         std::string data(room, '\0');
         size_t size = 0;
@@ -199,11 +225,15 @@ std::string inflated(std::string_view packed)
 // The elements of group 2 in front of the data, which always tell their types. Answers how many bytes they have.
 size_t read_meta(std::string_view bytes, std::string& transfer_syntax)
 {
+    // The file meta information of PS3.10, section 7.1 is always Explicit VR Little Endian,
+    // whatever the rest of the file uses. Its own length element, (0002,0000), is wrong in some
+    // files, so it is not used.
     size_t size = 0;
     while (size + 4 <= bytes.size() && bytes[size] == 2 && bytes[size + 1] == 0) {
         ElementReader reader(bytes.substr(size), DicomEncoding{});
         const ElementHead head = reader.head();
         const DicomElement element = reader.element(head, 0);
+        // Transfer Syntax UID.
         if (head.tag == 0x00020010u)
             transfer_syntax = without_padding(element.bytes);
         size += reader.place();
@@ -218,6 +248,8 @@ DicomData::DicomData(std::string_view bytes, DicomEncoding encoding) : encoding_
     ElementReader reader(bytes, encoding);
     while (!reader.at_end()) {
         const ElementHead head = reader.head();
+        // Group FFFE is of items and delimiters, which belong inside of sequences. Outside, they
+        // show that the reader lost its place.
         if (head.tag >> 16 == 0xFFFEu)
             refuse_damaged("an item stands outside of a sequence");
         elements_[head.tag] = reader.element(head, 0);
@@ -240,9 +272,11 @@ std::vector<double> DicomData::numbers(DicomTag tag) const
 {
     std::vector<double> all;
     const std::string list = text(tag);
+    // A backslash separates the values of one element (PS3.5, section 6.4).
     for (size_t start = 0; !list.empty() && start <= list.size();) {
         const size_t end = std::min(list.find('\\', start), list.size());
         const std::string word = without_padding(list.substr(start, end - start));
+        // A decimal string (DS) may have a leading plus sign, which from_chars() does not know.
         const char* from = word.c_str() + (word.substr(0, 1) == "+" ? 1 : 0);
         const char* const to = word.c_str() + word.size();
         double value = 0;
@@ -258,6 +292,8 @@ std::vector<double> DicomData::numbers(DicomTag tag) const
 int64_t DicomData::short_number(DicomTag tag, int64_t otherwise) const
 {
     const DicomElement* element = find(tag);
+    // US has two bytes. A shorter value is that of an element that is there without a value (type
+    // 2).
     if (!element || element->bytes.size() < 2)
         return otherwise;
     const int64_t first = static_cast<unsigned char>(element->bytes[0]);
@@ -271,6 +307,7 @@ std::vector<DicomData> DicomData::items(DicomTag tag) const
     const DicomElement* element = find(tag);
     if (!element)
         return all;
+    // The items of a sequence of unknown type are implicit, even in an explicit file.
     const DicomEncoding inside{element->implicit, encoding_.big_endian};
     ElementReader reader(element->bytes, inside);
     while (!reader.at_end()) {
@@ -292,6 +329,7 @@ std::string ascii_of(std::string text)
 
 bool is_dicom_head(std::string_view head)
 {
+    // PS3.10, section 7.1: a preamble of 128 bytes, then the prefix "DICM".
     if (head.size() >= 132 && head.substr(128, 4) == "DICM")
         return true;
     // Files without a preamble begin with a short element of group 2 or 8; element 0, the length of the group, has four
@@ -305,17 +343,23 @@ DicomFile read_dicom_file(const std::string& path)
 {
     DicomFile file;
     file.path = path;
+    // Shared, since all elements refer to these bytes and the file may be copied or moved.
     auto bytes = std::make_shared<std::string>(read_whole_file(path));
     const bool marked = bytes->size() >= 132 && bytes->compare(128, 4, "DICM") == 0;
     std::string_view rest = std::string_view(*bytes).substr(marked ? 132 : 0);
     rest.remove_prefix(read_meta(rest, file.transfer_syntax));
+    // Deflated Explicit VR Little Endian: all behind the meta information is one raw deflate stream
+    // (PS3.5, section A.5).
     if (file.transfer_syntax == "1.2.840.10008.1.2.1.99") {
         bytes = std::make_shared<std::string>(inflated(rest));
         rest = *bytes;
         file.transfer_syntax = "1.2.840.10008.1.2.1";
     }
     DicomEncoding encoding;
+    // Explicit VR Big Endian is retired since 2006, but files of older scanners still have it.
     encoding.big_endian = file.transfer_syntax == "1.2.840.10008.1.2.2";
+    // A file without meta information does not name its syntax. The first element shows whether
+    // types are written.
     encoding.implicit =
         file.transfer_syntax.empty() ? !begins_with_type(rest) : file.transfer_syntax == "1.2.840.10008.1.2";
     if (rest.empty())

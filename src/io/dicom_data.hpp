@@ -16,7 +16,8 @@ namespace cleft::io
 // Group and number of an element, 0x00280010.
 using DicomTag = uint32_t;
 
-// Elements that several readers look at.
+// Elements that several readers look at: Pixel Data, and the Shared and Per-Frame Functional Groups Sequences of
+// enhanced multi-frame objects (PS3.3, section C.7.6.16).
 constexpr DicomTag pixels_tag = 0x7FE00010u;
 constexpr DicomTag shared_groups = 0x52009229u;
 constexpr DicomTag frame_groups = 0x52009230u;
@@ -46,6 +47,7 @@ public:
     DicomData(std::string_view bytes, DicomEncoding encoding);
 
     bool has(DicomTag tag) const { return elements_.count(tag) > 0; }
+    // The element, or null. The pointer lives as long as this object.
     const DicomElement* find(DicomTag tag) const;
     // Without the blanks and zeros that pad it; "" if there is none.
     std::string text(DicomTag tag) const;
@@ -62,6 +64,7 @@ private:
     DicomEncoding encoding_;
 };
 
+// A file that was taken apart, with the bytes that its elements point to.
 struct DicomFile {
     std::string path;
     std::shared_ptr<const std::string> bytes;  // what `data` refers to
@@ -70,6 +73,7 @@ struct DicomFile {
 };
 
 // Text of a file for a message: what is not ASCII, or has no sign, becomes '?'.
+// Messages may reach a terminal, where control characters of a file could do harm.
 std::string ascii_of(std::string text);
 // May the file be DICOM, by its first bytes?
 bool is_dicom_head(std::string_view head);

@@ -30,11 +30,14 @@ std::string last_part(const std::string& path) { return path.substr(path.size() 
 
 std::string first_bytes_of(const std::string& path)
 {
+    // The preamble of 128 bytes and the prefix "DICM".
     std::string bytes(132, '\0');
     const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
     const ssize_t got = file >= 0 ? read(file, bytes.data(), bytes.size()) : 0;
     if (file >= 0)
         close(file);
+    // A file that cannot be opened or read gives no bytes, and so is taken for no DICOM. Folders of
+    // scanners hold files of other users.
     bytes.resize(static_cast<size_t>(std::max<ssize_t>(0, got)));
     return bytes;
 }
@@ -47,9 +50,11 @@ bool has_bytes(const std::string& path)
 {
     struct stat status {
     };
+    // stat() follows links: a link to a slice is a slice.
     return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0;
 }
 
+// A link to a folder is not followed: it may lead back up, and the search would not end.
 bool is_folder_itself(const std::string& path)
 {
     struct stat status {
@@ -72,6 +77,8 @@ std::vector<std::string> files_in(const std::string& folder)
 
 std::vector<std::string> dicom_folders_below(const std::string& folder)
 {
+    // A study has some thousands of files. A search through a home folder or a whole disk, where
+    // the path was a mistake, ends here within seconds.
     constexpr int most_files = 20000;
     std::set<std::string> found;
     std::vector<std::string> folders = {folder};
@@ -89,6 +96,8 @@ std::vector<std::string> dicom_folders_below(const std::string& folder)
                 folders.push_back(path);
             else if (parent != folder && found.count(parent) == 0 && has_bytes(path) &&
                      is_dicom_head(first_bytes_of(path)))
+                // One DICOM file makes a folder a candidate; the first test spares opening all the
+                // others.
                 found.insert(parent);
         }
     }
@@ -97,6 +106,7 @@ std::vector<std::string> dicom_folders_below(const std::string& folder)
 
 void refuse_folder_without_series(const std::string& folder, const std::vector<std::string>& below)
 {
+    // As many as a message can list and still be read.
     constexpr size_t told = 8;
     std::string sentence = "the folder holds no DICOM series";
     if (!below.empty()) {
@@ -105,6 +115,8 @@ void refuse_folder_without_series(const std::string& folder, const std::vector<s
             sentence += std::string(i > 0 ? ", '" : " '") + below[i] + "'";
         throw Error(CLEFT_ERROR_FILE, sentence + (below.size() > told ? " ..." : ""));
     }
+    // The files by which Zarr versions 2 and 3 mark an array or a group. They have no data that any
+    // other reader here could find.
     for (const char* name : {".zarray", ".zgroup", ".zattrs", "zarr.json"})
         if (fs::exists(fs::path(folder) / name))
             throw Error(CLEFT_ERROR_UNSUPPORTED,

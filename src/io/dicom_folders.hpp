@@ -10,6 +10,7 @@ namespace cleft::io
 // The regular files of a folder, sorted.
 std::vector<std::string> files_in(const std::string& folder);
 // As many as are needed to know DICOM.
+// Fewer, or none, where the file is short or cannot be read.
 std::string first_bytes_of(const std::string& path);
 // The folders below this one that hold DICOM files themselves, sorted. Throws if there are too many files
 // to look through.

@@ -9,6 +9,7 @@
 namespace cleft::io
 {
 
+// By the prefix "DICM", or by a first element where a file has no preamble.
 bool is_dicom(const FileHead& head);
 // Errors do not name the file.
 Image read_dicom_image(const std::string& path, const FileHead& head);

@@ -20,6 +20,8 @@ struct DicomPixelFormat {
 };
 
 // Throws for what is no image, and for colours.
+// The numbers fit each other: rows, columns and frames are at least 1, and 1 <= bits_stored <=
+// high_bit + 1 <= bits_allocated.
 DicomPixelFormat pixel_format_of(const DicomFile& file);
 
 // All frames, one behind the other along z; numbers of one bit become bytes. The file's geometry is not in it.
@@ -28,6 +30,8 @@ Image pixels_of(const DicomFile& file, const DicomPixelFormat& format);
 
 // The stored values of an image of known type and dims that are compressed by JPEG and its kin. GDCM reads them, in a
 // process of its own: it ends the process that uses it when a file is damaged.
+// Throws Error(CLEFT_ERROR_FORMAT) for what GDCM cannot decode within a minute, and std::bad_alloc
+// where its process ran out of memory.
 void read_compressed_pixels(const std::string& path, Image& image);
 
 }  // namespace cleft::io

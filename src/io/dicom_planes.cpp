@@ -13,6 +13,8 @@ namespace cleft::io
 namespace
 {
 
+// Functional group macros of PS3.3, section C.7.6.16.2: Plane Position, Plane Orientation, Pixel Measures, and Pixel
+// Value Transformation.
 constexpr DicomTag position_group = 0x00209113u;
 constexpr DicomTag orientation_group = 0x00209116u;
 constexpr DicomTag measures_group = 0x00289110u;
@@ -22,6 +24,8 @@ constexpr DicomTag values_group = 0x00289145u;
 class FrameGroups
 {
 public:
+    // `shared` and `frame` may be null. A file of one slice has its attributes outside of groups,
+    // and both are null.
     FrameGroups(const DicomData& all, const DicomData* shared, const DicomData* frame)
         : sources_{frame, shared}, all_(all)
     {
@@ -45,6 +49,8 @@ private:
 DicomPlane plane_of(const FrameGroups& groups)
 {
     DicomPlane plane;
+    // Image Position (Patient): the centre of the first voxel in LPS, in millimetres. Image
+    // Orientation (Patient): directions of rows and columns (PS3.3, section C.7.6.2.1.1).
     const std::vector<double> position = groups.numbers(position_group, 0x00200032u);
     const std::vector<double> axes = groups.numbers(orientation_group, 0x00200037u);
     if (position.size() == 3 && axes.size() == 6) {
@@ -52,11 +58,16 @@ DicomPlane plane_of(const FrameGroups& groups)
         plane.position = {position[0], position[1], position[2]};
         const Vector3 row{axes[0], axes[1], axes[2]};
         const Vector3 column{axes[3], axes[4], axes[5]};
+        // Below 30 degrees between rows and columns nothing is certain any more. Directions of
+        // zeros or of one axis twice come from broken converters.
         if (length(row) == 0 || length(column) == 0 || length(cross(row, column)) < 0.5 * length(row) * length(column))
             refuse_dicom("the directions of its rows and columns lie on a line");
+        // Rounded to few digits in the text, directions are seldom of length 1.
         plane.along_row = times(1 / length(row), row);
         plane.along_column = times(1 / length(column), column);
     }
+    // Pixel Spacing: the distance between rows comes first, then that between columns (PS3.3,
+    // section 10.7.1.3).
     std::vector<double> pixel = groups.numbers(measures_group, 0x00280030u);
     plane.at_detector = pixel.empty();
     if (plane.at_detector)
@@ -68,10 +79,13 @@ DicomPlane plane_of(const FrameGroups& groups)
     }
     const std::vector<double> between = groups.numbers(measures_group, 0x00180088u);
     const std::vector<double> thickness = groups.numbers(measures_group, 0x00180050u);
+    // Spacing Between Slices is negative in some files of nuclear medicine, where it counts
+    // downward. Only its size is used, as places tell the direction.
     plane.between_slices = between.empty() ? 0 : std::abs(between.front());
     plane.thickness = thickness.empty() ? 0 : std::abs(thickness.front());
     const std::vector<double> slope = groups.numbers(values_group, 0x00281053u);
     const std::vector<double> intercept = groups.numbers(values_group, 0x00281052u);
+    // A slope of 0 would make all voxels one value. Broken writers use it for "none".
     plane.slope = slope.empty() || slope.front() == 0 ? 1 : slope.front();
     plane.intercept = intercept.empty() ? 0 : intercept.front();
     return plane;
@@ -85,7 +99,10 @@ Vector3 normal_of(const DicomPlane& plane)
 
 void check_alike(const DicomPlane& plane, const DicomPlane& first, const std::string& who, const std::string& other)
 {
+    // Directions are decimal strings of at most 16 characters; scanners write six digits. A real
+    // tilt between slices is far greater.
     constexpr double turned = 1e-3;
+    // Relative, for the same reason.
     constexpr double resized = 1e-3;
     if (!plane.placed)
         refuse_dicom(who + " does not tell where it lies");
@@ -110,6 +127,7 @@ std::vector<Place> places_of(const std::vector<DicomPlane>& planes, const std::v
         check_alike(planes[i], planes.front(), who[i], who.front());
         places.push_back({dot(planes[i].position, normal), i});
     }
+    // Stable, so that slices at one place are named in the order of the files.
     std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.height < b.height; });
     return places;
 }
@@ -118,6 +136,8 @@ std::vector<Place> places_of(const std::vector<DicomPlane>& planes, const std::v
 DicomStack slots_of(const std::vector<DicomPlane>& planes, const std::vector<std::string>& who,
                     const std::vector<Place>& places, int64_t count)
 {
+    // A twentieth of a step: table positions are rounded to 0.1 mm in some files, while a missing
+    // slice is off by a whole step.
     constexpr double uneven = 0.05;
     const DicomPlane& lowest = planes[places.front().plane];
     DicomStack stack;
@@ -126,12 +146,15 @@ DicomStack slots_of(const std::vector<DicomPlane>& planes, const std::vector<std
     stack.slots.assign(planes.size(), 0);
     if (count == 1)
         return stack;
+    // The step is taken from the positions and not from the normal: with a tilted gantry the stack
+    // is sheared, and the mesh must be, too.
     const Vector3 way = minus(planes[places.back().plane].position, lowest.position);
     const Vector3 step = times(1 / static_cast<double>(count - 1), way);
     stack.geometry.spacing[2] = length(step);
     stack.geometry.directions[2] = times(1 / length(step), step);
     const double height = (places.back().height - places.front().height) / static_cast<double>(count - 1);
     for (const Place& place : places) {
+        // Distances along the normal choose the slot; the check of the place in space follows.
         const double slot = std::round((place.height - places.front().height) / height);
         const Vector3 expected = times(slot, step);
         const Vector3 there = minus(planes[place.plane].position, lowest.position);
@@ -147,13 +170,17 @@ DicomStack slots_of(const std::vector<DicomPlane>& planes, const std::vector<std
 double loose_step(const DicomPlane& plane, const std::vector<double>& gaps, std::vector<std::string>& notes)
 {
     constexpr double uneven = 0.05;
+    // Halfway between neighbours and a gap of one slice.
     constexpr double neighbours = 1.5;
     const auto fits = [&](double step) {
         return step > 0 && std::all_of(gaps.begin(), gaps.end(), [&](double gap) {
+                   // A gap below half a step would round to 0 and put two planes into one slot.
                    return gap > 0.5 * step && std::abs(gap / step - std::round(gap / step)) <= uneven;
                });
     };
     const double least_gap = *std::min_element(gaps.begin(), gaps.end());
+    // A told spacing greater than a real gap is wrong, and would put different planes into one
+    // slot.
     double step = plane.between_slices;
     if (step == 0 || step > (1 + uneven) * least_gap)
         step = fits(least_gap) || !fits(plane.thickness) ? least_gap : plane.thickness;
@@ -166,6 +193,7 @@ double loose_step(const DicomPlane& plane, const std::vector<double>& gaps, std:
     return step;
 }
 
+// A thousandth of a pixel: planes of one place differ by rounding only.
 double same_place(const std::vector<DicomPlane>& planes)
 {
     return 1e-3 * std::min(planes.front().row_spacing, planes.front().column_spacing);
@@ -177,6 +205,8 @@ std::vector<DicomPlane> planes_of(const DicomFile& file, int64_t frames)
 {
     const std::vector<DicomData> shared = file.data.items(shared_groups);
     const std::vector<DicomData> own = file.data.items(frame_groups);
+    // Per-Frame Functional Groups Sequence has one item for each frame. With another number, no
+    // frame has a certain place.
     if (!own.empty() && static_cast<int64_t>(own.size()) != frames)
         refuse_dicom("the DICOM file is damaged: it has " + std::to_string(frames) + " frames, but tells of " +
                      std::to_string(own.size()));
@@ -199,12 +229,14 @@ DicomStack stack_of(const std::vector<DicomPlane>& planes, const std::vector<std
 
 DicomStack loose_stack_of(const std::vector<DicomPlane>& planes, const std::vector<std::string>& who)
 {
+    // Two frames a hair apart would otherwise ask for millions of empty slices between the others.
     constexpr double most_slices = 65536;
     const std::vector<Place> places = places_of(planes, who);
     std::vector<double> gaps;
     for (size_t i = 1; i < places.size(); ++i)
         if (const double gap = places[i].height - places[i - 1].height; gap > same_place(planes))
             gaps.push_back(gap);
+    // All segments have frames in one plane: a volume of one slice.
     if (gaps.empty())
         return slots_of(planes, who, places, 1);
     std::vector<std::string> notes;
@@ -220,6 +252,8 @@ DicomStack loose_stack_of(const std::vector<DicomPlane>& planes, const std::vect
 void set_plane(const DicomPlane& plane, Image& image)
 {
     image.directions = {plane.along_row, plane.along_column, normal_of(plane)};
+    // The order of axes is x along a row, y along a column, z along the normal. Without any
+    // distance of slices voxels are as thick as they are wide.
     image.spacing = {plane.column_spacing, plane.row_spacing,
                      plane.slice_spacing() > 0 ? plane.slice_spacing() : plane.column_spacing};
     image.origin = plane.position;
@@ -231,6 +265,8 @@ void put_in_slots(const DicomStack& stack, Image& volume)
     sorted.dims = volume.dims;
     sorted.component = volume.component;
     allocate_voxels(sorted);
+    // A second copy is made, as slices cannot change places within one array without a scratch
+    // slice for each cycle.
     const size_t bytes = volume.bytes() / stack.slots.size();
     for (size_t i = 0; i < stack.slots.size(); ++i)
         std::memcpy(sorted.voxels.get() + static_cast<size_t>(stack.slots[i]) * bytes, volume.voxels.get() + i * bytes,
@@ -243,11 +279,14 @@ void put_in_slots(const DicomStack& stack, Image& volume)
 
 void rescale(const std::vector<DicomPlane>& planes, Image& image)
 {
+    // With it, 16 bits times slope plus intercept stay within 32 bits.
     constexpr double greatest_factor = 1000;
     const auto changes = [](const DicomPlane& plane) { return plane.slope != 1 || plane.intercept != 0; };
     const auto whole = [](double value) { return value == std::round(value); };
     if (std::none_of(planes.begin(), planes.end(), changes))
         return;
+    // Rescale Slope and Intercept (PS3.3, section C.11.1). Whole ones, such as 1 and -1024 of CT,
+    // keep whole numbers whole. Else values are of double.
     bool integer = size_of(image.component) <= 2;
     for (const DicomPlane& plane : planes)
         integer = integer && whole(plane.slope) && whole(plane.intercept) && std::abs(plane.slope) < greatest_factor &&

@@ -25,6 +25,8 @@ struct DicomPlane {
 };
 
 // One for each frame, of what the file says for all frames and for each.
+// Throws Error(CLEFT_ERROR_FORMAT) where directions lie on one line, or the groups are not one for
+// each frame.
 std::vector<DicomPlane> planes_of(const DicomFile& file, int64_t frames);
 
 // Even slots along the third axis, and which of them each plane takes.
@@ -37,6 +39,8 @@ struct DicomStack {
 // spacing; `who` names plane number i.
 DicomStack stack_of(const std::vector<DicomPlane>& planes, const std::vector<std::string>& who);
 // Planes of which several may lie at one place, and places may be empty.
+// Throws where the places fit no even grid. Frames of a segmentation may be missing where a segment
+// is empty.
 DicomStack loose_stack_of(const std::vector<DicomPlane>& planes, const std::vector<std::string>& who);
 
 // Sets directions and spacing, and the place of the first voxel.

@@ -17,10 +17,14 @@ namespace cleft::io
 namespace
 {
 
+// SOP Class UID, Segment Sequence, and Segment Identification Sequence (PS3.3, sections C.8.20.2 and C.8.20.3).
 constexpr DicomTag class_tag = 0x00080016u;
 constexpr DicomTag segments_tag = 0x00620002u;
 constexpr DicomTag identification_group = 0x0062000Au;
 
+// Specific Character Set (0008,0005). ISO_IR 192 is UTF-8 and ISO_IR 6 is ASCII, which is UTF-8,
+// too. ISO_IR 100 is Latin-1, whose codes are those of Unicode. Names in others are left out later,
+// if they are no UTF-8.
 std::string utf8_of(const std::string& text, const std::string& characters)
 {
     if (characters != "ISO_IR 100")
@@ -42,12 +46,15 @@ std::map<int32_t, std::string> segments_of(const DicomFile& file)
 {
     std::map<int32_t, std::string> segments;
     for (const DicomData& segment : file.data.items(segments_tag)) {
+        // Segment Number and Segment Label.
         const auto number = static_cast<int32_t>(segment.short_number(0x00620004u, -1));
         segments[number] = utf8_of(segment.text(0x00620005u), file.data.text(0x00080005u));
     }
     return segments;
 }
 
+// Referenced Segment Number of the first Segment Identification, or `otherwise` where no group has
+// one.
 int32_t segment_in(const std::vector<DicomData>& groups, int32_t otherwise)
 {
     for (const DicomData& group : groups)
@@ -68,12 +75,15 @@ std::vector<int32_t> segments_of_frames(const DicomFile& file, int64_t frames,
         refuse_dicom("the segmentation has " + std::to_string(frames) + " frames, but tells of " +
                      std::to_string(all.size()));
     for (const int32_t number : all)
+        // A frame of an unlisted segment has no name and no meaning. A label for it would be a
+        // guess.
         if (segments.count(number) == 0)
             refuse_dicom("the segmentation has a frame of a segment " + std::to_string(number) +
                          ", which is not in its list");
     return all;
 }
 
+// Segments of one object may overlap (Segments Overlap, 0062,0013); a label map cannot hold that.
 struct Overlaps {
     std::map<std::pair<int32_t, int32_t>, int64_t> voxels;  // of two segments; the second takes them
 };
@@ -94,12 +104,15 @@ Overlaps place_frames(const Image& frames, const std::vector<int32_t>& segment_o
     std::vector<size_t> order(segment_of.size());
     for (size_t f = 0; f < order.size(); ++f)
         order[f] = f;
+    // By number and not by frame: the label of a voxel must not depend on the order in which a
+    // program wrote its frames.
     std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return segment_of[a] < segment_of[b]; });
     Overlaps overlaps;
     for (const size_t f : order)
         for (int64_t p = 0; p < slice; ++p) {
             const auto stored =
                 static_cast<double>(load<uint8_t>(frames.voxels.get(), static_cast<int64_t>(f) * slice + p));
+            // Binary frames hold 0 and 1. Fractional ones hold 0 to Maximum Fractional Value.
             if (stored < threshold)
                 continue;
             const int64_t voxel = stack.slots[f] * slice + p;
@@ -131,11 +144,13 @@ void name_segments(const std::map<int32_t, std::string>& segments, Image& image)
 bool is_dicom_segmentation(const DicomFile& file)
 {
     const std::string storage = file.data.text(class_tag);
+    // Segmentation Storage and Label Map Segmentation Storage.
     return storage == "1.2.840.10008.5.1.4.1.1.66.4" || storage == "1.2.840.10008.5.1.4.1.1.66.7";
 }
 
 Image read_dicom_segmentation(const DicomFile& file)
 {
+    // Segmentation Type.
     const std::string type = file.data.text(0x00620001u);
     const bool fractional = type == "FRACTIONAL";
     if (type != "BINARY" && !fractional && type != "LABELMAP")
@@ -143,6 +158,7 @@ Image read_dicom_segmentation(const DicomFile& file)
     const DicomPixelFormat format = pixel_format_of(file);
     Image frames = pixels_of(file, format);
     const std::vector<DicomPlane> planes = planes_of(file, format.frames);
+    // A segment has frames only where it has voxels, so places repeat and leave gaps.
     const DicomStack stack = loose_stack_of(planes, frame_names(format.frames));
     const std::map<int32_t, std::string> segments = segments_of(file);
 
@@ -153,6 +169,7 @@ Image read_dicom_segmentation(const DicomFile& file)
     labels.origin = stack.geometry.origin;
     labels.notes = stack.geometry.notes;
     name_segments(segments, labels);
+    // In a LABELMAP the pixels are the numbers of the segments, so frames are copied whole.
     if (type == "LABELMAP") {
         labels.component = frames.component;
         allocate_voxels(labels);
@@ -166,9 +183,12 @@ Image read_dicom_segmentation(const DicomFile& file)
     if (frames.component != Component::uint8)
         refuse_dicom("its segmentation has pixels of " + std::to_string(format.bits_allocated) +
                      " bits, which cannot be read");
+    // Segment Number is an unsigned number of 16 bits.
     labels.component = Component::uint16;
     allocate_voxels(labels);
     std::fill_n(labels.voxels.get(), labels.bytes(), std::byte{0});
+    // Maximum Fractional Value. 255 is what its writers mostly use; the attribute is required for
+    // fractions.
     const double greatest = static_cast<double>(file.data.short_number(0x0062000Eu, 255));
     const std::vector<int32_t> segment_of = segments_of_frames(file, format.frames, segments);
     note_overlaps(place_frames(frames, segment_of, stack, fractional ? greatest / 2 : 1, labels), labels);

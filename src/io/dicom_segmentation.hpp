@@ -7,8 +7,11 @@
 namespace cleft::io
 {
 
+// By the SOP class, whatever the folder or the modality says.
 bool is_dicom_segmentation(const DicomFile& file);
 // A label map: the number of a segment is its label, 0 is outside; with the names of the segments.
+// Notes tell of overlaps and of fractions. Throws Error(CLEFT_ERROR_FORMAT) where frames and
+// segments do not fit each other.
 Image read_dicom_segmentation(const DicomFile& file);
 
 }  // namespace cleft::io

@@ -36,6 +36,8 @@ struct Series {
 // Files that are no DICOM at all are passed over, and DICOM without voxels, too; damaged DICOM is an error.
 bool read_dicom_header(const std::string& path, DicomFile& file)
 {
+    // The first bytes spare reading whole files that lie beside a series, such as archives and
+    // pictures.
     const std::string head = first_bytes_of(path);
     if (!is_dicom_head(head))
         return false;
@@ -43,15 +45,20 @@ bool read_dicom_header(const std::string& path, DicomFile& file)
     try {
         file = read_dicom_file(path);
     } catch (const Error& error) {
+        // A file without the prefix only looked like DICOM, so a failure to read it shows that it
+        // is something else.
         if (marked)
             throw Error(error.status(), "'" + path + "': " + error.what());
         return false;
     }
+    // Pixel Data in one of its three types. Reports and plans in the folder have none and are
+    // passed over.
     return file.data.has(0x7FE00010u) || file.data.has(0x7FE00008u) || file.data.has(0x7FE00009u);
 }
 
 bool is_alike(const std::vector<double>& a, const std::vector<double>& b)
 {
+    // The same tolerance as for slices of one stack. A localizer is turned by far more.
     constexpr double turned = 1e-3;
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [](double one, double other) { return std::abs(one - other) <= turned; });
@@ -62,6 +69,8 @@ bool is_alike(const std::vector<double>& a, const std::vector<double>& b)
 Series& series_of(const DicomData& data, std::vector<Series>& list)
 {
     Series made;
+    // Series Instance UID, Series Description, Modality, Columns and Rows, Image Orientation
+    // (Patient).
     made.uid = data.text(0x0020000Eu);
     made.description = data.text(0x0008103Eu);
     made.modality = data.text(0x00080060u);
@@ -82,6 +91,8 @@ std::vector<Series> series_in(const std::string& folder)
         if (!read_dicom_header(path, file))
             continue;
         naming_file(path, [&] {
+            // Instance Number. Without places it is the only order that a file tells; the name of a
+            // file is arbitrary.
             const std::vector<double> number = file.data.numbers(0x00200013u);
             series_of(file.data, list).files.push_back({path, number.empty() ? 0 : number.front()});
         });
@@ -91,6 +102,7 @@ std::vector<Series> series_in(const std::string& folder)
 
 std::string names_of(const std::vector<Series>& list)
 {
+    // As many as a message can list and still be read.
     constexpr size_t told = 8;
     std::string text;
     for (size_t s = 0; s < std::min(told, list.size()); ++s) {
@@ -105,6 +117,8 @@ std::string names_of(const std::vector<Series>& list)
 }
 
 // In the order of their numbers, where no slice tells its place.
+// Secondary captures and exports without geometry have numbers at best. Two equal numbers leave the
+// order open, and are refused.
 DicomStack stack_by_number(const Series& series, std::vector<DicomPlane> planes, Image& volume)
 {
     std::vector<size_t> order(planes.size());
@@ -128,9 +142,12 @@ DicomStack stack_by_number(const Series& series, std::vector<DicomPlane> planes,
 
 void add_slice(const Image& slice, size_t number, const std::string& first, Image& volume)
 {
+    // Frames and slices mixed in one series cannot be put into one order.
     if (slice.dims[2] != 1)
         refuse_dicom("it holds " + std::to_string(slice.dims[2]) +
                      " frames, but a series in a folder is of single slices: read that file alone");
+    // The first slice decides type and size. Later ones were sorted by size already; their type is
+    // compared below.
     if (number == 0) {
         volume.dims[0] = slice.dims[0];
         volume.dims[1] = slice.dims[1];
@@ -140,6 +157,8 @@ void add_slice(const Image& slice, size_t number, const std::string& first, Imag
     for (const std::string& note : slice.notes)  // one slice speaks for all that say the same
         if (std::find(volume.notes.begin(), volume.notes.end(), note) == volume.notes.end())
             volume.notes.push_back(note);
+    // The rescaled values of slices with different slopes are unified later; the stored types must
+    // agree before.
     if (slice.component != volume.component)
         refuse_dicom("it has another type of voxels than '" + first + "'");
     std::memcpy(volume.voxels.get() + number * slice.bytes(), slice.voxels.get(), slice.bytes());
@@ -155,6 +174,8 @@ Image read_series(const Series& series)
         const std::string& path = series.files[i].path;
         naming_file(path, [&] {
             std::vector<DicomPlane> own;
+            // Files are read a second time: holding all of them since the sorting would take twice
+            // the memory.
             const Image slice = read_dicom_frames(read_dicom_file(path), own);
             add_slice(slice, i, series.files.front().path, volume);
             planes.push_back(own.front());
@@ -162,6 +183,7 @@ Image read_series(const Series& series)
         who.push_back("'" + path + "'");
     }
     rescale(planes, volume);
+    // If some slices have places and others not, stack_of() names one that has none.
     const bool placed = std::any_of(planes.begin(), planes.end(), [](const DicomPlane& p) { return p.placed; });
     put_in_slots(placed ? stack_of(planes, who) : stack_by_number(series, planes, volume), volume);
     return volume;
@@ -174,6 +196,7 @@ Image read_dicom_folder(const std::string& folder)
     const std::vector<Series> list = series_in(folder);
     if (list.empty()) {
         const std::vector<std::string> below = dicom_folders_below(folder);
+        // Exports of archives put a series three or four folders down.
         if (below.size() == 1)  // the only series in a tree of folders
             return naming_file(below.front(), [&] { return read_dicom_folder(below.front()); });
         refuse_folder_without_series(folder, below);
@@ -183,6 +206,8 @@ Image read_dicom_folder(const std::string& folder)
                                           std::to_string(list.size()) + ": " + names_of(list) +
                                           "; give the file of a series that is one file, or move a series into a "
                                           "folder of its own");
+    // A single file may be a multi-frame object or a segmentation, which is not read slice by
+    // slice.
     if (list.front().files.size() == 1)
         return read_dicom_image(list.front().files.front().path, FileHead{});
     return read_series(list.front());

@@ -1,3 +1,5 @@
+// Finds for each triangle of a surface the tetrahedron and the face of it that the triangle is.
+// Abaqus and CalculiX describe surfaces in this way.
 #include "io/element_faces.hpp"
 
 #include "base/error.hpp"
@@ -19,6 +21,8 @@ struct Triangle {
     int64_t index;
 };
 
+// The faces S1 to S4 of C3D4 in Abaqus's and CalculiX's manuals, counted from 0. The order is part
+// of the format: loads are applied to a face by its number.
 constexpr int face_corners[4][3] = {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {0, 2, 3}};
 
 Corners sorted(int32_t a, int32_t b, int32_t c)
@@ -47,6 +51,7 @@ std::vector<Triangle> sorted_triangles(const MeshView& mesh)
 std::vector<std::vector<ElementFace>> find_element_faces(const MeshView& mesh)
 {
     const std::vector<Triangle> triangles = sorted_triangles(mesh);
+    // Most tetrahedra lie inside. This test spares them the search, which is most of the time.
     std::vector<bool> on_surface(static_cast<size_t>(mesh.point_count), false);
     for (const Triangle& triangle : triangles)
         for (const int32_t p : triangle.corners)
@@ -66,9 +71,12 @@ std::vector<std::vector<ElementFace>> find_element_faces(const MeshView& mesh)
             const auto found = std::lower_bound(triangles.begin(), triangles.end(), corners,
                                                 [](const Triangle& a, const Corners& b) { return a.corners < b; });
             if (found != triangles.end() && found->corners == corners &&
+                // Of the two tetrahedra at an interface that of the first label is taken, so that
+                // all faces of a surface look the same way.
                 mesh.groups[found->group].first == mesh.tet_labels[t])
                 faces[found->group][static_cast<size_t>(found->index)] = {t, f};
         }
+    // Without this check the file would name face S0 of element 0, which no solver has.
     for (const std::vector<ElementFace>& group : faces)
         for (const ElementFace& face : group)
             if (face.tet < 0)

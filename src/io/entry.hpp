@@ -16,12 +16,14 @@ namespace cleft::io
 template <class Body>
 cleft_status guarded(cleft_context* context, const Body& body) noexcept
 {
+    // The status is returned even where no context can keep the sentence.
     const auto failed = [context](cleft_status status, const char* sentence) {
         return cleft_context_set_error(context, status, sentence);
     };
     try {
         body();
         return CLEFT_OK;
+        // First, and with a sentence that needs no memory to build.
     } catch (const std::bad_alloc&) {
         return failed(CLEFT_ERROR_OUT_OF_MEMORY, "out of memory");
     } catch (const Error& error) {
@@ -37,14 +39,18 @@ cleft_status guarded(cleft_context* context, const Body& body) noexcept
 template <class Body>
 cleft_status entry(cleft_context* context, std::initializer_list<const void*> handles, const Body& body) noexcept
 {
+    // Other threads get CLEFT_ERROR_BUSY from now on, and the handles live on even if a callback
+    // destroys them.
     const cleft_status status = cleft_context_begin(context, handles.begin(), static_cast<int64_t>(handles.size()));
     if (status != CLEFT_OK)
         return status;
     const cleft_status result = guarded(context, body);
+    // Also after a failure, as guarded() does not throw.
     cleft_context_end(context);
     return result;
 }
 
+// The pointer, or Error(CLEFT_ERROR_NULL) with the name of the argument.
 template <class T>
 T* required(T* pointer, const char* argument)
 {

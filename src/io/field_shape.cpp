@@ -22,9 +22,15 @@ struct Surroundings {
 // By whole number. None if there are too many, as in noise.
 std::map<double, Surroundings> surroundings_of(const Image& image, int64_t field)
 {
+    // Interpolation of a label map leaves most voxels within a tenth of a label, as all but those
+    // at boundaries are unchanged.
     constexpr double closeness = 0.1;
+    // A field with more different whole numbers is no label map. The bound keeps the map small
+    // where a field is noise.
     constexpr size_t most = 10000;
     std::map<double, Surroundings> all;
+    // Neighbouring voxels mostly have the same label, so most look-ups in the map are spared.
+    // std::map keeps its elements in place, so the pointer stays valid.
     Surroundings* last = nullptr;
     double last_whole = 0;
     for_each_value(image, field, [&](int64_t, double value) {
@@ -46,7 +52,9 @@ std::map<double, Surroundings> surroundings_of(const Image& image, int64_t field
 // distance the same value.
 std::vector<double> plateaus_of(const Image& image, int64_t field)
 {
+    // Fewer voxels may share a value by chance in a small field.
     constexpr int64_t least_voxels = 100;
+    // One voxel in 25: smaller groups arise by symmetry of a distance in small volumes.
     constexpr int64_t least_share = 25;
     std::vector<double> plateaus;
     for (const auto& [whole, near] : surroundings_of(image, field))
@@ -57,6 +65,7 @@ std::vector<double> plateaus_of(const Image& image, int64_t field)
 
 int64_t voxels_at_zero(const Image& image, int64_t field, double greatest_size)
 {
+    // Relative to the greatest value: a distance in metres has values far below 0.1 everywhere.
     constexpr double share = 0.02;
     const double close = std::min(0.1, share * greatest_size);
     int64_t count = 0;
@@ -65,6 +74,7 @@ int64_t voxels_at_zero(const Image& image, int64_t field, double greatest_size)
 }
 
 // The place of each value among those that there are.
+// Ranks and not values: a rounded distance in half voxels, or times ten, goes step by step, too.
 std::vector<int32_t> ranks_of(const Image& image, int64_t field, const FieldValues& values)
 {
     std::vector<int32_t> ranks(static_cast<size_t>(image.field_size()));
@@ -84,6 +94,7 @@ double share_of_single_steps(const std::vector<int32_t>& ranks, const std::array
     int64_t differing = 0;
     int64_t single = 0;
     for (int64_t v = 0; v < static_cast<int64_t>(ranks.size()); ++v) {
+        // The last voxel of a line has no neighbour behind it.
         if (v / stride % dims[axis] == dims[axis] - 1)
             continue;
         const int32_t step = std::abs(ranks[static_cast<size_t>(v)] - ranks[static_cast<size_t>(v + stride)]);
@@ -102,14 +113,20 @@ bool rests_on_labels(const Image& image, int64_t field, const FieldValues& value
     const auto at_zero = static_cast<double>(voxels_at_zero(image, field, greatest_size));
     if (at_zero > many * static_cast<double>(image.field_size()))
         return true;
+    // A function that is cut off at +c and -c has two plateaus of opposite sign. An interpolated
+    // label map has another pattern.
     const std::vector<double> plateaus = plateaus_of(image, field);
     return plateaus.size() > 2 || (plateaus.size() == 2 && plateaus[0] != -plateaus[1]);
 }
 
 bool goes_step_by_step(const Image& image, int64_t field, const FieldValues& values)
 {
+    // Diagonal steps of a rounded distance may be of two ranks. Segmentations with labels in any
+    // order stay far below.
     constexpr double nearly_all = 0.85;
     const std::vector<int32_t> ranks = ranks_of(image, field, values);
+    // One axis suffices, as voxels may be much longer along another, where a distance changes by
+    // several ranks.
     for (size_t axis = 0; axis < 3; ++axis)
         if (share_of_single_steps(ranks, image.dims, axis) >= nearly_all)
             return true;

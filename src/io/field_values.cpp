@@ -21,10 +21,12 @@ namespace
 class ValueCounter
 {
 public:
+    // An open hash table of fixed size, at most a quarter full: it needs no memory while it counts.
     ValueCounter() : slots_(4 * FieldValues::many) {}
 
     void add(double value)
     {
+        // The first value always fails the comparison, as last_value_ is then NaN.
         if (value == last_value_) {
             ++*last_count_;
             return;
@@ -42,6 +44,7 @@ public:
         for (const auto& slot : slots_)
             if (slot.second > 0)
                 all.push_back(slot);
+        // The order of the table depends on the hash. Sorted, it is that of the values.
         std::sort(all.begin(), all.end());
         return all;
     }
@@ -51,11 +54,14 @@ private:
     {
         uint64_t bits = 0;
         std::memcpy(&bits, &value, sizeof bits);
+        // Fibonacci hashing by 2^64 over the golden ratio. Small whole numbers differ in the
+        // highest bits of a double alone, and the product spreads them.
         size_t at = static_cast<size_t>((bits * 0x9E3779B97F4A7C15u) >> 32) % slots_.size();
         while (slots_[at].second > 0 && slots_[at].first != value)
             at = (at + 1) % slots_.size();
         if (slots_[at].second > 0)
             return slots_[at].second;
+        // Beyond the limit only the fact is of interest, so counts go to a place that nobody reads.
         if (different_ >= FieldValues::many) {
             different_ = FieldValues::many + 1;
             return beyond_;
@@ -109,6 +115,7 @@ FieldValues values_one_by_one(const Image& image, int64_t field)
     ValueCounter exact;
     ValueCounter rounded;
     for_each_value(image, field, [&](int64_t voxel, double value) {
+        // The core would refuse it, too, but knows neither the file nor the frame.
         if (!std::isfinite(value))
             throw Error(CLEFT_ERROR_NOT_FINITE, place_of(image, field, voxel) + " is " +
                                                     (std::isnan(value) ? "not a number (NaN)" : "infinite"));
@@ -119,6 +126,7 @@ FieldValues values_one_by_one(const Image& image, int64_t field)
         values.greatest_off = std::max(values.greatest_off, off);
         values.not_whole += off > 0 ? 1 : 0;
         values.fractions += off > 0 && nearest == value ? 1 : 0;
+        // -0 becomes 0, since the hash is of the bits.
         exact.add(value + 0.0);
         rounded.add(nearest);
     });
@@ -154,6 +162,7 @@ public:
             const Value value = value_at(v);
             const Value neighbour = value_at(v + step);
             const bool differ = value != neighbour;
+            // Bitwise or, without a branch, lets the compiler take many voxels at once.
             pairs += (differ | (value != background_)) ? 1 : 0;
             differing += differ ? 1 : 0;
         }
@@ -191,9 +200,12 @@ private:
 
 double snapped(double value)
 {
+    // See the header for 1/50. Four units of single precision cover a product of two rounded
+    // factors.
     constexpr double rounding = 1.0 / 50;
     constexpr double precision = 4 * static_cast<double>(FLT_EPSILON);
     const double whole = std::round(value);
+    // A quarter at most: beyond it, the nearest whole number is no longer certain.
     const double allowed = std::min(0.25, std::max(rounding, precision * std::abs(value)));
     return std::abs(value - whole) <= allowed ? whole + 0.0 : value;  // no -0
 }
@@ -209,6 +221,8 @@ FieldValues values_of(const Image& image, int64_t field)
 {
     return with_type(image.component, [&](auto zero) {
         using T = decltype(zero);
+        // A table for 16 bits has 65,536 counters; one for 32 bits would be larger than most
+        // fields.
         if constexpr (sizeof(T) <= 2)
             return values_by_table<T>(image, field);
         else
@@ -225,6 +239,8 @@ double differing_neighbours(const Image& image, int64_t field, const FieldValues
         using T = decltype(zero);
         const std::byte* voxels = image.voxels.get() + static_cast<size_t>(field * size) * sizeof(T);
         NeighbourPairs<T> pairs(voxels, most_frequent(values), values.is_whole());
+        // Rows one by one, so that the last voxel of a row is not compared with the first of the
+        // next.
         for (int64_t start = 0; start < size; start += row)
             pairs.add(start, row - 1, 1);
         for (int64_t start = 0; start < size; start += slice)

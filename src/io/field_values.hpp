@@ -15,6 +15,7 @@ namespace cleft::io
 // off is as likely a mixture of two labels. Large numbers of single precision lose more in a multiplication.
 double snapped(double value);
 
+// Counts over one field. "Snapped" values are those that snapped() gives.
 struct FieldValues {
     static constexpr int64_t many = 4096;  // different values are counted up to this number
 

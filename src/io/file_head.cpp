@@ -11,11 +11,14 @@ namespace cleft::io
 namespace
 {
 
+// The longest mark is that of GIPL, in byte 252; MRC needs its header of 1024 bytes, and PNG some chunks behind its
+// first.
 constexpr size_t head_bytes = 4096;
 
 // Of compressed files that are damaged: what comes before the damage. The reader of a format says more about it.
 std::vector<unsigned char> first_bytes(ByteSource source)
 {
+    // Small steps: an exception in the middle loses the bytes of one step only.
     constexpr size_t step = 64;
     std::vector<unsigned char> bytes(head_bytes);
     size_t filled = 0;
@@ -23,6 +26,8 @@ std::vector<unsigned char> first_bytes(ByteSource source)
         for (size_t got = step; got == step && filled < head_bytes; filled += got)
             got = source.read_some(bytes.data() + filled, step);
     } catch (const Error& error) {
+        // What the system cannot read is an error at once. Damage is left to the reader, which
+        // knows what is missing.
         if (error.status() != CLEFT_ERROR_FORMAT)
             throw;
     }
@@ -39,6 +44,7 @@ FileHead read_head(const std::string& path)
     ByteSource plain(path, Coding::plain);
     head.size = plain.left();
     head.bytes = first_bytes(std::move(plain));
+    // ID1 and ID2 of RFC 1952, section 2.3.1.
     head.gzip = head.bytes.size() > 2 && head.bytes[0] == 0x1f && head.bytes[1] == 0x8b;
     head.content = head.gzip ? first_bytes(ByteSource(path, Coding::deflated)) : head.bytes;
     return head;

@@ -1,3 +1,4 @@
+// Takes names of files apart: their extensions, and the common part of TetGen's three names.
 #include "io/file_name.hpp"
 
 #include <algorithm>
@@ -13,6 +14,7 @@ namespace
 std::string last_extension(const std::string& name)
 {
     const size_t dot = name.rfind('.');
+    // A leading dot marks a hidden file (".nii") and no extension.
     return dot == std::string::npos || dot == 0 ? "" : name.substr(dot);
 }
 

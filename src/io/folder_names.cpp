@@ -17,6 +17,7 @@ std::vector<std::string> names_in(const std::string& folder)
     if (!listing && errno == ENOMEM)
         throw std::bad_alloc();
     std::vector<std::string> names;
+    // readdir() gives no order. Sorting makes series and messages the same on every file system.
     while (const dirent* entry = listing ? readdir(listing.get()) : nullptr) {
         const std::string name = entry->d_name;
         if (name != "." && name != "..")

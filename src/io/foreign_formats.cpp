@@ -30,6 +30,8 @@ constexpr const char* by_png = "save its slices as .png or .tif";
 constexpr const char* by_check = "'cleft check FILE' reads it";
 constexpr const char* by_unzip = "decompress it first";
 
+// The first row that fits is taken, so a row with a mark and an extension stands before one with
+// the mark alone. Several formats share the marks of HDF5 (format signature), ZIP and NetCDF.
 constexpr Foreign foreign_formats[] = {
     {"\0\0\0\1"sv, ".mgz .mgh .mgh.gz ", "a volume of FreeSurfer (MGH)",
      "'mri_convert FILE STEM.nii.gz' converts it, or in Python nibabel.save(nibabel.load('FILE'), 'STEM.nii.gz')"},
@@ -91,6 +93,8 @@ bool fits(const Foreign& row, const FileHead& head)
     return head.begins_with(row.mark) && (row.extensions.empty() || is_listed(row.extensions, head.extension));
 }
 
+// An XML declaration and comments may stand before the element, so it is looked for and not
+// expected first.
 bool is_vtk_xml(const FileHead& head) { return head.text().substr(0, 1000).find("<VTKFile") != std::string_view::npos; }
 
 std::string kind_of_vtk_xml(const FileHead& head)
@@ -102,9 +106,11 @@ std::string kind_of_vtk_xml(const FileHead& head)
     return std::string(text.substr(begin + 6, std::min<size_t>(text.find('"', begin + 6) - begin - 6, 40)));
 }
 
+// The name of the user's file is put into the command, so that it can be copied from the message.
 [[noreturn]] void refuse_foreign(const std::string& path, const std::string& name, std::string way)
 {
     const std::string file = path.substr(path.find_last_of('/') + 1);
+    // STEM first, since FILE may stand for a name that has STEM in it.
     replace_all(way, "STEM", file.substr(0, file.size() - extension_of(path).size()));
     replace_all(way, "FILE", file);
     throw Error(CLEFT_ERROR_UNSUPPORTED, "it is " + name + ", which cannot be read: " + way);
@@ -122,9 +128,11 @@ bool has_foreign_mark(const FileHead& head)
 
 bool is_foreign_format(const FileHead& head)
 {
+    // The extension counts here, too. This question is asked last, after all readers.
     for (const Foreign& row : foreign_formats)
         if (fits(row, head))
             return true;
+    // A gzip file that no reader took is a compressed file of any kind.
     return is_vtk_xml(head) || head.gzip;
 }
 

@@ -1,3 +1,5 @@
+// The table of all formats that are read and written, and searches in it. The command's help, the
+// bindings and the choice by extension all come from it.
 #include "io/formats.hpp"
 
 #include "io/file_name.hpp"
@@ -25,12 +27,16 @@ constexpr int32_t out = CLEFT_IO_WRITES_MESH;
 constexpr int32_t volume = CLEFT_IO_READS_VOLUME;
 constexpr int32_t field = CLEFT_IO_READS_VOLUME | CLEFT_IO_WRITES_SIZING;
 
+// A format of volumes has the number 0: it is recognised by its bytes and never chosen by the
+// caller.
 constexpr cleft_io_format_description row(cleft_io_format format, int32_t directions, const char* name,
                                           const char* extensions, const char* text)
 {
     return {sizeof(cleft_io_format_description), format, directions, 0, name, extensions, text};
 }
 
+// The order is that of the help. Of two mesh formats with one extension the first is the default:
+// .msh is written as 4.1.
 constexpr cleft_io_format_description formats[] = {
     row(CLEFT_FORMAT_VTU, both, "vtu", ".vtu", "VTK XML, tetrahedra with their material; binary, compressed"),
     row(CLEFT_FORMAT_VTP, out, "vtp", ".vtp", "VTK XML, interface triangles with their materials; binary, compressed"),
@@ -67,6 +73,8 @@ const cleft_io_format_description& format_row(int32_t index) { return formats[in
 const cleft_io_format_description* find_format(cleft_io_format format)
 {
     for (const auto& entry : formats)
+        // 0 stands for "by name" in the interface and for volumes in the table, so it never
+        // matches.
         if (format > 0 && entry.format == format)
             return &entry;
     return nullptr;

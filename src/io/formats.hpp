@@ -9,6 +9,7 @@ namespace cleft::io
 {
 
 int32_t format_count();
+// `index` is in 0 .. format_count() - 1 and not checked. The rows live as long as the library.
 const cleft_io_format_description& format_row(int32_t index);
 
 // The row of a mesh format, or null.

@@ -7,6 +7,7 @@
 namespace cleft::io
 {
 
+// Element types of the MSH formats ("MSH file format" in Gmsh's manual), the same in 2.2 and 4.1.
 constexpr int gmsh_triangle = 2;
 constexpr int gmsh_tetrahedron = 4;
 

@@ -1,3 +1,4 @@
+// Maps the numbers that a Gmsh file gives to its points onto 0, 1, 2 and so on.
 #include "io/gmsh_numbering.hpp"
 
 #include <algorithm>
@@ -7,6 +8,8 @@ namespace cleft::io
 
 bool PointNumbers::finish()
 {
+    // Nearly all files number their points one by one. Then no table is needed and a search is a
+    // subtraction.
     bool consecutive = true;
     for (size_t i = 1; i < numbers_.size(); ++i)
         consecutive = consecutive && numbers_[i] == numbers_[i - 1] + 1;
@@ -16,6 +19,7 @@ bool PointNumbers::finish()
     for (size_t i = 0; i < numbers_.size(); ++i)
         sorted_[i] = {numbers_[i], static_cast<int32_t>(i)};
     std::sort(sorted_.begin(), sorted_.end());
+    // A number that stands for two points would make the corners of elements ambiguous.
     return std::adjacent_find(sorted_.begin(), sorted_.end(),
                               [](const auto& a, const auto& b) { return a.first == b.first; }) == sorted_.end();
 }

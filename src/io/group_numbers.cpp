@@ -32,6 +32,8 @@ private:
 
 void number_groups(MeshView& mesh)
 {
+    // Users look for label 3 under number 3. Gmsh wants positive numbers, so 0 and negative labels
+    // cannot keep theirs.
     mesh.volume_numbers = mesh.labels;
     FreeNumbers free_of_labels(mesh.labels);
     for (int32_t& number : mesh.volume_numbers)
@@ -41,6 +43,7 @@ void number_groups(MeshView& mesh)
     std::vector<int32_t> taken = mesh.volume_numbers;
     std::sort(taken.begin(), taken.end());
     const int64_t greatest = taken.empty() ? 0 : taken.back();
+    // A label near 2^31 leaves no room above it. The sum is made in 64 bits.
     const int64_t room = std::numeric_limits<int32_t>::max() - greatest;
     const bool fits = static_cast<int64_t>(mesh.groups.size()) <= room;
     FreeNumbers free_of_volumes(taken);

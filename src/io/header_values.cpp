@@ -13,11 +13,14 @@ namespace
 {
 
 constexpr std::string_view blanks = " \t\r\n\v\f";
+// Slices of one volume in files of their own. A pattern with a larger range is a mistake, and its list would fill the
+// memory.
 constexpr int64_t most_files = 100000;
 
 // What is shown of a value.
 std::string shown(std::string_view value)
 {
+    // Enough to recognise a value in a message of one line.
     constexpr size_t longest = 60;
     std::string text(value.substr(0, longest));
     for (char& c : text)
@@ -42,6 +45,7 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
         text.replace(at, from.size(), to);
 }
 
+// Of ASCII alone: std::tolower() follows the locale of the caller's program.
 std::string in_small_letters(std::string_view text)
 {
     std::string small(text);
@@ -83,6 +87,7 @@ double real_of(std::string_view field, std::string_view word)
     const char* begin = word.data() + (word.size() > 1 && word[0] == '+' ? 1 : 0);
     const char* end = word.data() + word.size();
     const auto result = std::from_chars(begin, end, value);
+    // from_chars() calls both 1e999 and 1e-999 out of range.
     if (result.ec == std::errc::result_out_of_range)
         refuse_field(field, word, "the number is too large or too small for double precision");
     if (result.ec != std::errc() || result.ptr != end)
@@ -125,11 +130,13 @@ std::vector<std::string> names_of_pattern(std::string_view field, const std::str
 {
     const size_t begin = pattern.find('%');
     size_t end = std::min(pattern.find_first_not_of("0123456789", begin + 1), pattern.size());
+    // The pattern is never given to printf(): a header from a stranger could read memory by it.
     const bool single = begin != std::string::npos && pattern.find('%', begin + 1) == std::string::npos;
     if (!single || end == pattern.size() || pattern[end] != 'd' || end - begin > 4)
         refuse_field(field, pattern, "a name with one %d, or %03d, is wanted");
     const bool zeros = pattern[begin + 1] == '0';
     const size_t width = end == begin + 1 ? 0 : std::stoul(pattern.substr(begin + 1, end - begin - 1));
+    // Sums and differences below cannot overflow.
     constexpr int64_t greatest = int64_t{1} << 40;
     for (const int64_t number : {first, last, step})
         if (number < -greatest || number > greatest)
@@ -139,6 +146,7 @@ std::vector<std::string> names_of_pattern(std::string_view field, const std::str
     std::vector<std::string> names;
     for (int64_t number = first; step > 0 ? number <= last : number >= last; number += step) {
         std::string digits = std::to_string(number < 0 ? -number : number);
+        // As printf() does: the sign counts as part of the width.
         const size_t room = width > (number < 0 ? 1 : 0) ? width - (number < 0 ? 1 : 0) : 0;
         if (zeros && digits.size() < room)
             digits.insert(0, room - digits.size(), '0');
