@@ -1,3 +1,5 @@
+// Sizes of images in bytes, and memory for their voxels. Every reader takes its memory here, after
+// the size was checked for overflow.
 #include "io/image.hpp"
 
 #include "base/error.hpp"
@@ -31,6 +33,7 @@ bool is_floating(Component component) { return component == Component::float32 |
 size_t checked_bytes(const Image& image)
 {
     int64_t bytes = static_cast<int64_t>(size_of(image.component));
+    // A header may give four numbers of 32 bits and more, whose product wraps around in 64 bits.
     for (const int64_t factor : {image.dims[0], image.dims[1], image.dims[2], image.fields}) {
         if (factor < 1)
             throw Error(CLEFT_ERROR_FORMAT, "there are no voxels");

@@ -14,11 +14,16 @@
 namespace cleft::io
 {
 
+// The types of numbers that files may have. The core takes seven of them; voxels.hpp converts the
+// others.
 enum class Component { uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64 };
 
+// In bytes.
 size_t size_of(Component component);
 bool is_floating(Component component);
 
+// Voxels are stored with x fastest, then y, z and the field. The index (i, j, k) lies at origin + i
+// * spacing[0] * directions[0] + and so on.
 struct Image {
     std::array<int64_t, 3> dims{1, 1, 1};
     int64_t fields = 1;  // how many volumes of these dimensions, one after the other
@@ -43,6 +48,7 @@ size_t checked_bytes(const Image& image);
 void allocate_voxels(Image& image);
 
 // One file, in whatever format its first bytes show. Errors do not name the file.
+// Notes and names in it have no control characters, so they can go to a terminal.
 Image read_image(const std::string& path);
 // Writes a volume of float; throws if the format cannot hold the geometry.
 void write_image(const std::string& path, const Image& image);

@@ -1,3 +1,5 @@
+// Finds the files that a path or a pattern stands for, and puts single slices on each other. What
+// is not certain about their order or number is refused or told.
 #include "io/image_series.hpp"
 
 #include "base/error.hpp"
@@ -29,6 +31,8 @@ bool natural_less(const std::string& a, const std::string& b)
     size_t j = 0;
     while (i < a.size() && j < b.size()) {
         if (is_digit(a[i]) && is_digit(b[j])) {
+            // Without leading zeros the longer run is the greater number. So digits of any count
+            // compare without a conversion that could overflow.
             const size_t start_a = std::min(a.find_first_not_of('0', i), a.size());
             const size_t start_b = std::min(b.find_first_not_of('0', j), b.size());
             size_t end_a = start_a;
@@ -59,6 +63,7 @@ template <class Fits>
 std::vector<std::string> files_beside(const std::string& pattern, const Fits& fits)
 {
     const fs::path path(pattern);
+    // names_in() wants a folder; names in the answer keep the form that the user gave.
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     std::vector<std::string> found;
     for (const std::string& name : names_in(folder.string()))
@@ -88,12 +93,15 @@ std::vector<int64_t> numbers_of(const std::vector<std::string>& files)
 {
     const std::string& first = files.front();
     const std::string& last = files.back();
+    // In natural order, the first and the last name differ at the number that counts the slices.
     const auto at =
         static_cast<size_t>(std::mismatch(first.begin(), first.end(), last.begin(), last.end()).first - first.begin());
     const NumberedName pattern = split_name(first, at);
     std::vector<int64_t> numbers;
     for (const std::string& file : files) {
         const NumberedName name = split_name(file, at);
+        // Names of another kind, such as dates, tell nothing about gaps. Nine digits fit 32 bits
+        // and are more than a series has.
         if (name.before != pattern.before || name.behind != pattern.behind || name.digits.empty() ||
             name.digits.size() > 9)
             return {};
@@ -111,8 +119,11 @@ std::vector<std::string> notes_on_numbers(const std::vector<std::string>& files)
     int64_t step = numbers[1] - numbers[0];
     for (size_t i = 1; i < numbers.size(); ++i)
         step = std::min(step, numbers[i] - numbers[i - 1]);
+    // "1.png" and "01.png" have the same number, and nothing tells which slice comes first.
     if (step == 0)
         throw Error(CLEFT_ERROR_FILE, "two of its files have the same number");
+    // A gap is told and not refused: programs that export each second slice leave such numbers, and
+    // the pattern asked for what is there.
     const int64_t missing = (numbers.back() - numbers.front()) / step + 1 - static_cast<int64_t>(numbers.size());
     for (size_t i = 1; i < numbers.size(); ++i)
         if (numbers[i] != numbers[i - 1] + step)
@@ -129,6 +140,7 @@ std::vector<std::string> matching_files(const std::string& pattern)
 {
     const std::string name = fs::path(pattern).filename().string();
     const std::vector<std::string> found = files_beside(
+        // FNM_PERIOD: "*" does not match hidden files, as in a shell.
         pattern, [&](const std::string& file) { return fnmatch(name.c_str(), file.c_str(), FNM_PERIOD) == 0; });
     if (found.empty())
         throw Error(CLEFT_ERROR_FILE, "no file has such a name");
@@ -144,6 +156,7 @@ std::vector<std::string> numbered_files(const std::string& path, const std::smat
             digits.insert(0, width - digits.size(), '0');
         return conversion.prefix().str() + digits + conversion.suffix().str();
     };
+    // Programs count slices from 0 or from 1; no other beginning is tried.
     const int64_t first = fs::exists(name(0)) ? 0 : 1;
     int64_t number = first;
     std::vector<std::string> found;
@@ -152,6 +165,8 @@ std::vector<std::string> numbered_files(const std::string& path, const std::smat
     if (found.empty())
         throw Error(CLEFT_ERROR_FILE, "there is neither '" + name(0) + "' nor '" + name(1) + "'");
     // Is there a file beyond the first that is missing?
+    // With "%03d" the user says that slices are numbered one by one. A higher number behind a gap
+    // shows that one is missing.
     for (const std::string& file : files_beside(path, [](const std::string&) { return true; })) {
         const auto before = static_cast<size_t>(conversion.prefix().length());
         const auto behind = static_cast<size_t>(conversion.suffix().length());
@@ -172,11 +187,13 @@ void set_third_axis(const std::vector<Vector3>& origins, Image& image)
 {
     const double steps = static_cast<double>(origins.size() - 1);
     const Vector3 way = minus(origins.back(), origins.front());
+    // PNG, JPEG, BMP and TIFF have no place. The third axis then stays as the first slice has it.
     if (length(way) == 0)
         return;
     const Vector3 step = times(1 / steps, way);
     for (size_t s = 0; s < origins.size(); ++s) {
         const Vector3 expected = times(static_cast<double>(s), step);
+        // The same twentieth of a step as in a folder of DICOM.
         if (length(minus(minus(origins[s], origins.front()), expected)) > 0.05 * length(step))
             throw Error(CLEFT_ERROR_FORMAT, "its slices are not evenly spaced: is one missing?");
     }
@@ -186,6 +203,8 @@ void set_third_axis(const std::vector<Vector3>& origins, Image& image)
 
 void check_alike(const Image& slice, const std::string& name, const Image& volume, const std::string& first)
 {
+    // Relative to the spacing, and absolute for directions of length 1: text in headers is rounded,
+    // and a real difference is greater.
     constexpr double tolerance = 1e-3;
     if (slice.dims[0] != volume.dims[0] || slice.dims[1] != volume.dims[1] || slice.component != volume.component)
         throw Error(CLEFT_ERROR_FORMAT, "'" + name + "' has another size or type of voxels than '" + first + "'");
@@ -203,6 +222,8 @@ Image stack(const std::vector<std::string>& slices)
     std::vector<Vector3> origins;
     for (size_t s = 0; s < slices.size(); ++s) {
         const Image slice = naming_file(slices[s], [&] { return read_image(slices[s]); });
+        // A pattern that matches volumes would put them on each other along the third axis, which
+        // is never meant.
         if (slice.dims[2] != 1 || slice.fields != 1)
             throw Error(CLEFT_ERROR_FORMAT, "'" + slices[s] + "' is not a single slice");
         if (s == 0) {
@@ -229,11 +250,14 @@ Image stack(const std::vector<std::string>& slices)
 Image read_image_or_series(const std::string& path)
 {
     return naming_file(path, [&] {
+        // A path that exists is what it says, even if its name has "*" or "%d" in it. Patterns are
+        // tried on what does not exist.
         if (fs::is_directory(path))
             return read_dicom_folder(path);
         if (fs::exists(path))
             return read_image(path);
         std::smatch conversion;
+        // Only %d, %3d and %03d; the path is never given to printf().
         if (std::regex_search(path, conversion, std::regex("%0?([0-9]{0,2})d")))
             return stack(numbered_files(path, conversion));
         if (path.find_first_of("*?") == std::string::npos)

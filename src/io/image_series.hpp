@@ -9,6 +9,7 @@ namespace cleft::io
 {
 
 // Errors name the path.
+// Throws Error: FILE where there is no such file, FORMAT or UNSUPPORTED for what it holds.
 Image read_image_or_series(const std::string& path);
 
 }  // namespace cleft::io

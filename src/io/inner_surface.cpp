@@ -1,3 +1,5 @@
+// Gathers the triangles that lie inside the box, and renumbers their points. VTP, STL and PLY hold
+// such a surface and nothing else.
 #include "io/inner_surface.hpp"
 
 namespace cleft::io
@@ -15,6 +17,8 @@ InnerSurface inner_surface(const MeshView& mesh)
             surface.labels.push_back(group.second);
         }
     }
+    // -1: not used, 0: used, then the number in the surface. The order of the mesh is kept, so that
+    // the file does not depend on the order of triangles.
     std::vector<int32_t> number(static_cast<size_t>(mesh.point_count), -1);
     for (const int32_t p : surface.triangles)
         number[static_cast<size_t>(p)] = 0;

@@ -20,6 +20,7 @@ struct InnerSurface {
     int64_t count() const { return static_cast<int64_t>(triangles.size() / 3); }
 };
 
+// All arrays are copies. Throws std::bad_alloc only.
 InnerSurface inner_surface(const MeshView& mesh);
 
 }  // namespace cleft::io

@@ -13,6 +13,8 @@ constexpr const char* material_prefix = "material_";
 constexpr const char* minus_word = "minus";
 constexpr size_t longest_name = 40;  // CalculiX ends names of sets after 80 characters
 
+// Letters and digits of ASCII. Blanks, commas and accents break names in some solvers, and
+// std::isalnum() follows the locale.
 bool is_plain(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
 
 // One underscore in the place of all other characters between letters and digits.
@@ -21,6 +23,8 @@ std::string plain(const std::string& name)
     std::string text;
     bool gap = false;
     for (const char c : name) {
+        // What is beyond the limit is dropped. The number in front keeps names apart that are then
+        // alike.
         if (is_plain(c) && text.size() + (gap ? 1 : 0) < longest_name) {
             if (gap && !text.empty())
                 text += '_';
@@ -35,6 +39,8 @@ std::string plain(const std::string& name)
 
 std::string word_of(int32_t label)
 {
+    // A minus sign is an operator in the scripts of Gmsh and FreeFEM. int64: -(-2^31) does not fit
+    // 32 bits.
     return label < 0 ? minus_word + std::to_string(-int64_t{label}) : std::to_string(label);
 }
 
@@ -50,6 +56,7 @@ bool label_of_material_name(const std::string& text, int32_t& label, std::string
 {
     const std::string prefix = material_prefix;
     const std::string minus = minus_word;
+    // Another program's names are no labels.
     if (text.compare(0, prefix.size(), prefix) != 0)
         return false;
     std::string number = text.substr(prefix.size());
@@ -57,6 +64,7 @@ bool label_of_material_name(const std::string& text, int32_t& label, std::string
         number.replace(0, minus.size(), "-");
     const char* end_of_text = number.data() + number.size();
     const auto [end, error] = std::from_chars(number.data(), end_of_text, label);
+    // Behind the number only a name may follow: "material_3x" was not made by this library.
     if (error != std::errc() || (end != end_of_text && *end != '_' && *end != ' '))
         return false;
     name = end == end_of_text ? "" : std::string(end + 1, end_of_text);

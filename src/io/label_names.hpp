@@ -14,6 +14,7 @@ std::string word_of(int32_t label);
 // No two labels get the same one, as the number stands before the name.
 std::string material_name(int32_t label, const std::string& name = "");
 // As above, but with the name as it is: "material_3 right lung".
+// For formats that keep any text, such as VTK's field data.
 std::string material_title(int32_t label, const std::string& name);
 
 // The label in one of these, and the name behind it ("" if there is none).

@@ -18,14 +18,18 @@ namespace
 using Pair = std::pair<size_t, size_t>;
 
 struct Claims {
-    std::vector<int64_t> voxels;        // that each mask gets
-    std::vector<int64_t> wanted;        // that each mask holds
+    std::vector<int64_t> voxels;  // that each mask gets
+    std::vector<int64_t> wanted;  // that each mask holds
+    // A map and not a table: of hundreds of masks few pairs touch, and the order of messages must
+    // be fixed.
     std::map<Pair, int64_t> contested;  // voxels of two masks: of the one that gets them, and of the next
 };
 
 template <class Label>
 Claims claim(const std::vector<Field>& masks, Image& labels)
 {
+    // The outside gets the number behind the last mask, so that the labels of the masks are their
+    // places on the command line.
     const auto nobody = static_cast<Label>(masks.size());
     Claims claims;
     claims.voxels.resize(masks.size());
@@ -34,10 +38,13 @@ Claims claim(const std::vector<Field>& masks, Image& labels)
         store<Label>(labels.voxels.get(), v, nobody);
     for (size_t k = 0; k < masks.size(); ++k)
         for_each_value(*masks[k].image, masks[k].index, [&](int64_t v, double value) {
+            // Any value but 0 is inside: programs write masks with 1, 255 or the label of an organ.
             if (snapped(value) == 0)
                 return;
             ++claims.wanted[k];
             const Label owner = load<Label>(labels.voxels.get(), v);
+            // The first mask wins, so the user decides by the order of the files. What the others
+            // lose is counted and told.
             if (owner != nobody) {
                 ++claims.contested[{static_cast<size_t>(owner), k}];
             } else {
@@ -50,6 +57,7 @@ Claims claim(const std::vector<Field>& masks, Image& labels)
 
 void note_empty(const std::vector<Field>& masks, const Claims& claims, std::vector<std::string>& notes)
 {
+    // More sentences of one kind hide the other warnings; the rest is counted.
     constexpr size_t told = 3;
     size_t empty = 0;
     for (size_t k = 0; k < masks.size(); ++k)
@@ -65,6 +73,8 @@ void note_contested(const std::vector<Field>& masks, const Claims& claims, std::
 {
     constexpr size_t told = 3;
     std::vector<std::pair<Pair, int64_t>> rows(claims.contested.begin(), claims.contested.end());
+    // The greatest overlap first, as it is the likeliest mistake. Equal ones stay in the order of
+    // the masks.
     std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
     if (rows.size() > told) {
         notes.push_back(std::to_string(rows.size() - told) +
@@ -86,6 +96,7 @@ Image label_map_of_masks(const std::vector<Field>& masks, std::vector<std::strin
     labels.directions = first.directions;
     labels.spacing = first.spacing;
     labels.origin = first.origin;
+    // At most 255 masks and the outside fit one byte, a quarter of the memory of the general case.
     labels.component = masks.size() < 256 ? Component::uint8 : Component::int32;
     allocate_voxels(labels);
     const Claims claims =
@@ -93,6 +104,7 @@ Image label_map_of_masks(const std::vector<Field>& masks, std::vector<std::strin
     int64_t outside = labels.field_size();
     for (const int64_t voxels : claims.voxels)
         outside -= voxels;
+    // Masks that are all empty give a mesh of the box alone, which nobody asks for.
     if (outside == labels.field_size())
         throw Error(CLEFT_ERROR_FORMAT, masks.front().who + " and the others are masks, but no mask holds a voxel");
     note_empty(masks, claims, notes);

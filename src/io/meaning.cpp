@@ -30,6 +30,7 @@ std::string range_text(const FieldValues& values)
     throw Error(CLEFT_ERROR_FORMAT, field.who + ": " + sentence);
 }
 
+// Each refusal ends with the two ways out, in the words of the library and of the command.
 const char* const ask = "ask for kind labels (--as labels: rounded) or indicators (--as indicators: inside above 0)";
 
 void note_rounding(const Field& field, std::vector<std::string>& notes)
@@ -41,21 +42,30 @@ void note_rounding(const Field& field, std::vector<std::string>& notes)
                         " off: they are rounded to the nearest");
 }
 
-constexpr double busy = 0.4;  // the share of differing neighbours: a half in distances rounded to whole numbers
-constexpr int64_t fewest_distances = 5;  // a function that is rounded takes as many values, and an image more
+// The share of differing neighbours. It is a half in distances rounded to whole numbers, and near 1 in pictures.
+constexpr double busy = 0.4;
+// A function that is rounded takes as many values as this: two on each side, and 0.
+constexpr int64_t fewest_distances = 5;
+// Pictures of 16 levels and fewer are taken for segmentations, as thresholding makes them.
 constexpr int64_t fewest_greys = 17;
 
 // Whole numbers are labels, unless they change from voxel to voxel as nothing does that was segmented.
 void check_label_map(const Field& field, std::vector<std::string>& notes)
 {
     const FieldValues& values = field.values;
+    // Few values are labels, whatever their pattern. The comparison of neighbours below takes a
+    // pass over the field, so it comes second.
     if (values.different < (values.is_signed() ? fewest_distances : fewest_greys))
         return;
     const double differing = differing_neighbours(*field.image, field.index, values);
+    // With few values the share alone does not decide: a fine pattern of labels differs everywhere,
+    // too.
     if (differing < busy || (values.different < fewest_greys && !goes_step_by_step(*field.image, field.index, values)))
         return;
     const std::string what = different_text(values) + " different whole numbers from " + range_text(values) + ", and " +
                              number_text(std::round(100 * differing)) + " % of its neighbouring voxels differ";
+    // Negative numbers make three readings possible, so nothing is chosen. Without them it is no
+    // signed function, and labels are read with a note.
     if (values.is_signed())
         refuse(field, "it may be a label map, a grey image or a distance function, with " + what + ": " + ask);
     notes.push_back(field.who + ": it looks like a grey image rather than a label map: it has " + what);
@@ -64,6 +74,8 @@ void check_label_map(const Field& field, std::vector<std::string>& notes)
 // A signed function has values on both sides of 0 that change from voxel to voxel.
 void check_signed_function(const Field& field)
 {
+    // A function that is constant far from its boundary has a small share of differing neighbours,
+    // but still thousands of values. Interpolated labels have fewer.
     constexpr int64_t many = 1000;
     const FieldValues& values = field.values;
     if (!values.is_signed())
@@ -74,6 +86,7 @@ void check_signed_function(const Field& field)
     if (!smooth && values.different <= many)
         refuse(field, "it may be a label map or a function, with " + different_text(values) + " values from " +
                           range_text(values) + " that are not all whole numbers: " + ask);
+    // Last, as it takes two passes over the field.
     if (rests_on_labels(*field.image, field.index, values))
         refuse(field, "it may be a label map that was interpolated, as many of its values from " + range_text(values) +
                           " lie near whole numbers or at 0, or a function: " + ask);
@@ -92,6 +105,7 @@ Meaning meaning_of_one(const Field& field, std::vector<std::string>& notes)
 
 void note_one_side(const Field& field, std::vector<std::string>& notes)
 {
+    // Inside is where the function is above 0, so 0 counts as outside.
     if (field.values.least > 0 || field.values.greatest <= 0)
         notes.push_back(field.who + ": the function is " + (field.values.least > 0 ? "above" : "nowhere above") +
                         " 0 everywhere: there is one label alone");
@@ -103,6 +117,8 @@ void note_one_side(const Field& field, std::vector<std::string>& notes)
     const std::string functions =
         "as functions, of which the largest wins, they are read by kind \"indicators\" "
         "(--as indicators)";
+    // One image for all fields: the frames of one file. The advice differs from that for several
+    // files.
     if (fields.front().image == fields.back().image)
         throw Error(CLEFT_ERROR_FORMAT,
                     holds +
@@ -115,6 +131,7 @@ void note_one_side(const Field& field, std::vector<std::string>& notes)
                                         functions);
 }
 
+// A constant is a function of one material everywhere, as users give for the background.
 bool may_be_function(const FieldValues& values) { return !values.is_whole() || values.snapped_counts.size() == 1; }
 
 // A shell that turns a pattern into names makes files of slices of what was meant as one volume.
@@ -132,6 +149,8 @@ Meaning meaning_of_several(const std::vector<Field>& fields, cleft_io_kind kind,
     if (kind == CLEFT_IO_KIND_AUTO && fields.front().image != fields.back().image)
         check_no_slices(fields);
     const auto is_mask = [](const Field& field) { return field.values.is_mask(); };
+    // Masks first: 0 and 1 are also a label map and a function, but several files of them mean
+    // masks with any kind.
     if (std::all_of(fields.begin(), fields.end(), is_mask)) {
         for (const Field& field : fields)
             note_rounding(field, notes);
@@ -153,6 +172,7 @@ Meaning meaning_of_several(const std::vector<Field>& fields, cleft_io_kind kind,
 std::string voxels_text(int64_t count)
 {
     std::string text = std::to_string(count);
+    // Thousands are separated, as counts of voxels have seven digits and more.
     for (size_t at = text.size(); at > 3; at -= 3)
         text.insert(at - 3, ",");
     return text + (count == 1 ? " voxel" : " voxels");
@@ -160,6 +180,7 @@ std::string voxels_text(int64_t count)
 
 void check_kind(cleft_io_kind kind)
 {
+    // Callers in C may pass any number.
     if (kind < CLEFT_IO_KIND_AUTO || kind > CLEFT_IO_KIND_INDICATORS)
         throw Error(CLEFT_ERROR_ARGUMENT, "there is no kind " + std::to_string(kind));
 }
@@ -183,6 +204,7 @@ std::vector<Field> fields_of(const std::vector<Source>& sources)
 Meaning meaning_of(const std::vector<Field>& fields, cleft_io_kind kind, std::vector<std::string>& notes)
 {
     const bool one = fields.size() == 1;
+    // What the caller states is not judged, but told where it makes one label of everything.
     if (kind == CLEFT_IO_KIND_INDICATORS) {
         if (one)
             note_one_side(fields.front(), notes);

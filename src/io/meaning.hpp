@@ -25,6 +25,7 @@ struct Source {
 };
 
 // One field of a file.
+// `image` must outlive it.
 struct Field {
     const Image* image;
     int64_t index;    // in the image

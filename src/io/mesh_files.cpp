@@ -13,6 +13,8 @@
 #include <filesystem>
 #include <memory>
 
+// The size of the struct in version 0.1. Callers that were compiled with it stay valid when fields
+// are added at the end.
 template <>
 inline constexpr size_t cleft::kFirstSize<cleft_io_format_description> = CLEFT_END_OF(cleft_io_format_description,
                                                                                       text);
@@ -33,6 +35,7 @@ cleft_io_format resolve(const std::string& path, cleft_io_format format, int32_t
                                               : "there is no format " + std::to_string(format) + " of meshes");
 }
 
+// VTU and legacy VTK are written with tetrahedra alone, so their surface need not be computed.
 bool needs_surface(cleft_io_format format) { return format != CLEFT_FORMAT_VTU && format != CLEFT_FORMAT_VTK; }
 
 void write(const MeshView& mesh, const std::string& path, cleft_io_format format, int threads)
@@ -74,6 +77,7 @@ MeshData read(const std::string& path)
             return read_medit(path);
         case CLEFT_FORMAT_TETGEN:
             return read_tetgen(path);
+        // Both versions of MSH have one extension; the reader tells them apart by the header.
         default:
             return read_gmsh(path);
     }
@@ -87,6 +91,8 @@ using MeshHandle = std::unique_ptr<cleft_mesh, MeshDeleter>;
 // Files may name labels that no tetrahedron has.
 void name_labels(const MeshData& data, const std::string& path, cleft_mesh* mesh)
 {
+    // A name of a label without tetrahedra is left out: Gmsh keeps groups of entities that were not
+    // meshed.
     const int32_t* labels = cleft_mesh_labels(mesh);
     for (const auto& [label, name] : data.names)
         if (std::binary_search(labels, labels + cleft_mesh_label_count(mesh), label) &&
@@ -98,12 +104,15 @@ void name_labels(const MeshData& data, const std::string& path, cleft_mesh* mesh
 // Both images and meshes may have this extension; its fourth line tells which.
 bool is_vtk_mesh(const std::string& path)
 {
+    // The header of a legacy VTK file: 256 characters at most for each of its first two lines, and
+    // two short ones.
     char start[1024] = {};
     try {
         ByteSource(path, Coding::plain).read_some(start, sizeof start - 1);
     } catch (const Error&) {  // whoever reads the file tells more
         return false;
     }
+    // The last byte of the array is never written, so the text ends with a zero.
     return std::strstr(start, "UNSTRUCTURED_GRID") != nullptr;
 }
 
@@ -147,10 +156,14 @@ cleft_status cleft_io_write_mesh(cleft_context* context, const cleft_mesh* mesh,
         required(mesh, "mesh");
         required(path, "path");
         const cleft_io_format resolved = resolve(path, format, CLEFT_IO_WRITES_MESH);
+        // Most formats and programs have no form for an empty mesh. It comes from stripping all
+        // labels.
         if (cleft_mesh_tet_count(mesh) == 0)
             throw cleft::Error(CLEFT_ERROR_ARGUMENT, "the mesh has no tetrahedra to write");
         SurfaceHandle surface;
         if (needs_surface(resolved)) {
+            // The surface is made once for all formats, so that groups have the same order and
+            // numbers in each.
             cleft_surface* made = nullptr;
             check(context, cleft_surface_create(context, mesh, &made));
             surface.reset(made);
@@ -163,6 +176,8 @@ cleft_status cleft_io_read_mesh(cleft_context* context, const char* path, cleft_
 {
     return entry_making(context, out, {}, [&] {
         const MeshData mesh = read(required(path, "path"));
+        // A surface mesh is a common mistake here, and the core's sentence about it would not name
+        // the file.
         if (mesh.tets.empty())
             throw cleft::Error(CLEFT_ERROR_FORMAT, std::string("'") + path + "': there are no tetrahedra in it");
         cleft_mesh* made = nullptr;
@@ -171,6 +186,7 @@ cleft_status cleft_io_read_mesh(cleft_context* context, const char* path, cleft_
                                 static_cast<int64_t>(mesh.tets.size() / 4), mesh.tets.data(),
                                 mesh.labels.empty() ? nullptr : mesh.labels.data(), 0, &made),
               std::string("'") + path + "': ");
+        // If a name is refused, the handle is destroyed and *out stays NULL.
         MeshHandle owner(made);
         name_labels(mesh, path, made);
         *out = owner.release();

@@ -14,6 +14,7 @@ namespace
 
 std::string hull_name(int32_t side, int32_t label)
 {
+    // In the order of CLEFT_SIDE_X_MIN to CLEFT_SIDE_OTHER.
     static const char* const names[] = {"box_x_min_", "box_x_max_", "box_y_min_", "box_y_max_",
                                         "box_z_min_", "box_z_max_", "hull_"};
     return names[side] + word_of(label);
@@ -24,6 +25,8 @@ void add_interfaces(const cleft_surface* surface, std::vector<SurfaceGroup>& gro
 {
     const int64_t count = cleft_surface_interface_count(surface);
     const int32_t* triangles = cleft_surface_interface_triangles(surface);
+    // The library gives interface triangles sorted by their pairs, so groups are found without
+    // sorting.
     const int32_t* pairs = cleft_surface_interface_labels(surface);
     for (int64_t t = 0; t < count; ++t) {
         const int32_t a = pairs[2 * t];
@@ -74,6 +77,7 @@ MeshView view_of(const cleft_mesh* mesh, const cleft_surface* surface)
     view.tets = cleft_mesh_tets(mesh);
     view.tet_labels = cleft_mesh_tet_labels(mesh);
     const int32_t* labels = cleft_mesh_labels(mesh);
+    // labels are ascending, which label_index() relies on.
     view.labels.assign(labels, labels + cleft_mesh_label_count(mesh));
     for (const int32_t label : view.labels)
         view.names.push_back(cleft_mesh_label_name(mesh, label));

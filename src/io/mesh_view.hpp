@@ -47,6 +47,7 @@ struct MeshView {
     std::string material(size_t index) const;
 };
 
+// The surface must live as long as a view of it.
 struct SurfaceDeleter {
     void operator()(cleft_surface* surface) const { cleft_surface_destroy(surface); }
 };

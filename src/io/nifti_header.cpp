@@ -16,6 +16,7 @@ namespace
 
 constexpr bool big_endian_machine = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__;
 
+// sizeof_hdr is the first field of all three formats. Its value shows the order of bytes.
 bool has_length(const unsigned char* bytes, int32_t length, bool swapped)
 {
     return BinaryHeader(bytes, sizeof length, swapped != big_endian_machine).at<int32_t>(0) == length;
@@ -23,20 +24,27 @@ bool has_length(const unsigned char* bytes, int32_t length, bool swapped)
 
 bool has_mark(const unsigned char* at, const char* mark, size_t count) { return std::memcmp(at, mark, count) == 0; }
 
+// The field `magic`. It is at the end of NIfTI-1, where Analyze has a field that few programs use, and behind
+// sizeof_hdr in NIfTI-2.
 constexpr size_t mark_of_nifti1 = 344;
 constexpr size_t mark_of_nifti2 = 4;
 
+// "n+1": header and voxels in one file. "ni1": in two.
 bool is_nifti1(const unsigned char* bytes)
 {
     return has_mark(bytes + mark_of_nifti1, "n+1", 4) || has_mark(bytes + mark_of_nifti1, "ni1", 4);
 }
 
+// The bytes behind the mark end PNG's signature, too: they show if a transfer changed the ends of
+// lines.
 bool is_nifti2(const unsigned char* bytes)
 {
     return has_mark(bytes + mark_of_nifti2, "n+2\0\r\n\032\n", 8) ||
            has_mark(bytes + mark_of_nifti2, "ni2\0\r\n\032\n", 8);
 }
 
+// Offsets in struct dsr of Analyze 7.5: dim, datatype, bitpix, pixdim, vox_offset, funused1 (SPM's
+// scale) and originator.
 void parse_analyze(const BinaryHeader& fields, NiftiHeader& header)
 {
     fields.at<int16_t>(40, header.dim);
@@ -59,6 +67,7 @@ void parse_nifti1(const BinaryHeader& fields, NiftiHeader& header)
     fields.at<float>(256, header.quaternion);
     fields.at<float>(268, header.q_offset);
     fields.at<float>(280, header.s_rows);
+    // In NIfTI these bytes belong to other fields.
     header.spm_origin = {};
 }
 
@@ -88,6 +97,8 @@ bool is_nifti_header(const unsigned char* bytes, size_t count)
         return false;
     for (const bool swapped : {false, true}) {
         const int64_t axes = BinaryHeader(bytes, count, swapped != big_endian_machine).at<int16_t>(40);
+        // Analyze has no mark: 348 at the beginning and a plausible dim[0] are all that shows it.
+        // So the table of readers asks for it after the formats with marks.
         if (has_length(bytes, nifti1_header_bytes, swapped) && (is_nifti1(bytes) || (axes >= 1 && axes <= 7)))
             return true;
         if (has_length(bytes, nifti2_header_bytes, swapped) && is_nifti2(bytes))
@@ -112,6 +123,7 @@ NiftiHeader parse_nifti_header(const unsigned char* bytes, size_t count)
         parse_nifti1(fields, header);
     else
         parse_analyze(fields, header);
+    // The second letter of the mark: "n+1" or "ni1".
     header.single_file =
         header.kind != NiftiKind::analyze && bytes[(second ? mark_of_nifti2 : mark_of_nifti1) + 1] == '+';
     return header;

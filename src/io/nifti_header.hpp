@@ -12,7 +12,8 @@ enum class NiftiKind { analyze, nifti1, nifti2 };
 
 constexpr size_t nifti1_header_bytes = 348;
 constexpr size_t nifti2_header_bytes = 540;
-constexpr size_t nifti_extension_mark = 4;  // bytes behind the header
+// The bytes extension[4] behind the header. The first of them is not 0 where extensions follow.
+constexpr size_t nifti_extension_mark = 4;
 
 struct NiftiHeader {
     NiftiKind kind = NiftiKind::analyze;
@@ -38,8 +39,10 @@ struct NiftiHeader {
 };
 
 // Are these the first bytes of such a header? Analyze has no mark of its own but its length.
+// `count` may be any number; fewer than 348 bytes are no header.
 bool is_nifti_header(const unsigned char* bytes, size_t count);
 // Of bytes for which that is so.
+// Throws Error(CLEFT_ERROR_FORMAT) where a header of NIfTI-2 is cut short. No field is judged.
 NiftiHeader parse_nifti_header(const unsigned char* bytes, size_t count);
 
 }  // namespace cleft::io

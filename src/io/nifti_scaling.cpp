@@ -34,6 +34,8 @@ void scale(double slope, double intercept, Image& image)
     const int64_t count = image.field_size() * image.fields;
     for (int64_t i = 0; whole && i < count; ++i) {
         const double value = slope * static_cast<double>(load<From>(image.voxels.get(), i)) + intercept;
+        // Labels that were stored with a slope, such as 0, 1/2 and 1 in bytes, must come out whole.
+        // Double precision is exact for them.
         whole = value == std::floor(value) && value >= -0x1p31 && value < 0x1p31;
     }
     if (whole)
@@ -46,11 +48,13 @@ void scale(double slope, double intercept, Image& image)
 
 void scale_values(double slope, double intercept, Image& image)
 {
+    // nifti1.h scales values only where scl_slope is not 0. Some writers put NaN there for "none".
     if (slope == 0 || std::isnan(slope) || (slope == 1 && intercept == 0))
         return;
     if (!std::isfinite(slope) || !std::isfinite(intercept))
         throw Error(CLEFT_ERROR_FORMAT, "the scale of its values (scl_slope, scl_inter) is not finite");
     with_type(image.component, [&](auto zero) { scale<decltype(zero)>(slope, intercept, image); });
+    // Always told, as a label is then another number than the one in the file.
     char text[120];
     std::snprintf(text, sizeof text,
                   "its values are scaled: %g times the number in the file plus %g (scl_slope, scl_inter)", slope,

@@ -14,10 +14,13 @@ namespace cleft::io
 namespace
 {
 
+// Relative: a spacing and an extent that were written with few digits may differ by so much.
 constexpr double voxel_tolerance = 1e-3;
 
 bool is_space_kind(const std::string& kind) { return kind == "domain" || kind == "space"; }
 // Kinds of axes along which there are several volumes. Those of colours, vectors and tensors are not among them.
+// "kinds" of the NRRD definition. "none" and "???" say nothing of an axis. Files of Slicer have
+// "list", series over time "time".
 bool is_list_kind(const std::string& kind)
 {
     return kind == "list" || kind == "time" || kind == "none" || kind == "???" || is_space_kind(kind);
@@ -25,6 +28,7 @@ bool is_list_kind(const std::string& kind)
 
 bool is_spatial(const NrrdHeader& header, size_t axis)
 {
+    // "space directions" has "none" for an axis that is not of space, which is the surest sign.
     if (!header.directions.empty())
         return header.directions[axis].has_value();
     if (!header.kinds.empty() && header.kinds[axis] != "???" && header.kinds[axis] != "none")
@@ -35,6 +39,7 @@ bool is_spatial(const NrrdHeader& header, size_t axis)
 // What turns a vector of the space into LPS.
 Vector3 signs_of(const NrrdHeader& header, Image& image)
 {
+    // "space" of the NRRD definition. Spaces with time have four dimensions and are refused.
     const std::string& space = header.space;
     if (space.empty() || space == "left-posterior-superior" || space == "lps" || space == "scanner-xyz" ||
         space == "scannerxyz" || space == "3d-right-handed" || space == "3dright-handed")
@@ -43,6 +48,8 @@ Vector3 signs_of(const NrrdHeader& header, Image& image)
         return {-1, -1, 1};
     if (space == "left-anterior-superior" || space == "las")
         return {1, -1, 1};
+    // A scanner-independent left-handed space has no relation to LPS. Its coordinates stay, and the
+    // user is told.
     if (space == "3d-left-handed" || space == "3dleft-handed") {
         image.notes.emplace_back("its space is '" + space + "', whose coordinates are taken as they are");
         return {1, 1, 1};
@@ -52,6 +59,7 @@ Vector3 signs_of(const NrrdHeader& header, Image& image)
 
 size_t space_dimension_of(const NrrdHeader& header)
 {
+    // The NRRD definition allows one of the two fields only.
     if (header.space_dimension > 0 && !header.space.empty())
         refuse_field("space dimension", std::to_string(header.space_dimension), "there is a field 'space', too");
     const size_t dimension = header.space.empty() ? header.space_dimension : 3;
@@ -69,6 +77,7 @@ Vector3 vector_of(const char* field, const std::vector<double>& numbers, size_t 
                                             std::to_string(dimension) + " dimensions");
     Vector3 vector{0, 0, 0};
     for (size_t row = 0; row < dimension; ++row)
+        // + 0.0 makes 0 of -0, which would show in written headers.
         vector[row] = signs[row] * numbers[row] + 0.0;
     return vector;
 }
@@ -76,6 +85,8 @@ Vector3 vector_of(const char* field, const std::vector<double>& numbers, size_t 
 void set_step(size_t axis, const Vector3& step, Image& image)
 {
     image.spacing[axis] = length(step);
+    // A step of no length keeps the default direction. The spacing stays 0, so that the user is
+    // asked for it.
     if (image.spacing[axis] > 0 && std::isfinite(image.spacing[axis]))
         image.directions[axis] = times(1 / image.spacing[axis], step);
 }
@@ -96,6 +107,8 @@ void set_from_space(const NrrdHeader& header, const NrrdAxes& axes, Image& image
     if (axes.space.size() > dimension)
         throw Error(CLEFT_ERROR_FORMAT, "it has more axes of space than its space has dimensions");
     for (size_t a = 0; a < axes.space.size(); ++a) {
+        // NaN in "spacings" means that an axis has none. The NRRD definition forbids both for one
+        // axis.
         if (!header.spacings.empty() && !std::isnan(header.spacings[axes.space[a]]))
             throw Error(CLEFT_ERROR_FORMAT, "an axis has both a spacing and a direction");
         set_step(a, vector_of("space directions", *header.directions[axes.space[a]], dimension, signs), image);
@@ -109,13 +122,17 @@ void set_from_space(const NrrdHeader& header, const NrrdAxes& axes, Image& image
 // An extent from `low` to `high` goes from side to side of the voxels, or from centre to centre where that is said.
 void set_axis(const NrrdHeader& header, size_t axis, size_t a, Image& image)
 {
+    // NaN in the fields per axis means "not known" (NRRD definition), so it stands for a missing
+    // field here, too.
     const double nan = std::nan("");
     const double low = header.mins.empty() ? nan : header.mins[axis];
     const double high = header.maxs.empty() ? nan : header.maxs[axis];
+    // "node": the minimum is the centre of the first voxel. "cell": it is that voxel's side.
     const bool nodes = !header.centers.empty() && header.centers[axis] == "node";
     const auto count = static_cast<double>(header.sizes[axis]);
     const double steps = nodes ? count - 1 : count;
     double spacing = header.spacings.empty() ? nan : header.spacings[axis];
+    // One node has no step, whatever its extent is.
     if (!std::isnan(low) && !std::isnan(high) && steps > 0) {
         const double derived = (high - low) / steps;
         if (!std::isnan(spacing) && std::abs(spacing - derived) > voxel_tolerance * std::abs(spacing))
@@ -130,6 +147,7 @@ void set_axis(const NrrdHeader& header, size_t axis, size_t a, Image& image)
     Vector3 step{0, 0, 0};
     step[a] = std::isnan(spacing) ? 1 : spacing;
     set_step(a, step, image);
+    // A maximum alone places the axis from its other end.
     const double first = !std::isnan(low) ? low : high - steps * step[a];
     if (!std::isnan(first))
         image.origin[a] = nodes ? first : first + step[a] / 2;
@@ -137,6 +155,7 @@ void set_axis(const NrrdHeader& header, size_t axis, size_t a, Image& image)
 
 void set_from_axes(const NrrdHeader& header, const NrrdAxes& axes, Image& image)
 {
+    // An origin is a point of a space, which no direction relates to the axes here.
     if (!header.origin.empty())
         throw Error(CLEFT_ERROR_FORMAT, "its header has a field 'space origin', but no 'space directions'");
     for (const std::string& center : header.centers)
@@ -163,8 +182,11 @@ NrrdAxes nrrd_axes(const NrrdHeader& header)
     std::vector<size_t> others;
     const size_t dimension = header.sizes.size();
     for (size_t axis = 0; axis < dimension; ++axis) {
+        // Without directions, a fourth axis with one sample is of no space. Some writers append it
+        // for time or colour.
         if (is_spatial(header, axis) && (axes.space.size() < 3 || header.sizes[axis] > 1 || !header.directions.empty()))
             axes.space.push_back(axis);
+        // An axis of one sample changes nothing about the voxels, wherever it stands.
         else if (header.sizes[axis] > 1)
             others.push_back(axis);
     }
@@ -184,6 +206,8 @@ NrrdAxes nrrd_axes(const NrrdHeader& header)
         throw Error(CLEFT_ERROR_FORMAT, "it has " + std::to_string(others.size() + axes.space.size()) +
                                             " axes with more than one voxel; a volume has three, or four");
     if (!others.empty()) {
+        // Samples of one volume would then neither follow each other nor be interleaved voxel by
+        // voxel.
         if (others[0] > axes.space.front() && others[0] < axes.space.back())
             throw Error(CLEFT_ERROR_FORMAT, "its axis of kind 'list' lies between its axes of space");
         axes.other = others[0];

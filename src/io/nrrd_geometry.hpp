@@ -17,6 +17,8 @@ struct NrrdAxes {
 // Throws if the axes are none of a volume, or of several.
 NrrdAxes nrrd_axes(const NrrdHeader& header);
 // Sets directions, spacing and origin.
+// `axes` are those of nrrd_axes(). Throws where fields contradict each other; doubts go to
+// image.notes.
 void set_nrrd_geometry(const NrrdHeader& header, const NrrdAxes& axes, Image& image);
 
 }  // namespace cleft::io

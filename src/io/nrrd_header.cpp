@@ -14,12 +14,15 @@ namespace cleft::io
 namespace
 {
 
+// NRRD_DIM_MAX of teem, which defines the format.
 constexpr size_t most_axes = 16;
 struct TypeName {
     Component component;
     std::vector<std::string_view> names;
 };
 
+// All names of "type" in the NRRD definition but "block", which has no numbers. "long" is not among
+// them, as its size differs between systems.
 const std::vector<TypeName>& type_names()
 {
     static const std::vector<TypeName> all{
@@ -39,6 +42,7 @@ const std::vector<TypeName>& type_names()
 
 Component component_named(const std::string& value)
 {
+    // The definition has one blank between words; hand-written headers have several.
     std::string name;  // with single blanks
     for (const std::string& word : words_of(in_small_letters(value)))
         name += (name.empty() ? "" : " ") + word;
@@ -50,6 +54,7 @@ Component component_named(const std::string& value)
 
 VoxelData::Encoding encoding_named(const std::string& value)
 {
+    // bzip2 ("bz2") is part of the format. It is refused by the message below.
     const std::string name = in_small_letters(value);
     if (name == "raw")
         return VoxelData::Encoding::raw;
@@ -66,6 +71,8 @@ VoxelData::Encoding encoding_named(const std::string& value)
 std::vector<std::optional<std::vector<double>>> vectors_of(const std::string& field, std::string_view value)
 {
     std::vector<std::optional<std::vector<double>>> vectors;
+    // Blanks may stand between and inside vectors, or be missing between them, so words alone do
+    // not split the value.
     for (std::string_view rest = trimmed(value); !rest.empty(); rest = trimmed(rest)) {
         if (rest.substr(0, 4) == "none") {
             vectors.emplace_back();
@@ -98,14 +105,20 @@ public:
     {
         std::string line;
         source_.next_line(line);
+        // "NRRD000" and the version. Later versions only added fields, but an unknown one could
+        // change the meaning of what follows.
         const bool known = line.size() == 8 && line.substr(0, 7) == "NRRD000" && line[7] >= '1' && line[7] <= '5';
         if (!known)
             throw Error(CLEFT_ERROR_FORMAT, "its version of NRRD, '" + line.substr(0, 12) + "', cannot be read");
         bool attached = false;
+        // An empty line ends an attached header. "data file: LIST" ends it, too: the rest of the
+        // file is names.
         while (!attached && !list_ && source_.next_line(line)) {
             attached = line.empty();
             if (!attached)
                 take_line(line);
+            // A binary file that begins with NRRD by chance, or by intent, must not be read to its
+            // end in memory.
             if (source_.position() > longest_text_header)
                 throw Error(CLEFT_ERROR_FORMAT, "its header has no end");
         }
@@ -120,11 +133,13 @@ public:
 private:
     void take_line(const std::string& line)
     {
+        // A comment.
         if (line[0] == '#')
             return;
         const size_t colon = line.find(':');
         if (colon == std::string::npos || colon == 0)
             throw Error(CLEFT_ERROR_FORMAT, "the line '" + line.substr(0, 40) + "' of its header is no field");
+        // "key:=value" is a key/value pair and no field: anybody may add them.
         if (colon + 1 < line.size() && line[colon + 1] == '=') {
             header_.keys[line.substr(0, colon)] = line.substr(colon + 2);
             return;
@@ -133,12 +148,17 @@ private:
         for (const std::string& word : words_of(in_small_letters(line.substr(0, colon))))
             field += word;
         const std::string value(trimmed(line.substr(colon + 1)));
+        // Of two values nobody knows the right one.
         if (!seen_.insert(field).second)
             refuse_field(line.substr(0, colon), value, "it stands there twice");
+        // A field that is not known may change where voxels are or what they mean, so it is not
+        // skipped.
         if (!take_layout(field, value) && !take_axes(field, value) && !take_space(field, value) && !is_ignored(field))
             refuse_field(line.substr(0, colon), value, "this field is not known");
     }
 
+    // Where and how the voxels are stored. These three functions answer false if the field is none
+    // of theirs.
     bool take_layout(const std::string& field, const std::string& value)
     {
         if (field == "dimension")
@@ -203,8 +223,12 @@ private:
     // What does not change which voxel has which label, or where it is.
     bool is_ignored(const std::string& field)
     {
+        // They map quantized values back to real ones. A label map was never quantized; the note
+        // comes once for both.
         if ((field == "oldmin" || field == "oldmax") && seen_.count("oldmin") + seen_.count("oldmax") == 1)
             header_.notes.emplace_back("its fields 'old min' and 'old max' are not applied to the voxels");
+        // "min" and "max" are of the values. Units and thicknesses do not change the places of
+        // voxels.
         static const std::set<std::string> ignored{"content",     "number",           "sampleunits", "min",
                                                    "max",         "oldmin",           "oldmax",      "spaceunits",
                                                    "thicknesses", "measurementframe", "labels",      "units"};
@@ -232,10 +256,13 @@ private:
         const std::vector<std::string> words = words_of(value);
         if (words.empty())
             refuse_field("data file", value, "a name is wanted");
+        // "LIST [<subdim>]": names follow, one a line.
         if (words[0] == "LIST" && words.size() <= 2) {
             list_ = true;
             if (words.size() == 2)
                 file_axes_ = integer_of("data file", words[1]);
+            // "<format> <min> <max> <step> [<subdim>]". A plain name may have blanks and "%", so the
+            // number of words decides, too.
         } else if (value.find('%') != std::string::npos && (words.size() == 4 || words.size() == 5)) {
             for (const std::string& name :
                  names_of_pattern("data file", words[0], integer_of("data file", words[1]),
@@ -249,6 +276,7 @@ private:
         }
     }
 
+    // The NRRD definition puts "dimension" before all fields with a value for each axis.
     size_t axes(const std::string& field) const
     {
         if (dimension_ == 0)
@@ -270,10 +298,13 @@ private:
             if (seen_.count(field) == 0)
                 throw Error(CLEFT_ERROR_FORMAT, std::string("its header has no field '") + field + "'");
         VoxelData& data = header_.data;
+        // Text has no order of bytes. For hexadecimal data it is that of the bytes that the digits
+        // stand for.
         const bool binary = data.encoding != VoxelData::Encoding::text;
         if (binary && size_of(header_.component) > 1 && seen_.count("endian") == 0)
             throw Error(CLEFT_ERROR_FORMAT, "its header has no field 'endian'");
         for (const int64_t size : header_.sizes)
+            // checked_bytes() would refuse it, but without the name of the field.
             if (size < 1)
                 refuse_field("sizes", std::to_string(size), "an axis must have a voxel");
         if (data.lines < 0)
@@ -293,6 +324,8 @@ private:
     void place_from_the_end()
     {
         VoxelData& data = header_.data;
+        // "byte skip: -1" takes the last bytes of the file. In compressed data the end is not
+        // known.
         if (data.skip < -1 || (data.skip == -1 && data.encoding != VoxelData::Encoding::raw))
             refuse_field("byte skip", std::to_string(data.skip), "it may be -1 for raw data, and not less");
         if (data.skip == -1) {
@@ -306,6 +339,7 @@ private:
     void check_file_axes()
     {
         const auto dimension = static_cast<int64_t>(dimension_);
+        // The default of <subdim> is one axis less than there are: a file for each slice.
         const int64_t held = file_axes_ == 0 ? dimension - 1 : file_axes_;
         if (held < 1 || held > dimension)
             refuse_field("data file", std::to_string(held), "a file holds between one and all axes");

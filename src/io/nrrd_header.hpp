@@ -17,6 +17,7 @@ struct NrrdHeader {
     Component component = Component::uint8;
     VoxelData data;  // files and skips too
     // What is said of each axis; empty, or as long as `sizes`.
+    // No value: "none", an axis that is not of space.
     std::vector<std::optional<std::vector<double>>> directions;
     std::vector<double> spacings;
     std::vector<double> mins;
@@ -24,6 +25,7 @@ struct NrrdHeader {
     std::vector<std::string> centers;
     std::vector<std::string> kinds;
     // Of the space; empty and 0 if there is none.
+    // In small letters, as written. Its name is judged by set_nrrd_geometry().
     std::string space;
     size_t space_dimension = 0;
     std::vector<double> origin;

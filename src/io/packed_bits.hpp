@@ -8,6 +8,8 @@ namespace cleft::io
 {
 
 // Turns `count` numbers of 1, 2 or 4 bits into bytes.
+// `bits` is 1, 2 or 4. `voxels` has room for `count` bytes, `packed` holds count * bits bits,
+// rounded up to a byte. The order is that of TIFF with FillOrder 1, and of BMP.
 inline void unpack_bits(const unsigned char* packed, unsigned bits, int64_t count, std::byte* voxels)
 {
     const unsigned in_byte = 8 / bits;

@@ -1,3 +1,5 @@
+// Reads voxels without a header, whose layout the caller gives. Nothing in the file can show a
+// mistake but its size, so the size must fit exactly.
 #include "io/raw_image.hpp"
 
 #include "base/struct_size.hpp"
@@ -10,6 +12,8 @@
 #include <cmath>
 #include <filesystem>
 
+// The size of the struct in version 0.1. Callers that were compiled with it stay valid when fields
+// are added at the end.
 template <>
 inline constexpr size_t cleft::kFirstSize<cleft_io_raw> = CLEFT_END_OF(cleft_io_raw, spacing);
 
@@ -46,6 +50,7 @@ Component component_of(cleft_type type)
 cleft_io_raw checked_layout(const cleft_io_raw* raw)
 {
     cleft_io_raw layout = copy_in(*raw, "cleft_io_raw");
+    // Called for its Error only: a wrong type must be told before a file is opened.
     component_of(layout.type);
     check_kind(layout.kind);
     if (layout.skip < 0)
@@ -54,6 +59,7 @@ cleft_io_raw checked_layout(const cleft_io_raw* raw)
         if (layout.dims[axis] < 1)
             throw Error(CLEFT_ERROR_ARGUMENT, "there must be at least one voxel along each axis");
     const double* spacing = layout.spacing;
+    // All zeros is what a caller leaves who fills the struct with zeros, and means unit cubes.
     if (spacing[0] == 0 && spacing[1] == 0 && spacing[2] == 0)
         std::fill_n(layout.spacing, 3, 1.0);
     for (int axis = 0; axis < 3; ++axis)
@@ -68,13 +74,17 @@ Image read_raw_image(const std::string& path, const cleft_io_raw& layout)
     image.component = component_of(layout.type);
     std::copy_n(layout.dims, 3, image.dims.begin());
     std::copy_n(layout.spacing, 3, image.spacing.begin());
+    // The corner of the box lies at 0, so the first centre is half a voxel away.
     image.origin = times(0.5, image.spacing);
     std::error_code error;
     const uintmax_t size = std::filesystem::file_size(path, error);
     if (error)
         throw Error(CLEFT_ERROR_FILE, "cannot read '" + path + "': " + error.message());
     const uintmax_t expected =
+        // checked_bytes() is below 2^63 and so is skip: the sum fits.
         static_cast<uintmax_t>(layout.skip) + naming_file(path, [&] { return checked_bytes(image); });
+    // A file that is longer has a header or other dimensions. Reading its beginning would give a
+    // plausible, sheared picture.
     if (size != expected)
         throw Error(CLEFT_ERROR_FORMAT, "'" + path + "' has " + std::to_string(size) + " bytes, but its voxels" +
                                             (layout.skip > 0 ? " and what is skipped" : "") + " would have " +

@@ -11,6 +11,7 @@ namespace cleft::io
 
 // The caller's structure, whatever version of the header it knows. Throws if it makes no sense.
 cleft_io_raw checked_layout(const cleft_io_raw* raw);
+// `layout` is one that checked_layout() gave. Throws Error with the path in it.
 Image read_raw_image(const std::string& path, const cleft_io_raw& layout);
 
 }  // namespace cleft::io

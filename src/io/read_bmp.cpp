@@ -15,6 +15,7 @@ namespace cleft::io
 namespace
 {
 
+// BITMAPFILEHEADER, then BITMAPCOREHEADER (12 bytes) or BITMAPINFOHEADER and its longer successors, which begin alike.
 constexpr size_t file_header_bytes = 14;
 constexpr uint32_t oldest_header = 12;  // of OS/2, whose sizes are of 16 bits
 constexpr uint32_t common_header = 40;
@@ -32,6 +33,7 @@ Header parse(const FileHead& head)
     const BinaryHeader fields(head.bytes, false);
     const uint32_t header_bytes = fields.at<uint32_t>(file_header_bytes);
     Header header;
+    // bfOffBits: other programs leave gaps behind the palette, so the place is not computed.
     header.offset = fields.at<uint32_t>(10);
     if (header_bytes == oldest_header) {
         header.width = fields.at<uint16_t>(18);
@@ -50,11 +52,14 @@ Header parse(const FileHead& head)
 
 void check(const Header& header)
 {
+    // Colours cannot be turned into labels without guessing; a palette has numbers.
     if (header.bits == 16 || header.bits == 24 || header.bits == 32)
         throw Error(CLEFT_ERROR_FORMAT, "it has colours (" + std::to_string(header.bits) +
                                             " bits a voxel); a palette of at most 8 bits is wanted");
+    // 2 bits are of Windows CE; the others are in the definition of BITMAPINFOHEADER.
     if (header.bits != 1 && header.bits != 2 && header.bits != 4 && header.bits != 8)
         throw Error(CLEFT_ERROR_FORMAT, "it has " + std::to_string(header.bits) + " bits a voxel, which no BMP has");
+    // BI_RLE8 and BI_RLE4 may leave pixels out, which then have no number.
     if (header.compression != 0)
         throw Error(CLEFT_ERROR_FORMAT, "it is compressed (number " + std::to_string(header.compression) +
                                             "): save it uncompressed, or as PNG");
@@ -72,14 +77,18 @@ Image read_bmp(const std::string& path, const FileHead& head)
     check(header);
     Image image;
     image.dims = {header.width, std::abs(header.height), 1};
+    // Rows are padded to a multiple of 4 bytes.
     const auto row_bytes = static_cast<uint64_t>((header.width * header.bits + 31) / 32 * 4);
     ByteSource source(path, Coding::plain);
     source.skip(header.offset);
+    // Before memory is taken: a header of 54 bytes may claim 2^31 rows and columns.
     source.expect(row_bytes * static_cast<uint64_t>(image.dims[1]));
     allocate_voxels(image);
     std::vector<unsigned char> row(row_bytes);
     for (int64_t r = 0; r < image.dims[1]; ++r) {
         source.read(row.data(), row.size());
+        // A positive biHeight stores the lowest row first; the first row of the volume is the
+        // uppermost, as in PNG.
         const int64_t place = header.height > 0 ? image.dims[1] - 1 - r : r;
         std::byte* to = image.voxels.get() + place * image.dims[0];
         if (header.bits < 8)

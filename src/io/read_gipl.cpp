@@ -13,10 +13,13 @@ namespace
 {
 
 constexpr size_t gipl_header_bytes = 256;
+// The two magic numbers in use, in the last four bytes of the header.
 constexpr uint32_t marks[] = {719555000, 4026526128};
 
 Component component_of(uint16_t type)
 {
+    // Type 1 is binary: programs store it with a byte for each voxel. Complex types and colours are
+    // left out.
     static const std::map<uint16_t, Component> types{
         {1, Component::uint8},  {7, Component::int8},     {8, Component::uint8},
         {15, Component::int16}, {16, Component::uint16},  {31, Component::uint32},
@@ -49,9 +52,12 @@ Image read_gipl(const std::string& path, const FileHead& head)
     for (size_t axis = 0; axis < 3; ++axis) {
         image.spacing[axis] = static_cast<double>(header.at<float>(10 + 4 * axis));
         image.origin[axis] = header.at<double>(204 + 8 * axis);
+        // The origin says where the first voxel is, but a negative size leaves open whether x grows
+        // from there.
         if (image.spacing[axis] < 0)
             refuse_field("pixel size", std::to_string(image.spacing[axis]), "it must be positive");
     }
+    // A single slice is as thick as it is wide.
     if (image.dims[2] == 1 && image.spacing[2] == 0)
         image.spacing[2] = image.spacing[0];
     VoxelData data;
@@ -59,6 +65,7 @@ Image read_gipl(const std::string& path, const FileHead& head)
     data.attached = true;
     data.files = {path};
     data.encoding = head.gzip ? VoxelData::Encoding::deflated : VoxelData::Encoding::raw;
+    // skip counts decompressed bytes, so it is right where the whole file is gzip, too.
     data.skip = gipl_header_bytes;
     read_voxels(data, image);
     return image;

@@ -17,6 +17,7 @@ namespace
 
 constexpr int64_t tetrahedron = 4;
 
+// What is needed to pass over an element: how many points it has, and whether it may be skipped.
 struct ElementType {
     int dimension;
     int points;
@@ -32,12 +33,16 @@ constexpr std::array<ElementType, 32> element_types = {{
 class GmshReader
 {
 public:
+    // The whole file is read into memory first. Positions in binary sections are then plain
+    // pointers.
     explicit GmshReader(const std::string& path) : in_(path) {}
 
     MeshData read()
     {
         if (in_.at_end() || in_.word() != "$MeshFormat")
             in_.fail("a Gmsh file begins with $MeshFormat");
+        // Sections may come in any order and number, and unknown ones are skipped: $Periodic,
+        // $NodeData, $Comments.
         in_.skip_line();
         read_format();
         while (!in_.at_end())
@@ -74,6 +79,7 @@ private:
     bool version_4_ = false;
     bool binary_ = false;
     bool has_elements_ = false;
+    // A map, since group numbers are sparse: labels of an atlas have five digits.
     std::map<int64_t, int32_t> named_labels_;       // of physical groups whose name tells the label
     std::map<int64_t, int64_t> groups_of_volumes_;  // first physical group of each volume
     PointNumbers numbers_;
@@ -94,6 +100,8 @@ const ElementType& GmshReader::type_of(int64_t type)
     if (type < 1 || type >= static_cast<int64_t>(element_types.size()))
         in_.unsupported("elements of type " + std::to_string(type) + " are not known");
     const ElementType& found = element_types[static_cast<size_t>(type)];
+    // Skipping a prism or a second-order tetrahedron would leave a hole in the mesh, so they are
+    // refused. Points, lines and plane elements are only the boundary.
     if (found.dimension == 3 && type != tetrahedron)
         in_.unsupported("elements of type " + std::to_string(type) + " are no tetrahedra with four corners");
     return found;
@@ -122,6 +130,7 @@ int32_t GmshReader::label_of_group(int64_t group) const
     const auto named = named_labels_.find(group);
     if (named != named_labels_.end())
         return named->second;
+    // int64 to double is exact up to 2^53, and larger numbers are no labels either way.
     if (!is_label(static_cast<double>(group)))
         in_.fail("the number " + std::to_string(group) + " of a volume is not one of 32 bits");
     return static_cast<int32_t>(group);
@@ -130,13 +139,18 @@ int32_t GmshReader::label_of_group(int64_t group) const
 void GmshReader::read_format()
 {
     const std::string version(in_.word());
+    // 4.0 orders the fields in another way, and was soon replaced by 4.1. Version 1 has other
+    // keywords.
     version_4_ = version == "4.1";
     if (!version_4_ && version != "2.2" && version != "2")
         in_.unsupported("version " + version.substr(0, 10) + " cannot be read, only 2.2 and 4.1");
+    // "file-type": 0 for text, 1 for binary. "data-size" is sizeof(size_t), always 8 in today's
+    // files.
     binary_ = in_.integer() == 1;
     if (in_.integer() != 8)
         in_.unsupported("only numbers of 8 bytes can be read");
     in_.skip_line();
+    // The number 1 behind the header line shows the order of bytes.
     if (binary_ && in_.binary<int32_t>() != 1)
         in_.unsupported("the file was written on a machine with another order of bytes");
     if (in_.word() != "$EndMeshFormat")
@@ -156,17 +170,21 @@ void GmshReader::read_section(const std::string& section)
         version_4_ ? read_elements_41() : read_elements_22();
     else if (section.size() < 2 || section[0] != '$')
         in_.fail("a section was expected, not '" + section.substr(0, 40) + "'");
+    // The end mark is searched for, so that a section with further fields, or an unknown one, can
+    // be passed over.
     in_.skip_past("$End" + section.substr(1));
 }
 
 void GmshReader::read_physical_names()
 {
+    // At least "2 1 \"\"" and an end of line for each name; four bytes are a safe lower bound.
     const int64_t count = in_.count(4, "physical names");
     for (int64_t i = 0; i < count; ++i) {
         const int64_t dimension = in_.integer();
         const int64_t group = in_.integer();
         const std::string line(in_.rest_of_line());
         const size_t begin = line.find('"');
+        // From both ends of the line, as a name may have quotes in it.
         const size_t end = line.rfind('"');
         if (begin == std::string::npos || end == begin)
             in_.fail("a physical name must be in quotes");
@@ -193,19 +211,24 @@ void GmshReader::name_group(int64_t group, const std::string& text)
 void GmshReader::read_entities()
 {
     std::array<int64_t, 4> counts{};
+    // Points, curves, surfaces and volumes. A point takes 36 bytes in binary, and 8 are a safe
+    // lower bound in text, too.
     for (int64_t& count : counts)
         count = large_count(8, "entities");
     for (int dimension = 0; dimension < 4; ++dimension)
         for (int64_t i = 0; i < counts[static_cast<size_t>(dimension)]; ++i) {
             const int64_t number = small();
+            // A point has its coordinates, everything else its bounding box.
             for (int b = 0; b < (dimension == 0 ? 3 : 6); ++b)
                 real();
             const int64_t groups = large_count(1, "physical groups");
             for (int64_t g = 0; g < groups; ++g) {
                 const int64_t group = small();
+                // A tetrahedron has one label, so of several physical groups the first one decides.
                 if (dimension == 3 && g == 0)
                     groups_of_volumes_[number] = group;
             }
+            // Signed tags of the entities around this one. A mesh of tetrahedra does not need them.
             const int64_t boundaries = dimension > 0 ? large_count(1, "boundaries") : 0;
             for (int64_t b = 0; b < boundaries; ++b)
                 small();
@@ -228,6 +251,7 @@ void GmshReader::read_nodes_41()
 {
     const int64_t blocks = large_count(4, "blocks of points");
     const int64_t count = large_count(6, "points");
+    // The least and the greatest number of a point follow. They would only help to choose a table.
     large();
     large();
     mesh_.points.reserve(static_cast<size_t>(3 * count));
@@ -235,8 +259,11 @@ void GmshReader::read_nodes_41()
     for (int64_t block = 0; block < blocks; ++block) {
         const int64_t dimension = small();
         small();
+        // "parametric": then as many coordinates on the entity as it has dimensions follow each
+        // point.
         const int64_t parameters = small() != 0 ? dimension : 0;
         const int64_t points = large_count(6, "points");
+        // A block has all its numbers first and then all its points.
         std::vector<int64_t> numbers(static_cast<size_t>(points));
         for (int64_t& number : numbers)
             number = large();
@@ -262,6 +289,8 @@ void GmshReader::read_elements_22()
         const int64_t type = small();
         const int64_t block = binary_ ? small() : 1;
         const int64_t tags = small();
+        // A thousand tags are far more than physical group, entity and partitions need. A larger
+        // number is damage and would cost time.
         if (block < 1 || block > count - done || tags < 0 || tags > 1000)
             in_.fail("the elements after the first " + std::to_string(done) + " are damaged");
         const ElementType& kind = type_of(type);
@@ -278,6 +307,8 @@ void GmshReader::read_element_22(const ElementType& type, int64_t tags)
     int64_t label = 0;
     for (int64_t t = 0; t < tags; ++t) {
         const int64_t tag = small();  // physical group, entity, partitions
+        // Version 2.2: the first tag is the physical group, the second the entity. Group 0 means
+        // that there is none.
         if (t == 0 || (t == 1 && label == 0))
             label = tag;
     }
@@ -302,6 +333,8 @@ void GmshReader::read_elements_41()
         small();
         const int64_t entity = small();
         const ElementType& type = type_of(small());
+        // Number and corners of an element, each with a digit and a blank in text; binary has 8
+        // bytes for each.
         const int64_t count = large_count(2 + 2 * type.points, "elements");
         const auto group = groups_of_volumes_.find(entity);
         const bool named = group != groups_of_volumes_.end();

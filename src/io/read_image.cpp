@@ -18,6 +18,8 @@ struct Reader {
     Image (*read)(const std::string& path, const FileHead& head);
 };
 
+// Formats with a sure mark come first. Foreign marks stand before NIfTI, since Analyze is known by
+// little more than a number, and foreign extensions come last.
 constexpr Reader readers[] = {
     {"DICOM", is_dicom, read_dicom_image},
     {"NRRD", is_nrrd, read_nrrd},
@@ -49,6 +51,8 @@ Image read_image(const std::string& path)
 {
     try {
         Image image = read_by_table(path);
+        // Notes, names and messages may carry text of the file. Control characters in it could
+        // change what a terminal shows.
         for (std::string& note : image.notes)
             note = printable(note);
         for (auto& [label, name] : image.names)

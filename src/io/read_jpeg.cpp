@@ -50,6 +50,8 @@ void print_nothing(j_common_ptr) {}
 // A file of many scans over many voxels would be decoded for hours.
 void check_scans(j_common_ptr jpeg)
 {
+    // The authors of libjpeg-turbo advise such a limit against hostile files. Progressive files
+    // have about ten scans.
     constexpr int most_scans = 500;
     if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number <= most_scans)
         return;
@@ -60,6 +62,8 @@ void check_scans(j_common_ptr jpeg)
 
 bool read_jpeg_header(JpegDecoder& decoder, std::FILE* file)
 {
+    // libjpeg's default error handler calls exit(). It is replaced before the first call that may
+    // fail.
     if (setjmp(decoder.leave))
         return false;
     decoder.jpeg.err = jpeg_std_error(&decoder.errors);
@@ -67,6 +71,7 @@ bool read_jpeg_header(JpegDecoder& decoder, std::FILE* file)
     decoder.errors.error_exit = leave;
     decoder.errors.emit_message = keep_message;
     decoder.errors.output_message = print_nothing;
+    // It clears the struct but keeps `err` and `client_data`, so both may be set before it.
     jpeg_create_decompress(&decoder.jpeg);
     decoder.progress.progress_monitor = check_scans;
     decoder.jpeg.progress = &decoder.progress;
@@ -91,6 +96,7 @@ bool read_rows(JpegDecoder& decoder, std::byte* voxels)
 
 [[noreturn]] void damaged(const JpegDecoder& decoder)
 {
+    // Want of memory comes as one of libjpeg's errors, too.
     check_for_want_of_memory();
     throw Error(CLEFT_ERROR_FORMAT, std::string("it is damaged or cut short (libjpeg: '") + decoder.message + "')");
 }
@@ -98,6 +104,8 @@ bool read_rows(JpegDecoder& decoder, std::byte* voxels)
 void check_jpeg(const JpegDecoder& decoder, uintmax_t file_bytes)
 {
     constexpr double most_expansion = 4096;  // a block of 64 voxels takes about a bit
+    // Three components are colours and four are print colours. Grey has one, whatever JFIF or Adobe
+    // markers say.
     if (decoder.jpeg.num_components != 1)
         throw Error(CLEFT_ERROR_FORMAT, "it has " + std::to_string(decoder.jpeg.num_components) +
                                             " numbers a voxel (colours); one is wanted");
@@ -112,6 +120,7 @@ bool is_jpeg(const FileHead& head) { return !head.gzip && head.begins_with("\xff
 
 Image read_jpeg(const std::string& path, const FileHead& head)
 {
+    // The file is held by a smart pointer here, outside of the functions that longjmp() leaves.
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file)
         throw_system_failure("it cannot be opened", errno);
@@ -125,6 +134,7 @@ Image read_jpeg(const std::string& path, const FileHead& head)
     allocate_voxels(image);
     if (!read_rows(decoder, image.voxels.get()))
         damaged(decoder);
+    // Quantization changes numbers near the boundaries of labels, even at the highest quality.
     image.notes.emplace_back("it is compressed by JPEG, which changes labels");
     return image;
 }

@@ -31,6 +31,7 @@ MetaHeader read_meta_header(const std::string& path)
     TextSource source(path);
     MetaHeader header;
     std::string line;
+    // ElementDataFile is the last field by definition: binary data follow it in .mha files.
     while (header.fields.count("ElementDataFile") == 0) {
         if (!source.next_line(line))
             throw Error(CLEFT_ERROR_FORMAT, "its header has no field 'ElementDataFile', or is cut short");
@@ -43,10 +44,12 @@ MetaHeader read_meta_header(const std::string& path)
         if (sign == std::string::npos || key.empty())
             throw Error(CLEFT_ERROR_FORMAT, "the line '" + line.substr(0, 40) + "' of its header is no field");
         const std::string value(trimmed(line.substr(sign + 1)));
+        // Of two values nobody knows the right one. Comments may be repeated.
         if (!header.fields.emplace(key, value).second && key != "Comment")
             refuse_field(key, value, "it stands there twice");
     }
     header.end = source.position();
+    // Behind LIST, the names of the files follow, one a line.
     if (is_list(header.fields["ElementDataFile"]))
         while (source.next_line(line))
             if (!trimmed(line).empty())
@@ -70,6 +73,8 @@ bool truth_of(const Fields& fields, const std::string& key, bool otherwise)
 // The value of the first key that is there, or null; they are names of one thing.
 const Fields::value_type* one_of(const Fields& fields, std::initializer_list<const char*> keys)
 {
+    // The format has several names for one thing. Two that differ leave the place of the voxels
+    // open, so they are refused.
     const Fields::value_type* first = nullptr;
     for (const char* key : keys) {
         const auto found = fields.find(key);
@@ -85,6 +90,8 @@ const Fields::value_type* one_of(const Fields& fields, std::initializer_list<con
 
 Component component_of(const Fields& fields)
 {
+    // The numeric types of MetaIO's metaTypes.h. Arrays of them (MET_FLOAT_ARRAY) and text are not
+    // voxels.
     static const std::map<std::string, Component> types{
         {"MET_CHAR", Component::int8},       {"MET_UCHAR", Component::uint8},       {"MET_SHORT", Component::int16},
         {"MET_USHORT", Component::uint16},   {"MET_INT", Component::int32},         {"MET_UINT", Component::uint32},
@@ -103,6 +110,7 @@ Component component_of(const Fields& fields)
 std::vector<int64_t> sizes_of(const Fields& fields)
 {
     const auto kind = fields.find("ObjectType");
+    // MetaIO stores tubes, meshes and scenes under the same keys.
     if (kind != fields.end() && kind->second != "Image")
         refuse_field("ObjectType", kind->second, "only an Image is a volume");
     for (const char* key : {"NDims", "DimSize"})
@@ -133,6 +141,8 @@ void set_directions(const Fields& fields, size_t axes, Image& image)
     const size_t space = std::min<size_t>(axes, 3);
     for (size_t axis = 0; axis < axes; ++axis)
         for (size_t row = 0; row < axes; ++row)
+            // A fourth axis counts volumes. Turned into space, it would move the voxels from volume
+            // to volume.
             if ((axis > 2) != (row > 2) && numbers[axis * axes + row] != 0)
                 refuse_field(matrix->first, matrix->second, "the fourth axis is turned into the others");
     for (size_t axis = 0; axis < space; ++axis) {
@@ -143,6 +153,8 @@ void set_directions(const Fields& fields, size_t axes, Image& image)
         if (!(norm > 0) || !std::isfinite(norm))
             refuse_field(matrix->first, matrix->second, "an axis has no direction");
         image.directions[axis] = times(1 / norm, direction);
+        // ITK scales directions to length 1, but files of other programs keep the spacing in the
+        // matrix.
         image.spacing[axis] *= norm;
     }
 }
@@ -151,6 +163,8 @@ void set_geometry(const Fields& fields, size_t axes, Image& image)
 {
     const size_t space = std::min<size_t>(axes, 3);
     const auto spacing = fields.find("ElementSpacing");
+    // ElementSize is the size of a voxel in the scanner, which may overlap. ElementSpacing is the
+    // distance that counts.
     const auto size = spacing != fields.end() ? spacing : fields.find("ElementSize");
     if (size != fields.end()) {
         const std::vector<double> numbers = reals_of(size->first, size->second, axes);
@@ -164,6 +178,7 @@ void set_geometry(const Fields& fields, size_t axes, Image& image)
     }
     set_directions(fields, axes, image);
     for (size_t axis = 0; axis < space; ++axis)
+        // A negative spacing is a flipped axis; the grid itself stays the same.
         if (image.spacing[axis] < 0) {
             image.spacing[axis] = -image.spacing[axis];
             image.directions[axis] = times(-1, image.directions[axis]);
@@ -192,6 +207,7 @@ std::vector<std::string> files_of(const MetaHeader& header, const std::vector<in
     if (words.empty())
         refuse_field("ElementDataFile", value, "a name is wanted");
     if (is_list(value)) {
+        // The number says how many axes each file of the list has.
         std::string held = value.substr(4);  // "LIST", "LIST2D", "LIST 2D"
         held = std::string(trimmed(held));
         if (!held.empty() && (held.back() == 'D' || held.back() == 'd'))
@@ -209,6 +225,7 @@ std::vector<std::string> files_of(const MetaHeader& header, const std::vector<in
     };
     if (words.size() > 4)
         refuse_field("ElementDataFile", value, "a pattern is followed by the first number, the last, and the step");
+    // MetaIO's pattern: first number, last, and step, which all have defaults.
     const std::vector<std::string> files =
         names_of_pattern("ElementDataFile", words[0], number(1, 1), number(2, sizes.back()), number(3, 1));
     check_number_of_files(files, axes - 1, sizes);
@@ -218,6 +235,7 @@ std::vector<std::string> files_of(const MetaHeader& header, const std::vector<in
 void set_encoding(const Fields& fields, Component component, VoxelData& data, Image& image)
 {
     const bool compressed = truth_of(fields, "CompressedData", false);
+    // Both names are in use; the first is that of ITK's writer.
     const auto* order = one_of(fields, {"BinaryDataByteOrderMSB", "ElementByteOrderMSB"});
     if (order)
         data.big_endian = truth_of(fields, order->first, false);
@@ -233,6 +251,7 @@ void set_encoding(const Fields& fields, Component component, VoxelData& data, Im
         return;
     data.encoding = VoxelData::Encoding::deflated;
     const auto length = fields.find("CompressedDataSize");
+    // With the length, bytes behind the compressed data are not taken for a second gzip member.
     if (length != fields.end() && data.files.size() == 1) {
         const int64_t bytes = integer_of("CompressedDataSize", length->second);
         if (bytes < 1)
@@ -245,6 +264,7 @@ VoxelData data_of(const std::string& path, const MetaHeader& header, const std::
 {
     VoxelData data;
     const std::string value = in_small_letters(header.fields.at("ElementDataFile"));
+    // "LOCAL": the data follow the header, as in .mha.
     if (value == "local") {
         data.files = {path};
         data.attached = true;
@@ -254,6 +274,7 @@ VoxelData data_of(const std::string& path, const MetaHeader& header, const std::
             data.files.push_back(beside(path, name));
     }
     set_encoding(header.fields, image.component, data, image);
+    // -1: the data are at the end of the file, whatever stands before them.
     const auto skip = header.fields.find("HeaderSize");
     if (skip != header.fields.end()) {
         const int64_t bytes = integer_of("HeaderSize", skip->second);
@@ -268,6 +289,8 @@ VoxelData data_of(const std::string& path, const MetaHeader& header, const std::
 // Fields that change nothing about voxels and places.
 void note_other_fields(const Fields& fields, Image& image)
 {
+    // Fields of MetaIO that say nothing of voxels, and those that are read above. Others are told,
+    // as they may be misspelt.
     static const std::set<std::string> known{"ObjectType",
                                              "ObjectSubType",
                                              "NDims",
@@ -312,6 +335,8 @@ void note_other_fields(const Fields& fields, Image& image)
         const auto found = fields.find(key);
         return found != fields.end() && real_of(key, found->second) != neutral;
     };
+    // They turn numbers into a measured quantity. MetaIO's readers do not apply them to the voxels
+    // either.
     if (differs("ElementToIntensityFunctionSlope", 1) || differs("ElementToIntensityFunctionOffset", 0) ||
         differs("ElementToIntensityFunctionIntercept", 0))
         image.notes.emplace_back("its field 'ElementToIntensityFunctionSlope' is not applied to the voxels");

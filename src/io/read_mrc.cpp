@@ -14,8 +14,10 @@ namespace cleft::io
 namespace
 {
 
+// Offsets are those of the words of MRC2014 (Cheng et al., 2015), four bytes each and counted from 1: word 53 is MAP.
 constexpr size_t mrc_header_bytes = 1024;
 constexpr size_t mark_place = 208;
+// "IMOD" in word 39: the flags in word 40 are then those of IMOD, whose first bit is for signed bytes.
 constexpr int32_t imod_stamp = 1146047817;
 
 // Bytes are signed since 2014; before, and in files of IMOD that do not say so, they are not.
@@ -23,12 +25,14 @@ bool has_signed_bytes(const BinaryHeader& header)
 {
     if (header.at<int32_t>(152) == imod_stamp)
         return header.at<int32_t>(156) & 1;
+    // NVERSION: the year times 10 and the version within it. Before MRC2014 it is 0 or noise.
     const auto version = header.at<int32_t>(108);
     return version >= 20140 && version < 20200;
 }
 
 Component component_of(const BinaryHeader& header)
 {
+    // MODE of MRC2014. Modes 3 and 4 are complex, 12 is half precision, and 101 has four bits.
     const auto mode = header.at<int32_t>(12);
     switch (mode) {
         case 0:
@@ -47,13 +51,18 @@ Component component_of(const BinaryHeader& header)
 void check_axes(const BinaryHeader& header)
 {
     for (size_t axis = 0; axis < 3; ++axis) {
+        // MAPC, MAPR and MAPS, words 17 to 19. 0 is what some programs leave, and means the usual
+        // order.
         const auto which = header.at<int32_t>(64 + 4 * axis);
         if (which != 0 && which != static_cast<int32_t>(axis) + 1)
             refuse_field("MAPC, MAPR, MAPS", std::to_string(which), "only axes in the order x, y, z can be read");
+        // CELLB, words 14 to 16: the angles of the cell. Crystals may have others, which would
+        // shear the grid.
         const auto angle = header.at<float>(52 + 4 * axis);
         if (angle != 0 && !(std::abs(angle - 90) < 1e-3F))
             refuse_field("CELLB", std::to_string(angle), "only right angles can be read");
     }
+    // ISPG, word 23: 401 and above are stacks of volumes.
     const auto group = header.at<int32_t>(88);
     if (group > 400)
         refuse_field("ISPG", std::to_string(group), "a stack of volumes cannot be read");
@@ -62,6 +71,7 @@ void check_axes(const BinaryHeader& header)
 void set_place(const BinaryHeader& header, Image& image)
 {
     for (size_t axis = 0; axis < 3; ++axis) {
+        // The size of a voxel is CELLA over MX, MY, MZ, in angstroms.
         const auto steps = header.at<int32_t>(28 + 4 * axis);
         const auto extent = static_cast<double>(header.at<float>(40 + 4 * axis));
         image.spacing[axis] = steps > 0 && extent != 0 ? extent / steps : 1;
@@ -70,6 +80,8 @@ void set_place(const BinaryHeader& header, Image& image)
                                   " axis, which is taken for 1");
         if (image.spacing[axis] < 0)
             refuse_field("CELLA", std::to_string(extent), "it must be positive");
+        // ORIGIN, words 50 to 52, in angstroms. NXSTART and its kin give the place in voxels, in
+        // older files. Programs disagree about them, so they are told and not used.
         image.origin[axis] = static_cast<double>(header.at<float>(196 + 4 * axis));
         if (header.at<int32_t>(16 + 4 * axis) != 0 && image.origin[axis] == 0)
             image.notes.push_back("its first voxel has the number " +
@@ -87,6 +99,8 @@ bool is_mrc(const FileHead& head)
 
 Image read_mrc(const std::string& path, const FileHead& head)
 {
+    // MACHST, word 54: 0x44 for little-endian and 0x11 for big-endian. 0 is what old programs
+    // leave.
     const unsigned char stamp = head.content[mark_place + 4];
     if (stamp != 0x44 && stamp != 0x11 && stamp != 0)
         refuse_field("MACHST", std::to_string(stamp), "the order of bytes is not known");
@@ -100,6 +114,7 @@ Image read_mrc(const std::string& path, const FileHead& head)
     image.component = component_of(header);
     check_axes(header);
     set_place(header, image);
+    // NSYMBT, word 24: bytes of the extended header, which lies between header and voxels.
     const auto extension = header.at<int32_t>(92);
     if (extension < 0)
         refuse_field("NSYMBT", std::to_string(extension), "it must not be negative");
@@ -109,6 +124,7 @@ Image read_mrc(const std::string& path, const FileHead& head)
     data.files = {path};
     data.skip = static_cast<int64_t>(mrc_header_bytes) + extension;
     read_voxels(data, image);
+    // Only such bytes differ between the two readings of mode 0, so only they need a warning.
     const auto is_high = [](std::byte byte) { return byte >= std::byte{128}; };
     if (size_of(image.component) == 1 && std::any_of(image.voxels.get(), image.voxels.get() + image.bytes(), is_high))
         image.notes.push_back(image.component == Component::int8

@@ -32,6 +32,7 @@ bool ends_with(const std::string& text, const std::string& end)
     return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
+// By the bytes and not by the name: programs name compressed files .nii and plain ones .nii.gz.
 bool is_gzip(const std::string& path)
 {
     ByteSource source(path, Coding::plain);
@@ -51,6 +52,8 @@ std::string without_extension(const std::string& path)
 std::string partner(const std::string& path, const std::string& small, const std::string& capital)
 {
     const std::string stem = without_extension(path);
+    // The pair may be compressed in one of its files, and comes in capitals from file systems
+    // without case.
     for (const std::string& end : {small, small + ".gz", capital, capital + ".GZ"})
         if (std::filesystem::exists(stem + end))
             return stem + end;
@@ -65,6 +68,7 @@ NiftiHeader read_nifti_header(const std::string& path)
     ByteSource source(path, coding_of(path));
     std::vector<unsigned char> bytes(nifti2_header_bytes);
     bytes.resize(source.read_some(bytes.data(), bytes.size()));
+    // The name says NIfTI, so a short file is called cut short and not unknown.
     if (bytes.size() < nifti1_header_bytes)
         throw Error(CLEFT_ERROR_FORMAT, "it has " + std::to_string(bytes.size()) + " bytes; a header of NIfTI has " +
                                             std::to_string(nifti1_header_bytes));
@@ -79,6 +83,8 @@ struct NiftiType {
     Component component;
 };
 
+// DT_ codes of nifti1.h with their bits. Single bits are stored in an order that nifti1.h does not
+// define.
 constexpr NiftiType nifti_types[] = {
     {2, 8, Component::uint8},      {4, 16, Component::int16},    {8, 32, Component::int32},
     {16, 32, Component::float32},  {64, 64, Component::float64}, {256, 8, Component::int8},
@@ -111,6 +117,8 @@ Component component_of(const NiftiHeader& header)
     for (const NiftiType& type : nifti_types) {
         if (type.code != header.datatype)
             continue;
+        // The two fields must agree. Which of them is wrong cannot be known, and the voxels would
+        // be shifted.
         if (type.bits != header.bitpix)
             throw Error(CLEFT_ERROR_FORMAT, "its datatype, " + std::to_string(header.datatype) + ", has " +
                                                 std::to_string(type.bits) + " bits, but its bitpix is " +
@@ -122,6 +130,8 @@ Component component_of(const NiftiHeader& header)
 }
 
 // What is no volume of numbers, whatever its dimensions are.
+// NIFTI_INTENT_ codes of nifti1.h. A vector in three components would pass for three volumes, and
+// surface data for a volume of one row.
 void check_intent(int intent)
 {
     const auto refuse = [&](const char* what) {
@@ -145,6 +155,7 @@ void check_intent(int intent)
 // Makes those that are not used 1.
 void check_dimensions(NiftiHeader& header)
 {
+    // nifti1.h: dim[0] is 1 to 7. Fields beyond it are undefined; some programs leave 0 there.
     const int64_t axes = header.dim[0];
     if (axes < 1 || axes > 7)
         throw Error(CLEFT_ERROR_FORMAT, "its number of dimensions, dim[0], is " + std::to_string(axes));
@@ -155,6 +166,7 @@ void check_dimensions(NiftiHeader& header)
             throw Error(CLEFT_ERROR_FORMAT, "dim[" + std::to_string(axis) + "] is " + std::to_string(header.dim[axis]) +
                                                 ": it has no voxels");
     }
+    // nifti1.h keeps the fifth dimension for several values at each voxel.
     if (header.dim[5] > 1)
         throw Error(CLEFT_ERROR_FORMAT, "it has " + std::to_string(header.dim[5]) +
                                             " numbers a voxel (its fifth dimension); one is wanted");
@@ -164,8 +176,12 @@ void check_dimensions(NiftiHeader& header)
 
 uintmax_t offset_of_voxels(const NiftiHeader& header)
 {
+    // nifti1.h requires 352 bytes at least before the voxels of a single file. In a pair they may
+    // begin at 0.
     const double least = header.single_file ? static_cast<double>(header.bytes() + nifti_extension_mark) : 0;
     const double offset = header.vox_offset;
+    // NIfTI-1 stores the offset as a float, which may be NaN. 2^53 is the last whole number that a
+    // double counts by ones.
     if (!(offset >= least) || offset != std::floor(offset) || offset > 0x1p53)
         throw Error(CLEFT_ERROR_FORMAT,
                     "its vox_offset is " + number_text(offset) + "; " + number_text(least) + " or more is wanted");
@@ -190,6 +206,8 @@ void skip_extensions(ByteSource& source, const NiftiHeader& header, uintmax_t of
     unsigned char mark[nifti_extension_mark];
     source.read(mark, sizeof mark);
     uintmax_t left = offset - header.bytes() - sizeof mark;
+    // Each extension begins with its size (esize, a multiple of 16) and its code. Sizes are
+    // followed so that a wrong vox_offset shows.
     while (mark[0] != 0 && left >= size_and_code) {
         unsigned char head[size_and_code];
         source.read(head, sizeof head);
@@ -216,6 +234,7 @@ void read_voxels(const std::string& path, const NiftiHeader& header, Image& imag
     } else {
         source.skip(offset);
     }
+    // Before memory is taken for what the header claims.
     source.expect(checked_bytes(image));
     allocate_voxels(image);
     source.read(image.voxels.get(), image.bytes());
@@ -225,6 +244,8 @@ void read_voxels(const std::string& path, const NiftiHeader& header, Image& imag
 }
 
 // SPM keeps the place of Analyze's voxels in a file of Matlab's.
+// The matrix in it may differ from the header's. Reading MATLAB's format for it is not worth the
+// code, so it is told.
 void note_spm_file(const std::string& path, Image& image)
 {
     const std::string name = without_extension(path) + ".mat";
@@ -235,6 +256,7 @@ void note_spm_file(const std::string& path, Image& image)
 
 Names names_of(const std::string& path, const FileHead& head)
 {
+    // Users give either file of a pair.
     if (is_voxels_of_pair(head.extension))
         return {partner(path, ".hdr", ".HDR"), path};
     return {path, path};
@@ -253,6 +275,7 @@ Image read_nifti(const std::string& path, const FileHead& head)
     Names names = names_of(path, head);
     NiftiHeader header = read_nifti_header(names.header);
     if (header.single_file)
+        // "n+1" in a file called .img is a single file with a wrong name.
         names.voxels = names.header;
     else if (names.voxels == names.header)
         names.voxels = partner(path, ".img", ".IMG");
@@ -265,6 +288,7 @@ Image read_nifti(const std::string& path, const FileHead& head)
     set_nifti_geometry(header, image);
     if (header.kind == NiftiKind::analyze)
         note_spm_file(path, image);
+    // An error in the other file must name it, as the user did not.
     if (names.voxels == path)
         read_voxels(path, header, image);
     else

@@ -27,6 +27,7 @@ void separate_fields(Image& image)
 
 }  // namespace
 
+// Editors of text put a mark of UTF-8 before hand-written headers.
 bool is_nrrd(const FileHead& head)
 {
     const std::string_view text = head.text();
@@ -46,8 +47,11 @@ Image read_nrrd(const std::string& path, const FileHead&)
         image.fields = header.sizes[*axes.other];
     set_nrrd_geometry(header, axes, image);
     read_voxels(header.data, image);
+    // An axis of fields in front is the fastest: the numbers of one voxel lie side by side, as
+    // Slicer writes layers.
     if (axes.other && *axes.other < axes.space.front())
         separate_fields(image);
+    // Last, as layers must be separate fields by then.
     if (has_segments(header.keys))
         apply_segments(header.keys, image);
     return image;

@@ -17,7 +17,7 @@ namespace cleft::io
 namespace
 {
 
-constexpr size_t signature_bytes = 8;
+constexpr size_t signature_bytes = 8;  // PNG specification, section 5.2
 
 // What libpng's calls share. libpng leaves them by longjmp, which passes over destructors: so the functions that call
 // it have none to run.
@@ -39,6 +39,8 @@ struct PngDecoder {
     png_longjmp(png, 1);
 }
 
+// Warnings are of colour profiles, text and time, which do not concern the numbers. Damaged voxels
+// are errors.
 void drop_warning(png_structp, png_const_charp) {}
 
 bool read_png_header(PngDecoder& decoder, std::FILE* file)
@@ -46,6 +48,8 @@ bool read_png_header(PngDecoder& decoder, std::FILE* file)
     if (setjmp(png_jmpbuf(decoder.png)))
         return false;
     png_init_io(decoder.png, file);
+    // libpng refuses pictures above a million pixels a side by default. The true bound is the size
+    // of the file, which check_png() uses.
     png_set_user_limits(decoder.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_read_info(decoder.png, decoder.info);
     return true;
@@ -53,6 +57,7 @@ bool read_png_header(PngDecoder& decoder, std::FILE* file)
 
 bool read_rows(PngDecoder& decoder, png_bytepp rows)
 {
+    // Set in each function anew: a jump into a function that has returned is undefined.
     if (setjmp(png_jmpbuf(decoder.png)))
         return false;
     png_set_packing(decoder.png);  // numbers of 1, 2 and 4 bits as bytes, not stretched
@@ -60,6 +65,7 @@ bool read_rows(PngDecoder& decoder, png_bytepp rows)
     png_set_interlace_handling(decoder.png);
     png_read_update_info(decoder.png, decoder.info);
     png_read_image(decoder.png, rows);
+    // Reads the chunks behind the picture, so that a file that is cut short there is noticed.
     png_read_end(decoder.png, nullptr);
     return true;
 }
@@ -73,12 +79,14 @@ bool read_rows(PngDecoder& decoder, png_bytepp rows)
 void check_png(const PngDecoder& decoder, uintmax_t file_bytes)
 {
     const int colour = png_get_color_type(decoder.png, decoder.info);
+    // With a palette the number is the label and the colour is for the eye.
     if (colour != PNG_COLOR_TYPE_GRAY && colour != PNG_COLOR_TYPE_PALETTE)
         throw Error(CLEFT_ERROR_FORMAT,
                     "it has " + std::to_string(png_get_channels(decoder.png, decoder.info)) +
                         (colour == PNG_COLOR_TYPE_GRAY_ALPHA ? " numbers a voxel (grey and transparency)"
                                                              : " numbers a voxel (colours)") +
                         "; one is wanted");
+    // IDAT is a zlib stream (PNG specification, section 10.1), so its expansion has a bound.
     const double decoded = static_cast<double>(png_get_rowbytes(decoder.png, decoder.info)) *
                            static_cast<double>(png_get_image_height(decoder.png, decoder.info));
     if (decoded > greatest_deflate_ratio * static_cast<double>(file_bytes))
@@ -89,6 +97,8 @@ void check_png(const PngDecoder& decoder, uintmax_t file_bytes)
 bool has_chunk(const FileHead& head, const char* type)
 {
     const std::vector<unsigned char>& bytes = head.bytes;
+    // A chunk is its length in four bytes, most significant first, its type, its data and a check
+    // sum.
     for (size_t at = signature_bytes; at + 8 <= bytes.size();) {
         if (std::memcmp(&bytes[at + 4], type, 4) == 0)
             return true;
@@ -109,6 +119,8 @@ bool is_png(const FileHead& head)
 
 Image read_png(const std::string& path, const FileHead& head)
 {
+    // Readers that do not know APNG show the first picture alone. Here the others may be the slices
+    // that the user means.
     if (has_chunk(head, "acTL"))
         throw Error(CLEFT_ERROR_FORMAT, "it is an animation of several pictures (APNG)");
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
@@ -125,8 +137,10 @@ Image read_png(const std::string& path, const FileHead& head)
     check_png(decoder, head.size);
     Image image;
     image.dims = {png_get_image_width(decoder.png, decoder.info), png_get_image_height(decoder.png, decoder.info), 1};
+    // After check_png() the depth is 1, 2, 4, 8 or 16.
     image.component = png_get_bit_depth(decoder.png, decoder.info) == 16 ? Component::uint16 : Component::uint8;
     allocate_voxels(image);
+    // png_read_image() wants a pointer for each row, and handles interlaced files with them.
     std::vector<png_bytep> rows(static_cast<size_t>(image.dims[1]));
     const size_t row_bytes = static_cast<size_t>(image.dims[0]) * size_of(image.component);
     for (size_t row = 0; row < rows.size(); ++row)

@@ -1,3 +1,5 @@
+// Reads TetGen's .node and .ele files. Whichever of the names is given, the other file is looked
+// for beside it.
 #include "io/file_name.hpp"
 #include "io/mesh_data.hpp"
 #include "io/text_scanner.hpp"
@@ -12,6 +14,8 @@ namespace
 int64_t read_nodes(const std::string& path, MeshData& mesh)
 {
     TextScanner in(path, '#');
+    // A number and three coordinates, each with a blank: 8 bytes at least. The header line also has
+    // numbers of attributes and markers, which are not needed.
     const int64_t count = in.count(8, "points");
     if (in.integer() != 3)
         in.unsupported("the points must have three dimensions");
@@ -22,6 +26,7 @@ int64_t read_nodes(const std::string& path, MeshData& mesh)
         const int64_t number = in.integer();
         if (i == 0)
             base = number;
+        // .ele names points by these numbers. TetGen itself writes them without gaps.
         if (base < 0 || base > 1 || number != base + i)
             in.fail("points must be numbered one by one from 0 or 1");
         for (int axis = 0; axis < 3; ++axis)
@@ -34,9 +39,13 @@ int64_t read_nodes(const std::string& path, MeshData& mesh)
 void read_elements(const std::string& path, int64_t base, MeshData& mesh)
 {
     TextScanner in(path, '#');
+    // A number and four corners: 10 bytes at least.
     const int64_t count = in.count(10, "tetrahedra");
+    // 10 corners are of second order, which TetGen writes with -o2.
     if (in.integer() != 4)
         in.unsupported("tetrahedra must have four corners");
+    // The number of attributes may be left out by hand-written files. The first attribute is the
+    // region, TetGen's -A.
     const bool has_labels = in.more_on_line() && in.integer() > 0;
     in.skip_line();
     mesh.tets.reserve(static_cast<size_t>(4 * count));
