@@ -22,6 +22,7 @@ enum class Coding { plain, deflated };  // deflated: gzip (of several members, t
 class ByteSource
 {
 public:
+    // As a length: all bytes from the offset on.
     static constexpr uintmax_t to_the_end = std::numeric_limits<uintmax_t>::max();
 
     // `length` bytes of the file from `offset` on, which must be there. Throws Error(CLEFT_ERROR_FILE) for what is no

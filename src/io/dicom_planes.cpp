@@ -169,6 +169,7 @@ DicomStack slots_of(const std::vector<DicomPlane>& planes, const std::vector<std
 // nearest two planes, unless only the thickness of a slice makes them even.
 double loose_step(const DicomPlane& plane, const std::vector<double>& gaps, std::vector<std::string>& notes)
 {
+    // The same part of a step as slots_of() allows, so that a step that fits here fits there.
     constexpr double uneven = 0.05;
     // Halfway between neighbours and a gap of one slice.
     constexpr double neighbours = 1.5;

@@ -100,6 +100,8 @@ std::string extensions_with(int32_t direction)
 {
     std::string text;
     for (const auto& entry : formats)
+        // Two formats may have the same extensions, as both versions of MSH do; a message names
+        // them once.
         if ((entry.directions & direction) && text.find(entry.extensions) == std::string::npos)
             text += (text.empty() ? "" : " ") + std::string(entry.extensions);
     return text;

@@ -101,6 +101,8 @@ namespace
 std::vector<std::string> so_many_words(std::string_view field, std::string_view value, size_t count)
 {
     std::vector<std::string> words = words_of(value);
+    // More numbers than axes mean that the header and the list do not belong together, so none is
+    // dropped.
     if (words.size() != count)
         refuse_field(field, value,
                      std::to_string(count) + " numbers are wanted, but there are " + std::to_string(words.size()));

@@ -71,6 +71,7 @@ void note_empty(const std::vector<Field>& masks, const Claims& claims, std::vect
 
 void note_contested(const std::vector<Field>& masks, const Claims& claims, std::vector<std::string>& notes)
 {
+    // As above.
     constexpr size_t told = 3;
     std::vector<std::pair<Pair, int64_t>> rows(claims.contested.begin(), claims.contested.end());
     // The greatest overlap first, as it is the likeliest mistake. Equal ones stay in the order of

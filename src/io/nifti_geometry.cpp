@@ -162,6 +162,7 @@ double smallest_step(const Affine& affine)
 // angle by twice that.
 double open_angle(const NiftiHeader& header)
 {
+    // Within it, the sum of squares is 1 but for rounding.
     constexpr double rounding = 1e-6;
     constexpr double angle = 7e-4;
     const auto [b, c, d] = header.quaternion;

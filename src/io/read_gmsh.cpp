@@ -15,6 +15,7 @@ namespace cleft::io
 namespace
 {
 
+// The type with four corners, the only one that is read.
 constexpr int64_t tetrahedron = 4;
 
 // What is needed to pass over an element: how many points it has, and whether it may be skipped.

@@ -202,6 +202,7 @@ int32_t number_at(const unsigned char* at, bool swapped)
 // From behind the header to the voxels; extensions on the way are passed over by the sizes they tell.
 void skip_extensions(ByteSource& source, const NiftiHeader& header, uintmax_t offset)
 {
+    // esize and ecode, four bytes each.
     constexpr size_t size_and_code = 8;
     unsigned char mark[nifti_extension_mark];
     source.read(mark, sizeof mark);

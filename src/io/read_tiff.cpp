@@ -35,6 +35,8 @@ struct Stack {
 std::string page_name(size_t directory) { return "the " + ordinal(static_cast<int64_t>(directory)) + " page"; }
 
 // Files of programs that keep channels or slices where TIFF itself knows of none.
+// Private tags by which the files of these microscopes are known. Their slices or channels lie
+// where the pages do not tell.
 void check_program(const TiffDirectory& directory)
 {
     constexpr uint16_t zeiss = 34412;
@@ -42,12 +44,15 @@ void check_program(const TiffDirectory& directory)
     constexpr uint16_t olympus = 34361;
     if (directory.has(zeiss))
         throw Error(CLEFT_ERROR_UNSUPPORTED, "it is an LSM file of Zeiss: save its labels as a plain TIFF stack");
+    // UIC2: its count is the number of planes, which all lie behind one page.
     if (directory.count(metamorph) > 1)
         throw Error(CLEFT_ERROR_UNSUPPORTED, "it is an STK file of MetaMorph: save its labels as a plain TIFF stack");
     if (directory.has(olympus))
         throw Error(CLEFT_ERROR_UNSUPPORTED, "it is a FluoView file of Olympus: save its labels as a plain TIFF stack");
 }
 
+// A page of another size is another picture: an overview, a label of the slide, or a lower level of
+// a pyramid.
 void check_same(const TiffPage& page, const TiffPage& first)
 {
     const auto size = [](const TiffPage& p) { return std::to_string(p.width) + " x " + std::to_string(p.height); };
@@ -62,6 +67,7 @@ TiffPageSize size_of_page(const TiffFile& file, const TiffPage& page)
 {
     float x = 0;
     float y = 0;
+    // The default of TIFF 6.0, section 8, where ResolutionUnit is missing.
     uint16_t unit = RESUNIT_INCH;
     TIFFGetField(file.handle(), TIFFTAG_XRESOLUTION, &x);
     TIFFGetField(file.handle(), TIFFTAG_YRESOLUTION, &y);
@@ -73,12 +79,17 @@ void read_first(TiffFile& file, const TiffDirectory& directory, const TiffPage& 
 {
     constexpr uint16_t geo_scale = 33550;
     const char* text = nullptr;
+    // Programs describe the whole file in the first page alone.
     if (TIFFGetField(file.handle(), TIFFTAG_IMAGEDESCRIPTION, &text) && text)
         stack.description = tiff_description(text, size_of_page(file, page));
+    // PhotometricInterpretation 0 of TIFF 6.0 is about display. Label maps of bits by some programs
+    // have it.
     if (page.white_is_zero)
         stack.notes.emplace_back("it says that 0 is white (MinIsWhite): the labels are the numbers in the file");
     if (page.compression == COMPRESSION_JPEG)
         stack.notes.emplace_back("it is compressed by JPEG, which changes labels");
+    // Orientation of TIFF 6.0 turns the picture for display. Few programs follow it, so following
+    // it here would mirror their labels.
     if (directory.value(TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT) != ORIENTATION_TOPLEFT)
         stack.notes.emplace_back("its orientation, number " +
                                  std::to_string(directory.value(TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT)) +
@@ -91,11 +102,13 @@ void add_page(TiffFile& file, size_t number, Stack& stack)
 {
     const TiffDirectory& directory = stack.directories.list[number];
     check_program(directory);
+    // NewSubfileType of TIFF 6.0: bit 0 a reduced-resolution image, bit 2 a transparency mask.
     if (directory.is_thumbnail() || directory.is_mask()) {
         ++stack.passed_over;
         return;
     }
     const TiffPage page = tiff_page(file, directory, stack.directories.file_bytes, page_name(number));
+    // Taken after each page, so that the warning is told of the right one. The first suffices.
     const std::string doubt = file.take_messages().warning;
     if (!doubt.empty() && stack.notes.empty())
         stack.notes.push_back("libtiff says of " + page.name + ": '" + doubt + "'");
@@ -110,6 +123,8 @@ void add_page(TiffFile& file, size_t number, Stack& stack)
 // Pages that share their bytes could claim any number of voxels.
 void check_claim(const Stack& stack)
 {
+    // Each strip was checked against the file alone. Many pages whose strips are the same bytes
+    // could still claim terabytes.
     double least = 0;
     for (const TiffPage& page : stack.pages)
         least += static_cast<double>(page.row_bytes()) * static_cast<double>(page.height) / most_expansion(page);
@@ -122,6 +137,7 @@ uint64_t end_of_voxels(const TiffFile& file)
 {
     uint64_t at = TIFFGetStrileOffset(file.handle(), 0);
     for (uint32_t strip = 0; strip < TIFFNumberOfStrips(file.handle()); ++strip) {
+        // Strips in another order, or with gaps, would make the place of the next slice a guess.
         if (TIFFGetStrileOffset(file.handle(), strip) != at)
             return 0;
         at += TIFFGetStrileByteCount(file.handle(), strip);
@@ -130,9 +146,13 @@ uint64_t end_of_voxels(const TiffFile& file)
 }
 
 // ImageJ writes stacks above 4 GB, and tifffile some, as one page behind whose voxels those of the other slices lie.
+// Classic TIFF has offsets of 32 bits, so a stack above 4 GB cannot have a page for each slice.
+// ImageJ then writes one page and all voxels in a row.
 void find_raw_slices(const TiffFile& file, Stack& stack)
 {
     const TiffPage& page = stack.pages.front();
+    // The slices behind follow no strips of their own, so they must be stored as they are in
+    // memory.
     const bool plain = page.compression == COMPRESSION_NONE && !page.tiled &&
                        stack.directories.list[stack.numbers.front()].value(TIFFTAG_FILLORDER, 1) == FILLORDER_MSB2LSB;
     const uint64_t slice = page.row_bytes() * static_cast<uint64_t>(page.height);
@@ -141,6 +161,7 @@ void find_raw_slices(const TiffFile& file, Stack& stack)
     const auto more = static_cast<uint64_t>(stack.description.slices - 1);
     const std::string says = stack.description.who + " says that it has " + std::to_string(stack.description.slices) +
                              " slices, but it has one page";
+    // Division, not a product: the number of slices in the text may be any.
     if (left / slice >= more) {
         stack.slices = stack.description.slices;
         stack.raw_offset = end - slice;
@@ -155,6 +176,8 @@ void settle_slices(const TiffFile& file, Stack& stack)
 {
     stack.slices = static_cast<int64_t>(stack.pages.size());
     const int64_t said = stack.description.slices;
+    // Descriptions outlive the stack they were made for: after cropping to one page many programs
+    // keep the text.
     if (said <= 1 || said == stack.slices)
         return;
     if (stack.slices != 1)
@@ -178,6 +201,7 @@ void find_slices(TiffFile& file, Stack& stack)
                               std::to_string(stack.directories.list.size()) +
                               " pages are smaller copies or masks of others (NewSubfileType), and not read");
     check_claim(stack);
+    // libtiff knows pages by walking the chain only.
     file.first_page();
     for (size_t number = 0; number < stack.numbers.front(); ++number)
         file.next_page(page_name(number + 1));
@@ -203,6 +227,7 @@ void set_spacing(const Stack& stack, Image& image)
         image.spacing[2] = image.spacing[0];
     else if (!said.knows_third)
         guess = ", of which it does not give the last";
+    // Unit cubes are what is read without a description, too, so nothing need be told.
     if (image.spacing != Vector3{1, 1, 1})
         image.notes.push_back(said.who + "'s size of voxels, " + text_of(image.spacing) +
                               (said.unit.empty() ? "" : " " + said.unit) + guess + ", is used");
@@ -211,6 +236,7 @@ void set_spacing(const Stack& stack, Image& image)
 void read_raw_slices(const std::string& path, const Stack& stack, Image& image)
 {
     const TiffPage& page = stack.pages.front();
+    // libtiff has no call that reads behind the strips of a page.
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     bool whole = file && fseeko(file.get(), static_cast<off_t>(stack.raw_offset), SEEK_SET) == 0;
     if (page.bits >= 8) {
@@ -243,6 +269,7 @@ void read_pages(TiffFile& file, const Stack& stack, Image& image)
 bool is_tiff(const FileHead& head)
 {
     using namespace std::string_view_literals;
+    // TIFF 6.0, section 2: byte order and the number 42. 43 is BigTIFF.
     for (const std::string_view mark : {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv})
         if (!head.gzip && head.begins_with(mark))
             return true;
@@ -251,6 +278,7 @@ bool is_tiff(const FileHead& head)
 
 Image read_tiff(const std::string& path, const FileHead&)
 {
+    // libtiff needs memory for its tables beside the strips; 256 MB are more than any page needs.
     constexpr uint64_t slack = uint64_t{1} << 28;
     Stack stack;
     stack.directories = tiff_directories(path);

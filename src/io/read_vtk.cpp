@@ -12,6 +12,7 @@ namespace cleft::io
 namespace
 {
 
+// Keywords of VTK legacy files do not depend on case ("VTK File Formats").
 std::string upper(std::string_view word)
 {
     std::string out(word);
@@ -22,6 +23,7 @@ std::string upper(std::string_view word)
 
 std::vector<int64_t> read_integers(TextScanner& in, int64_t count)
 {
+    // A digit and a blank for each number.
     in.check_count(count, 2, "numbers");
     std::vector<int64_t> numbers(static_cast<size_t>(count));
     for (int64_t& number : numbers)
@@ -42,12 +44,18 @@ std::vector<double> read_reals(TextScanner& in, int64_t count)
 CellLists read_cells(TextScanner& in)
 {
     const int64_t first = in.count(1, "cells");
+    // Version 3: the number of all numbers that follow. Version 5: the number of corners, while the
+    // first number counts offsets.
     const int64_t second = in.count(1, "numbers");
     CellLists cells;
+    // The keyword OFFSETS tells the two forms apart better than the version line, which some
+    // programs write wrongly.
     if (upper(in.peek()) != "OFFSETS") {
         const std::vector<int64_t> numbers = read_integers(in, second);
         cells.offsets.push_back(0);
         for (size_t i = 0; i < numbers.size(); i += static_cast<size_t>(numbers[i]) + 1) {
+            // The count of a cell leads to the next one, so a wrong one must not lead out of the
+            // list.
             if (numbers[i] < 0 || static_cast<size_t>(numbers[i]) >= numbers.size() - i)
                 in.fail("a cell has more corners than there are");
             for (size_t c = 1; c <= static_cast<size_t>(numbers[i]); ++c)
@@ -74,9 +82,11 @@ CellArray read_scalars(TextScanner& in, int64_t cells)
     array.name = in.word();
     in.word();
     const int64_t components = in.more_on_line() ? in.integer() : 1;
+    // SCALARS have 1 to 4 components in "VTK File Formats".
     if (components < 1 || components > 4)
         in.fail("scalars have 1 to 4 components");
     in.skip_line();
+    // Many programs leave the line out, though the format wants it.
     if (upper(in.peek()) == "LOOKUP_TABLE")
         in.skip_line();
     array.values = read_reals(in, cells * components);
@@ -85,6 +95,7 @@ CellArray read_scalars(TextScanner& in, int64_t cells)
 }
 
 // Metadata run to the next empty line.
+// Newer versions of VTK write METADATA behind arrays: names of components, and no closing keyword.
 void skip_metadata(TextScanner& in)
 {
     in.skip_line();
@@ -105,6 +116,8 @@ void read_field(TextScanner& in, std::vector<CellArray>* arrays)
         array.components = in.integer();
         const int64_t tuples = in.integer();
         const std::string type = upper(in.word());
+        // Texts may contain blanks, so that they cannot be skipped by counting words. The limits
+        // keep the product below within 64 bits.
         if (type == "STRING" || type == "VARIANT" || array.components < 1 || array.components > 1000 || tuples < 0 ||
             tuples > INT64_MAX / 1000)
             in.unsupported("array '" + array.name + "' cannot be read");
@@ -118,7 +131,9 @@ void read_vtk_header(TextScanner& in, const std::string& path)
 {
     if (in.rest_of_line().substr(0, 14) != "# vtk DataFile")
         in.fail("a VTK file begins with '# vtk DataFile'");
+    // The title, which may be anything.
     in.skip_line();
+    // Cleft writes binary meshes as .vtu. The message names that way out.
     if (upper(in.word()) != "ASCII")
         in.unsupported("binary legacy files cannot be read: write '" + path + "' as text or as .vtu");
     if (upper(in.word()) != "DATASET" || upper(in.word()) != "UNSTRUCTURED_GRID")
@@ -135,6 +150,7 @@ MeshData read_vtk(const std::string& path)
     CellLists cells;
     std::vector<CellArray> arrays;
     int64_t values = 0;  // of the section of data that is being read
+    // Arrays on points are read and dropped, as the length of each must be known to find the next.
     bool of_cells = false;
     while (!in.at_end()) {
         const std::string section = upper(in.word());
@@ -167,6 +183,7 @@ MeshData read_vtk(const std::string& path)
             in.unsupported("section " + section.substr(0, 40) + " cannot be read");
         }
     }
+    // Cells may stand before the points in the file, so that corners are checked at the end.
     naming_file(path, [&] { take_tetrahedra(cells, arrays, mesh); });
     return mesh;
 }

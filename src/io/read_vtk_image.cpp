@@ -26,6 +26,7 @@ struct Grid {
     Vector3 spacing{1, 1, 1};
 };
 
+// DIMENSIONS are three numbers of any size; their product is used to count values.
 int64_t product_of(const std::array<int64_t, 3>& dims)
 {
     int64_t product = 1;
@@ -36,6 +37,7 @@ int64_t product_of(const std::array<int64_t, 3>& dims)
 }
 
 // An axis of one point has one layer of cells.
+// A plane of points has one layer of plane cells, which is a slice of voxels.
 std::array<int64_t, 3> cells_of(const Grid& grid)
 {
     std::array<int64_t, 3> cells{};
@@ -68,6 +70,7 @@ std::vector<double> coordinates(TextSource& source, bool binary, const char* fie
     if (count != wanted)
         refuse_field(field, std::to_string(count), std::to_string(wanted) + " are wanted");
     const Component type = vtk_number_type(std::string(source.word()));
+    // Binary data begin right behind the end of the line, with any byte.
     source.rest_is_blank();
     std::vector<double> values;
     if (!binary) {
@@ -77,6 +80,7 @@ std::vector<double> coordinates(TextSource& source, bool binary, const char* fie
         return values;
     }
     const size_t size = size_of(type);
+    // Before memory is taken. Binary numbers of legacy files are always big-endian.
     source.expect(static_cast<uintmax_t>(count) * size);
     for (int64_t i = 0; i < count; ++i) {
         std::byte bytes[8];
@@ -98,9 +102,11 @@ void take_coordinates(TextSource& source, const char* field, size_t axis, Grid& 
         return;
     const double step = (places.back() - places.front()) / static_cast<double>(places.size() - 1);
     for (size_t i = 0; i < places.size(); ++i)
+        // Coordinates of single precision are off by less. The negation also catches NaN.
         if (!(std::abs(places[i] - places.front() - static_cast<double>(i) * step) <= tolerance * std::abs(step)))
             throw Error(CLEFT_ERROR_UNSUPPORTED,
                         std::string("its rectilinear grid is not evenly spaced (") + field + "): resample it");
+    // Descending coordinates give a negative step, which set_place() makes a flipped axis.
     grid.spacing[axis] = step;
 }
 
@@ -108,10 +114,13 @@ void take_coordinates(TextSource& source, const char* field, size_t axis, Grid& 
 bool take_geometry(TextSource& source, const std::string& keyword, bool rectilinear, Grid& grid)
 {
     static constexpr std::array<const char*, 3> names{"X_COORDINATES", "Y_COORDINATES", "Z_COORDINATES"};
+    // The keywords of the geometry may come in any order, but for coordinates, whose number must be
+    // known.
     if (keyword == "DIMENSIONS") {
         take_dimensions(source, grid);
     } else if (!rectilinear && keyword == "ORIGIN") {
         grid.origin = three_reals(source, "ORIGIN");
+        // ASPECT_RATIO is the name of SPACING in version 1.0.
     } else if (!rectilinear && (keyword == "SPACING" || keyword == "ASPECT_RATIO")) {
         grid.spacing = three_reals(source, "SPACING");
     } else if (keyword == "METADATA") {
@@ -150,6 +159,8 @@ Grid read_grid(TextSource& source)
         throw Error(CLEFT_ERROR_FORMAT, "its third line is neither ASCII nor BINARY");
     grid.binary = coding == "BINARY";
     std::string keyword = upper_case(source.word());
+    // VTK writes field data of the whole file before DATASET or behind its geometry, and some
+    // programs put comments there.
     while (keyword == "FIELD" || keyword == "METADATA" || (!keyword.empty() && keyword[0] == '#')) {
         if (keyword == "FIELD")
             skip_vtk_field(source, grid.binary);
@@ -183,6 +194,8 @@ Grid read_grid(TextSource& source)
 
 bool is_likely_name(const std::string& name)
 {
+    // Names that common programs give to their labels: FeatureIds of DREAM.3D, "scalars" of VTK's
+    // own filters.
     static const std::set<std::string> likely{"label",      "labels",       "labelmap",   "label_map",   "labelids",
                                               "material",   "materials",    "materialid", "materialids", "material_id",
                                               "featureids", "segmentation", "phase",      "phases",      "scalars"};
@@ -196,10 +209,12 @@ VtkArray chosen(const std::vector<VtkArray>& arrays, Image& image)
     std::vector<VtkArray> usable;
     std::vector<VtkArray> likely;
     for (const VtkArray& array : arrays) {
+        // ParaView adds these arrays for its own use; they are no data of the user's.
         if (array.name == "vtkGhostType" || array.name == "vtkGhostLevels")
             continue;
         names += (names.empty() ? "'" : ", '") + array.name.substr(0, 60) + "'" +
                  (array.on_cells ? " on cells" : " on points");
+        // Global ids are numbers of points, all different, and no labels.
         const bool is_usable = array.is_numeric && array.components == 1 && !array.is_id;
         if (is_usable)
             usable.push_back(array);
@@ -213,6 +228,7 @@ VtkArray chosen(const std::vector<VtkArray>& arrays, Image& image)
                     "it has several numbers a voxel (colours or vectors: " + names + "); one is wanted");
     if (arrays.size() == 1)
         return usable.front();
+    // An image and its labels in one file are common. Taking the wrong one would mesh grey values.
     if (usable.size() > 1 && likely.size() != 1)
         throw Error(CLEFT_ERROR_FORMAT,
                     "it has several arrays (" + names + "); keep one, or call one of them 'labels'");
@@ -228,6 +244,8 @@ void set_place(const Grid& grid, bool on_cells, Image& image)
     image.origin = grid.origin;
     for (size_t axis = 0; axis < 3; ++axis) {
         const double step = grid.spacing[axis];
+        // The centre of the first cell. An axis of one point has no cell along it, so the plane
+        // stays where it is.
         if (on_cells && grid.points[axis] > 1)
             image.origin[axis] += step / 2;
         image.spacing[axis] = std::abs(step);
@@ -236,6 +254,7 @@ void set_place(const Grid& grid, bool on_cells, Image& image)
     }
 }
 
+// Eight values a byte, the first in the highest bit, and no padding at the ends of rows.
 void read_bits(TextSource& source, Image& image)
 {
     const auto count = static_cast<size_t>(image.field_size());
@@ -246,6 +265,7 @@ void read_bits(TextSource& source, Image& image)
 }
 
 // VTK writes a label map of bytes as colours.
+// COLOR_SCALARS are bytes in binary files and fractions from 0 to 1 in text ("VTK File Formats").
 void store_colour(std::string_view word, Image& image, int64_t voxel)
 {
     const double value = 255 * real_of("COLOR_SCALARS", word);
@@ -257,6 +277,8 @@ void store_colour(std::string_view word, Image& image, int64_t voxel)
 void read_values(const std::string& path, const Grid& grid, const VtkArray& array, Image& image)
 {
     TextSource source(path);
+    // A second source: the first one has read on to the end, to find all arrays before one was
+    // chosen.
     source.skip(array.place - source.position());
     allocate_voxels(image);
     if (!grid.binary) {

@@ -28,6 +28,7 @@ struct VtuFile {
 
 int64_t count_of(const XmlTag& piece, const std::string& attribute)
 {
+    // The core numbers points in 32 bits, so a larger count cannot be read anyway.
     const std::string text = piece.get(attribute);
     int64_t count = -1;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
@@ -42,11 +43,14 @@ void read_file_tag(const XmlTag& tag, VtkEncoding& encoding)
     const std::string compressor = tag.get("compressor");
     if (tag.get("type") != "UnstructuredGrid")
         throw Error(CLEFT_ERROR_UNSUPPORTED, "only an UnstructuredGrid is a mesh of tetrahedra");
+    // No program on today's machines writes it, so the code for it could not be tested with real
+    // files.
     if (tag.get("byte_order") == "BigEndian")
         throw Error(CLEFT_ERROR_UNSUPPORTED, "big-endian arrays cannot be read");
     if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
         throw Error(CLEFT_ERROR_UNSUPPORTED, "arrays compressed by " + compressor + " cannot be read");
     encoding.compressed = !compressor.empty();
+    // "UInt32" is the default of "VTK File Formats" where the attribute is missing.
     encoding.wide_headers = tag.get("header_type") == "UInt64";
 }
 
@@ -61,6 +65,8 @@ VtuFile scan(std::string_view text)
             read_file_tag(tag, file.encoding);
             known = true;
         } else if (tag.name == "Piece") {
+            // Pieces are the shares of parallel processes. Their common points would have to be
+            // merged.
             if (file.point_count >= 0)
                 throw Error(CLEFT_ERROR_UNSUPPORTED, "only files of one piece can be read");
             file.point_count = count_of(tag, "NumberOfPoints");
@@ -79,6 +85,8 @@ VtuFile scan(std::string_view text)
         } else if (tag.name == "DataArray" && section) {
             section->push_back(tag);
         } else if (tag.name == "AppendedData") {
+            // The underscore marks the first byte of the data and is not part of them. Behind it
+            // nothing is XML any more.
             const size_t begin = text.find('_', tag.end);
             if (begin == std::string_view::npos)
                 throw Error(CLEFT_ERROR_FORMAT, "the appended data are missing");
@@ -104,6 +112,7 @@ CellLists read_cells(const VtuFile& file)
 {
     CellLists cells;
     cells.offsets = read_vtk_integers(find(file.cells, "offsets"), file.encoding, file.cell_count);
+    // The file gives the end of each cell; the lists here begin with 0, too.
     cells.offsets.insert(cells.offsets.begin(), 0);
     cells.corners = read_vtk_integers(find(file.cells, "connectivity"), file.encoding, cells.offsets.back());
     const std::vector<int64_t> types = read_vtk_integers(find(file.cells, "types"), file.encoding, file.cell_count);
@@ -118,12 +127,15 @@ MeshData read(std::string_view text)
     if (file.points.empty())
         throw Error(CLEFT_ERROR_FORMAT, "the points are missing");
     mesh.points = read_vtk_reals(file.points.front(), file.encoding, 3 * file.point_count);
+    // Other readers check each number as they scan it; arrays of bytes may hold NaN.
     for (const double coordinate : mesh.points)
         if (!std::isfinite(coordinate))
             throw Error(CLEFT_ERROR_FORMAT, "a coordinate is not finite");
     std::vector<CellArray> arrays;
     for (const XmlTag& tag : file.cell_data) {
         const std::string components = tag.get("NumberOfComponents");
+        // Arrays of strings are for people. Others of one component may be labels, and are judged
+        // by take_tetrahedra().
         const bool is_number = tag.get("type").find("String") == std::string::npos;
         if (is_number && (components.empty() || components == "1"))
             arrays.push_back({tag.get("Name"), 1, read_vtk_reals(tag, file.encoding, file.cell_count)});
@@ -132,6 +144,7 @@ MeshData read(std::string_view text)
     for (const XmlTag& tag : file.field_data) {
         int32_t label = 0;
         std::string name;
+        // Names of labels as write_vtu() stores them. Field data of other programs are passed over.
         if (label_of_material_name(tag.get("Name"), label, name) && !name.empty())
             mesh.names.emplace(label, name);
     }

@@ -12,6 +12,7 @@ namespace cleft::io
 // Is what these keys describe a segmentation?
 bool has_segments(const std::map<std::string, std::string>& keys);
 // Names the labels. Layers, which are fields of the image, are made one label map, in which a later segment wins.
+// Throws Error where segments and voxels contradict each other, or segments are fractions.
 void apply_segments(const std::map<std::string, std::string>& keys, Image& image);
 
 }  // namespace cleft::io

@@ -21,6 +21,7 @@ namespace cleft::io
 
 // A library that fails for want of memory says so in words of its own, or takes the file for damaged; but malloc leaves
 // its mark. Call the first before the library, the second where it failed.
+// errno is the calling thread's own, so that no other thread disturbs this.
 inline void forget_want_of_memory() noexcept { errno = 0; }
 inline void check_for_want_of_memory()
 {

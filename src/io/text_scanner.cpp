@@ -22,6 +22,7 @@ namespace cleft::io
 namespace
 {
 
+// Not std::isspace(), which follows the locale of the caller's program.
 bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
 
 [[noreturn]] void cannot_read(const std::string& path, int error)
@@ -39,6 +40,7 @@ std::string_view without_plus(std::string_view word)
 
 std::string read_whole_file(const std::string& path)
 {
+    // fopen() opens a folder for reading, and only fread() fails.
     if (std::filesystem::is_directory(path))
         cannot_read(path, EISDIR);
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
@@ -46,6 +48,8 @@ std::string read_whole_file(const std::string& path)
         cannot_read(path, errno);
     std::error_code error;
     const auto size = std::filesystem::file_size(path, error);
+    // Files of /proc and pipes have no size, or a size of 0. They are read all the same, as a mesh
+    // may come from a pipe.
     std::string text(error ? 0 : size, '\0');
     size_t used = 0;
     for (;;) {
@@ -71,6 +75,7 @@ TextScanner::TextScanner(const std::string& path, char comment)
 
 std::string TextScanner::place() const
 {
+    // Lines are counted when a message needs them and not while reading.
     const auto line = 1 + std::count(text_.data(), at_, '\n');
     return "'" + path_ + "', line " + std::to_string(line) + ": ";
 }
@@ -86,6 +91,7 @@ void TextScanner::skip_blanks()
 {
     for (; at_ < end_; ++at_) {
         if (comment_ != '\0' && *at_ == comment_)
+            // A comment ends with its line. The loop then passes over the end of the line.
             at_ = std::find(at_, end_, '\n');
         if (at_ == end_ || !is_blank(*at_))
             return;
@@ -101,6 +107,7 @@ bool TextScanner::at_end()
 std::string_view TextScanner::peek()
 {
     skip_blanks();
+    // A word may be a megabyte of binary data; messages shorten it.
     const char* stop = std::find_if(at_, end_, is_blank);
     return {at_, static_cast<size_t>(stop - at_)};
 }
@@ -127,6 +134,7 @@ std::string_view TextScanner::rest_of_line()
     const char* begin = at_;
     const char* stop = std::find(at_, end_, '\n');
     at_ = stop == end_ ? end_ : stop + 1;
+    // Lines of Windows.
     if (stop > begin && stop[-1] == '\r')
         --stop;
     return {begin, static_cast<size_t>(stop - begin)};
@@ -134,6 +142,8 @@ std::string_view TextScanner::rest_of_line()
 
 void TextScanner::skip_past(const std::string& mark)
 {
+    // Also over binary data: they could contain the mark by chance, but a mark has nine characters
+    // and more.
     const char* found = std::search(at_, end_, mark.begin(), mark.end());
     if (found == end_)
         fail(mark + " is missing");
@@ -172,6 +182,7 @@ int64_t TextScanner::integer()
 
 int32_t TextScanner::label()
 {
+    // As a real: TetGen writes the attribute of a region as 3 or 3.0.
     const double value = real();
     if (!is_label(value))
         fail("a material must be a whole number of 32 bits");
@@ -180,8 +191,10 @@ int32_t TextScanner::label()
 
 void TextScanner::check_count(int64_t count, int64_t least_bytes, const char* what) const
 {
+    // The last item may lack its blank at the end of the file, hence + 1.
     if (count < 0 || count > (end_ - at_) / least_bytes + 1)
         fail("the file is too short for " + std::to_string(count) + " " + what);
+    // The core numbers points and tetrahedra in 32 bits.
     if (count > std::numeric_limits<int32_t>::max())
         throw Error(CLEFT_ERROR_TOO_LARGE, place() + std::to_string(count) + " " + what + " are too many");
 }
@@ -196,6 +209,7 @@ int64_t TextScanner::count(int64_t least_bytes, const char* what)
 int32_t TextScanner::point(int64_t base, int64_t points)
 {
     const int64_t number = integer();
+    // Corners are checked where they are read, so that the message has the line.
     if (number < base || number - base >= points)
         fail("there is no point " + std::to_string(number));
     return static_cast<int32_t>(number - base);

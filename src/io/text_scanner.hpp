@@ -15,6 +15,8 @@ namespace cleft::io
 std::string read_whole_file(const std::string& path);
 
 // Runs `body`, whose Errors do not name the file, and names it.
+// Only Errors get the name; std::bad_alloc passes through as it is. The text is made printable, as
+// it may quote the file.
 template <class Body>
 auto naming_file(const std::string& path, const Body& body)
 {
@@ -25,6 +27,7 @@ auto naming_file(const std::string& path, const Body& body)
     }
 }
 
+// The whole file is in memory, so that words are views of it and cost no copy.
 class TextScanner
 {
 public:
@@ -45,7 +48,9 @@ public:
     // Goes to the line behind the one that begins with `mark`, which must be there.
     void skip_past(const std::string& mark);
 
+    // A finite number in decimal digits, whatever the locale. Fails for everything else.
     double real();
+    // The whole word must be a number of 64 bits.
     int64_t integer();
     // A whole number that an int32 holds.
     int32_t label();

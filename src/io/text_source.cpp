@@ -12,16 +12,20 @@ namespace cleft::io
 namespace
 {
 
-constexpr size_t text_buffer_bytes = size_t{1} << 16;
+constexpr size_t text_buffer_bytes = size_t{1} << 16;  // pieces that fit the cache of a core
+// 16 MB: NRRD may have all sizes, names of files or comments in one line. A binary file may have no line end at all.
 constexpr size_t longest_line = size_t{1} << 24;
+// Keywords and numbers have some tens of characters.
 constexpr size_t longest_word = 1024;
 
+// An int, as -1 stands for the end of the file. Not std::isspace(), which follows the locale.
 bool is_blank(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 }  // namespace
 
 TextSource::TextSource(const std::string& path) : source_(path, Coding::plain), buffer_(text_buffer_bytes)
 {
+    // position_ counts the mark, too: it is a place in the file.
     constexpr std::string_view mark = "\xef\xbb\xbf";
     peek_byte();
     if (filled_ >= mark.size() && std::string_view(buffer_.data(), mark.size()) == mark)
@@ -54,6 +58,7 @@ bool TextSource::next_line(std::string& line)
     if (byte < 0)
         return false;
     for (; byte >= 0 && byte != '\n'; byte = next_byte()) {
+        // push_back() would otherwise fill the memory with a binary file.
         if (line.size() == longest_line)
             throw Error(CLEFT_ERROR_FORMAT, "a line of its header has no end");
         line.push_back(static_cast<char>(byte));
@@ -71,6 +76,7 @@ void TextSource::skip_blanks()
 
 std::string_view TextSource::peek()
 {
+    // A peeked word is taken from the bytes already, so position_ is behind it.
     if (!peeked_) {
         skip_blanks();
         word_.clear();
@@ -94,6 +100,7 @@ std::string_view TextSource::word()
 bool TextSource::next_is(std::string_view text)
 {
     if (filled_ - at_ < text.size()) {
+        // The text may lie over the end of the buffer.
         std::memmove(buffer_.data(), buffer_.data() + at_, filled_ - at_);
         filled_ -= at_;
         at_ = 0;
@@ -113,6 +120,8 @@ bool TextSource::rest_is_blank()
 
 void TextSource::read(void* to, size_t bytes)
 {
+    // What the buffer holds comes first; the rest goes straight to its place, without a second
+    // copy.
     const size_t held = std::min(bytes, filled_ - at_);
     std::memcpy(to, buffer_.data() + at_, held);
     at_ += held;

@@ -10,6 +10,8 @@
 namespace cleft::io
 {
 
+// Lines and words are read through a buffer. read() and skip() continue where the last line or word
+// ended.
 class TextSource
 {
 public:
@@ -26,6 +28,7 @@ public:
     bool next_is(std::string_view text);
     // Passes over the rest of the line, which must be blank.
     bool rest_is_blank();
+    // All bytes or an Error. A word that was peeked at counts as taken.
     void read(void* to, size_t bytes);
     void skip(uintmax_t bytes);
     // Throws if so many bytes are not left.

@@ -19,6 +19,7 @@ struct TiffPageSize {
     unsigned unit = 2;  // of ResolutionUnit: 1 none, 2 inch, 3 centimetre
 };
 
+// What was found. Lengths are in `unit`, and are not converted.
 struct TiffDescription {
     std::string who;     // the program; "": the text is none that is known
     int64_t slices = 0;  // how many it speaks of; 0: it does not say

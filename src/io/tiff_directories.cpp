@@ -19,6 +19,7 @@ namespace cleft::io
 namespace
 {
 
+// libtiff counts directories in 16 bits in versions before 4.5.
 constexpr size_t most_pages = 65535;
 constexpr size_t most_tags = 1000;  // different ones in a file
 
@@ -37,6 +38,8 @@ public:
         std::unordered_set<uint64_t> seen;
         for (uint64_t offset = first_directory(); offset != 0;) {
             const std::string page = "the " + ordinal(static_cast<int64_t>(found_.list.size())) + " page";
+            // Nothing in TIFF 6.0 forbids an offset that leads back. libtiff's own search for
+            // circles is slow in older versions.
             if (!seen.insert(offset).second)
                 throw Error(CLEFT_ERROR_FORMAT, "its pages run in a circle: the file is damaged");
             if (found_.list.size() == most_pages)
@@ -59,6 +62,7 @@ private:
 
     std::vector<unsigned char> read(uint64_t offset, uint64_t bytes, const std::string& what)
     {
+        // The sum could wrap around; the difference cannot.
         if (offset > found_.file_bytes || bytes > found_.file_bytes - offset)
             throw Error(CLEFT_ERROR_FORMAT,
                         what + " lies behind the end of the file: the file is cut short or damaged");
@@ -73,6 +77,7 @@ private:
     {
         const std::vector<unsigned char> head = read(0, 8, "its header");
         found_.big_endian = head[0] == 'M';
+        // 42 is TIFF 6.0. BigTIFF has 43, then the size of offsets (8) and two zero bytes.
         big_ = number(&head[2], 2) == 43;
         if (!big_)
             return number(&head[4], 4);
@@ -84,6 +89,8 @@ private:
     // Returns where the next one begins.
     uint64_t directory(uint64_t offset, const std::string& page)
     {
+        // TIFF 6.0, section 2: a directory is the number of entries, the entries of 12 bytes, and
+        // the offset of the next. BigTIFF has wider numbers.
         const size_t count_bytes = big_ ? 8 : 2;
         const size_t entry_bytes = big_ ? 20 : 12;
         const uint64_t entries = number(read(offset, count_bytes, page).data(), count_bytes);
@@ -100,6 +107,8 @@ private:
 
     TiffEntry entry(const unsigned char* at, const std::string& page)
     {
+        // Bytes of the types 1 to 12 of TIFF 6.0, 13 (IFD) and 16 to 18 of BigTIFF. 0: no such
+        // type.
         constexpr std::array<uint8_t, 19> sizes{0, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8, 4, 0, 0, 8, 8, 8};
         const size_t inline_bytes = big_ ? 8 : 4;
         const uint64_t type = number(at + 2, 2);
@@ -108,10 +117,14 @@ private:
         made.tag = static_cast<uint16_t>(number(at, 2));
         made.count = number(at + 4, inline_bytes);
         const unsigned char* place = at + 4 + inline_bytes;
+        // BYTE, SHORT, LONG and LONG8. A value shorter than its field stands at the beginning of
+        // it, in either order of bytes.
         const bool whole = type == 1 || type == 3 || type == 4 || type == 16;
         made.value = number(place, made.count == 1 && whole && size <= inline_bytes ? size : inline_bytes);
+        // Longer data lie elsewhere, and the field has their offset.
         if (size != 0 && made.count > inline_bytes / size)
             check_data(made, size, page);
+        // libtiff keeps a description of each unknown tag, and looks for it one by one.
         tags_.insert(made.tag);
         if (tags_.size() > most_tags)
             throw Error(CLEFT_ERROR_FORMAT,
@@ -122,6 +135,8 @@ private:
     // Data of tags may be shared by pages, but not so often that reading them takes for ever.
     void check_data(const TiffEntry& entry, uint64_t size, const std::string& page)
     {
+        // Some writers give all pages one description. 16 times the file is far beyond that; the
+        // slack is for small files.
         constexpr uint64_t most_shares = 16;
         constexpr uint64_t slack = uint64_t{1} << 20;
         if (entry.value > found_.file_bytes || entry.count > (found_.file_bytes - entry.value) / size)

@@ -33,6 +33,7 @@ struct TiffDirectories {
 };
 
 // Errors do not name the file.
+// Throws Error(CLEFT_ERROR_FORMAT) for a chain or a tag that goes beyond the file, and for circles.
 TiffDirectories tiff_directories(const std::string& path);
 
 }  // namespace cleft::io

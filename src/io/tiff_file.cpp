@@ -17,9 +17,11 @@ namespace
 
 std::string formatted(const char* format, std::va_list arguments)
 {
+    // Longer sentences are cut. libtiff quotes names and values of the file in some.
     std::array<char, 400> text{};
     std::vsnprintf(text.data(), text.size(), format, arguments);
     std::string sentence = text.data();
+    // It becomes a part of another sentence.
     return sentence.substr(0, sentence.find_last_not_of(". \n") + 1);
 }
 
@@ -27,6 +29,7 @@ std::string formatted(const char* format, std::va_list arguments)
 template <class Keep>
 void keep(TiffMessages& messages, const Keep& keep)
 {
+    // Looked at first: making the text below may fail for want of memory itself.
     messages.out_of_memory = messages.out_of_memory || errno == ENOMEM;
     try {
         keep(messages);
@@ -39,6 +42,7 @@ void keep(TiffMessages& messages, const Keep& keep)
 int keep_error(::TIFF*, void* messages, const char*, const char* format, std::va_list arguments) noexcept
 {
     keep(*static_cast<TiffMessages*>(messages), [&](TiffMessages& kept) {
+        // The first error is the cause; later ones follow from it.
         if (kept.error.empty())
             kept.error = formatted(format, arguments);
     });
@@ -73,6 +77,7 @@ TiffFile::TiffFile(const std::string& path, uint64_t most_bytes) : messages_(std
                                                                                TIFFOpenOptionsFree);
     if (!options)
         throw std::bad_alloc();
+    // A damaged page may claim a strip of gigabytes. libtiff then fails instead of asking for it.
     TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), static_cast<tmsize_t>(most_bytes));
     TIFFOpenOptionsSetErrorHandlerExtR(options.get(), keep_error, messages_.get());
     TIFFOpenOptionsSetWarningHandlerExtR(options.get(), keep_warning, messages_.get());

@@ -22,6 +22,7 @@ public:
     // `most_bytes`: what libtiff may ask for at once. Errors do not name the file.
     TiffFile(const std::string& path, uint64_t most_bytes);
 
+    // Owned by this object; it stays open as long as that lives.
     ::TIFF* handle() const { return handle_.get(); }
     // What was said since the last call.
     TiffMessages take_messages();

@@ -11,7 +11,7 @@ namespace cleft::io
 {
 
 struct TiffPage {
-    std::string name;  // "page 3", for messages
+    std::string name;  // "the 3rd page", for messages
     int64_t width = 0;
     int64_t height = 0;
     unsigned bits = 0;

@@ -14,6 +14,8 @@
 #include <cstdlib>
 #include <cstring>
 
+// The size of the struct in version 0.1. Callers that were compiled with it stay valid when fields
+// are added at the end.
 template <>
 inline constexpr size_t cleft::kFirstSize<cleft_io_reading> = CLEFT_END_OF(cleft_io_reading, spacing);
 
@@ -34,6 +36,7 @@ cleft_io_reading reading_or_defaults(const cleft_io_reading* given)
     if (reading.reserved != 0)  // so that it can mean something later
         throw Error(CLEFT_ERROR_ARGUMENT,
                     "reserved of the cleft_io_reading is " + std::to_string(reading.reserved) + "; it must be 0");
+    // 0 is the value in a struct that the caller filled with zeros, and means 1.
     if (!std::isfinite(reading.scale) || reading.scale < 0)
         throw Error(CLEFT_ERROR_ARGUMENT, "the scale of origin and spacing must be positive");
     if (reading.scale == 0)
@@ -44,6 +47,7 @@ cleft_io_reading reading_or_defaults(const cleft_io_reading* given)
 Image read_and_tell(cleft_context* context, const std::string& path, const cleft_io_reading& reading)
 {
     Image image = read_image_or_series(path);
+    // Notes of the reader first: they explain the geometry that the next ones speak of.
     for (const std::string& note : image.notes)
         tell(context, "'" + path + "': " + note);
     for (const std::string& note : notes_on_spacing(image, reading))
@@ -61,6 +65,8 @@ void read_volume(cleft_context* context, const cleft_options* options, const cha
         sources.push_back({path, read_and_tell(context, path, reading)});
         naming_file(path, [&] {
             const Image& image = sources.back().image;
+            // Each file is compared with the first, in the world and with the spacing that the
+            // caller asked for.
             const VoxelGrid grid{image.dims, affine_of(image, reading)};
             if (i == 0)
                 first = grid;
@@ -74,6 +80,7 @@ Image read_field_image(cleft_context* context, const char* path, const cleft_io_
 {
     Image image = read_and_tell(context, path, reading);
     naming_file(path, [&] {
+        // A sizing field has one length at each voxel.
         if (image.fields != 1)
             throw Error(CLEFT_ERROR_FORMAT, "it has four dimensions, but a field has three");
         affine = affine_of(image, reading);
@@ -112,6 +119,8 @@ cleft_status cleft_io_read_raw(cleft_context* context, const cleft_options* opti
             const std::string path = required(paths[i], "a path");
             sources.push_back({path, read_raw_image(path, layout)});
         }
+        // The layout gives the spacing of all files; world and scale have no meaning for voxels
+        // without a place.
         const Affine affine = affine_of(sources.front().image, reading_or_defaults(nullptr));
         create_volume(context, options, sources, affine, layout.kind, out);
     });
@@ -121,12 +130,15 @@ cleft_status cleft_io_write_sizing(cleft_context* context, const cleft_sizing* s
                                    cleft_io_world world) noexcept
 {
     return entry(context, {sizing}, [&] {
+        // Checked before the field is copied.
         required(path, "path");
         Affine affine{};
         Image image;
         image.component = Component::float32;
         check(context, cleft_sizing_dims(required(sizing, "sizing"), image.dims.data()), "sizing: ");
         check(context, cleft_sizing_affine(sizing, affine.data()), "sizing: ");
+        // The world in which the volume was read: the field's numbers are in it, and files are
+        // written in LPS.
         if (world != CLEFT_IO_WORLD_LPS && world != CLEFT_IO_WORLD_RAS)
             throw cleft::Error(CLEFT_ERROR_ARGUMENT, "there is no world " + std::to_string(world));
         set_geometry(affine, world, image);
@@ -144,6 +156,8 @@ cleft_status cleft_io_read_field(cleft_context* context, const char* path, const
         Image image = read_field_image(context, required(path, "path"), reading_or_defaults(reading), map);
         widen(image);
         const size_t bytes = image.bytes();
+        // malloc() and not new: cleft_io_free() must fit any language, and Fortran and Python free
+        // by address alone.
         void* copy = std::malloc(bytes);
         if (!copy)
             throw std::bad_alloc();
@@ -170,6 +184,8 @@ cleft_status cleft_io_read_sizing(cleft_context* context, const cleft_volume* vo
         Affine map{};
         const cleft_io_reading how = reading_or_defaults(reading);
         Image image = read_field_image(context, required(path, "path"), how, map);
+        // The lengths in the field follow the scale of the volume. The command, whose fields are in
+        // the unit of the mesh, passes 1.
         scale_values(how.scale, image);
         naming_file(path, [&] {
             check_same_grid({image.dims, map}, {dims, affine}, "the volume");

@@ -8,6 +8,8 @@
 namespace cleft::io
 {
 
+// By memcpy, as the bytes of a file are aligned for no type. Compilers make one instruction of it.
+// `index` counts numbers, not bytes.
 template <class T>
 T load(const std::byte* voxels, int64_t index)
 {
@@ -45,6 +47,7 @@ auto with_type(Component component, const Body& body)
             return body(int64_t{});
         case Component::float32:
             return body(float{});
+        // Left to the end of the function, so that the compiler sees an answer on each way.
         case Component::float64:
             break;
     }

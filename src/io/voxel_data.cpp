@@ -21,6 +21,7 @@ template <class T>
 bool store_number(std::string_view word, std::byte* to)
 {
     T value{};
+    // from_chars() knows no leading plus sign, but C's printf("%+d") writes one.
     const char* begin = word.data() + (word.size() > 1 && word[0] == '+' ? 1 : 0);
     const char* end = word.data() + word.size();
     const auto result = std::from_chars(begin, end, value);
@@ -33,12 +34,14 @@ bool store_word(std::string_view word, Component component, std::byte* to)
     return with_type(component, [&](auto zero) { return store_number<decltype(zero)>(word, to); });
 }
 
+// Commas and blanks in any number: hand-written files have both.
 bool is_separator(char c) { return c == ' ' || c == ',' || (c >= '\t' && c <= '\r'); }
 
 // The place behind so many lines.
 uintmax_t behind_lines(const std::string& path, uintmax_t offset, int64_t lines)
 {
     ByteSource source(path, Coding::plain, offset);
+    // Lines may be of any length and binary, so bytes are counted and not kept.
     std::vector<char> buffer(size_t{1} << 16);
     for (size_t got = 1; lines > 0;) {
         got = source.read_some(buffer.data(), buffer.size());
@@ -53,6 +56,8 @@ uintmax_t behind_lines(const std::string& path, uintmax_t offset, int64_t lines)
 ByteSource open_data(const VoxelData& data, const std::string& path, uintmax_t bytes)
 {
     if (data.offset == -1) {
+        // The voxels end with the file. A file that is too short is read from its beginning, so
+        // that the error tells how much is missing.
         const uintmax_t size = ByteSource(path, Coding::plain).left();
         return ByteSource(path, Coding::plain, size < bytes ? 0 : size - bytes);
     }
@@ -67,6 +72,8 @@ ByteSource open_data(const VoxelData& data, const std::string& path, uintmax_t b
 // Takes memory when the first file has shown that it can hold its share.
 void allocate_once(Image& image)
 {
+    // A header may name thousands of files that are not there; memory for all voxels is taken when
+    // one of them is.
     if (!image.voxels)
         allocate_voxels(image);
 }
@@ -90,10 +97,12 @@ int hex_digit(char c)
 
 void read_hex(ByteSource source, size_t begin, size_t bytes, Image& image)
 {
+    // Two digits make a byte.
     source.expect(2 * bytes);
     allocate_once(image);
     const std::string text = source.read_rest();
     size_t at = 0;
+    // The next digit; blanks and ends of lines may stand between any two.
     const auto next = [&] {
         while (at < text.size() && is_separator(text[at]))
             ++at;
@@ -108,6 +117,7 @@ void read_hex(ByteSource source, size_t begin, size_t bytes, Image& image)
         const int high = next();
         image.voxels[begin + i] = static_cast<std::byte>(16 * high + next());
     }
+    // More digits than the header tells of mean that its sizes are wrong.
     if (std::any_of(text.begin() + static_cast<std::ptrdiff_t>(at), text.end(),
                     [](char c) { return !is_separator(c); }))
         throw Error(CLEFT_ERROR_FORMAT, "it has more hexadecimal digits than its header tells of");
@@ -132,10 +142,14 @@ std::string bytes_text(uintmax_t count) { return std::to_string(count) + (count 
 
 void check_end(ByteSource& source, uintmax_t wanted, Image& image)
 {
+    // Reading on to the end also makes zlib check the sum behind the data.
     std::vector<char> waste(size_t{1} << 16);
     uintmax_t surplus = 0;
+    // Not further than as much again, as a damaged header may tell of a few bytes in a file of
+    // gigabytes.
     for (size_t got = 1; got > 0 && surplus < wanted; surplus += got)
         got = source.read_some(waste.data(), waste.size());
+    // Twice the voxels: the header has forgotten an axis, or halved the type.
     if (surplus >= wanted)
         throw Error(CLEFT_ERROR_FORMAT,
                     "its header tells of " + bytes_text(wanted) + " of voxels, but there are twice as many or more");
@@ -149,6 +163,7 @@ void check_end(ByteSource& source, uintmax_t wanted, Image& image)
 
 void note_text_end(bool within_number, Image& image)
 {
+    // "12" may be all of a number or the beginning of "127".
     if (within_number)
         image.notes.emplace_back("its last number ends with the file, without an end of the line: is it cut short?");
 }
@@ -168,6 +183,7 @@ void swap_bytes(Image& image)
 
 std::string beside(const std::string& header, const std::string& name)
 {
+    // operator/ gives `name` alone where it is absolute.
     return (std::filesystem::path(header).parent_path() / name).string();
 }
 
@@ -182,6 +198,7 @@ std::string_view read_text_voxels(std::string_view text, Image& image, int64_t f
 {
     size_t at = 0;
     for (int64_t voxel = first; voxel < first + count; ++voxel) {
+        // Words are found here and not by a scanner class, since a text may hold millions of them.
         while (at < text.size() && is_separator(text[at]))
             ++at;
         size_t end = at;
@@ -201,6 +218,7 @@ void read_voxels(const VoxelData& data, Image& image)
     const uintmax_t total = checked_bytes(image);
     const uintmax_t size = size_of(image.component);
     const uintmax_t files = data.files.size();
+    // Shares are whole numbers of voxels, so no number lies in two files.
     if (files == 0 || total / size % files != 0)
         throw Error(CLEFT_ERROR_FORMAT, "its voxels cannot be shared evenly among " + std::to_string(files) + " files");
     const auto share = static_cast<size_t>(total / files);
@@ -208,6 +226,7 @@ void read_voxels(const VoxelData& data, Image& image)
         const size_t begin = f * share;
         const auto read = [&] {
             ByteSource source = open_data(data, data.files[f], share);
+            // Behind decompression: NRRD defines "byte skip" so for gzip.
             source.skip(static_cast<uintmax_t>(data.skip));
             if (data.encoding == VoxelData::Encoding::text)
                 read_text(std::move(source), static_cast<int64_t>(begin / size), static_cast<int64_t>(share / size),
@@ -217,11 +236,13 @@ void read_voxels(const VoxelData& data, Image& image)
             else
                 read_binary(std::move(source), begin, share, image);
         };
+        // The user named this file already, and the caller adds its name.
         if (data.attached)
             read();
         else
             naming_file(data.files[f], read);
     }
+    // Once, at the end: parts of all files lie in one array.
     if (data.encoding != VoxelData::Encoding::text && is_swapped(data.big_endian))
         swap_bytes(image.voxels.get(), static_cast<size_t>(total / size), static_cast<size_t>(size));
 }

@@ -28,6 +28,7 @@ struct VoxelData {
 };
 
 // Fills image.voxels; everything else of the image must be set. What is left over behind the voxels goes to the notes.
+// Throws Error: FORMAT where files are too short, too long or damaged, FILE where one is missing.
 void read_voxels(const VoxelData& data, Image& image);
 
 // For a source of which `wanted` bytes of voxels were read. A little more is passed over with a note; as much again

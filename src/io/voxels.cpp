@@ -1,3 +1,5 @@
+// Converts between an image and what the core takes: affine maps between worlds, and voxels of its
+// types.
 #include "io/voxels.hpp"
 
 #include "base/error.hpp"
@@ -17,6 +19,8 @@ namespace
 {
 
 template <class Number>
+// std::to_string() writes six digits behind the point of a floating-point number, which say nothing
+// of a label.
 std::string whole_text(Number value)
 {
     const std::string text = std::to_string(value);
@@ -30,6 +34,7 @@ To label_from(From value)
     bool fits = true;
     if constexpr (std::is_floating_point_v<From>) {
         value = std::round(value);
+        // 2^31 itself is compared: the greatest int32 has no float, and would round up to it.
         fits = value >= static_cast<From>(std::numeric_limits<int32_t>::min()) && value < static_cast<From>(0x1p31);
     } else {
         fits = value <= static_cast<From>(std::numeric_limits<int32_t>::max()) &&
@@ -51,6 +56,8 @@ void convert_voxels(Image& image, Component to, const Convert& convert)
     std::unique_ptr<std::byte[]> wider;
     const std::byte* from = image.voxels.get();
     image.component = to;
+    // Otherwise number i is written at or before the place where it was read, and never over one
+    // that is still to be read.
     if (sizeof(To) > sizeof(From)) {
         wider = std::move(image.voxels);
         allocate_voxels(image);
@@ -65,6 +72,7 @@ double spacing_along(size_t axis, const Image& image, const cleft_io_reading& re
     if (!std::isfinite(wanted) || wanted < 0)
         throw Error(CLEFT_ERROR_ARGUMENT, "the spacing that replaces the file's must be positive");
     const double spacing = wanted > 0 ? wanted : reading.scale * image.spacing[axis];
+    // Readers leave 0 where a file does not tell. Only the user knows the size then.
     if (spacing == 0 || !std::isfinite(spacing))
         throw Error(CLEFT_ERROR_FORMAT, "its spacing along the " + ordinal(static_cast<int64_t>(axis)) + " axis is " +
                                             number_text(spacing) + ": give the spacing yourself");
@@ -73,6 +81,7 @@ double spacing_along(size_t axis, const Image& image, const cleft_io_reading& re
 
 void check_directions(const Image& image)
 {
+    // Of directions of length 1. Less is rounding of axes that lie in one plane.
     constexpr double least_volume = 1e-6;
     for (size_t row = 0; row < 3; ++row)
         if (!std::isfinite(image.origin[row]))
@@ -86,6 +95,7 @@ void check_directions(const Image& image)
 // Between LPS and RAS, either way; x + 0.0 makes no negative zeros.
 void flip_world(std::array<double, 12>& affine)
 {
+    // The rows of x and y. LPS and RAS differ in both signs, so one function serves both ways.
     for (size_t i = 0; i < 8; ++i)
         affine[i] = -affine[i] + 0.0;
 }
@@ -102,6 +112,8 @@ std::array<double, 12> affine_of(const Image& image, const cleft_io_reading& rea
             affine[4 * row + axis] = spacing * image.directions[axis][row] + 0.0;  // no -0
     }
     for (size_t row = 0; row < 3; ++row)
+        // A spacing of the caller's replaces the file's and is not scaled, but the origin is still
+        // the file's.
         affine[4 * row + 3] = reading.scale * image.origin[row];
     if (reading.world == CLEFT_IO_WORLD_RAS)
         flip_world(affine);
@@ -110,6 +122,7 @@ std::array<double, 12> affine_of(const Image& image, const cleft_io_reading& rea
 
 std::vector<std::string> notes_on_spacing(const Image& image, const cleft_io_reading& reading)
 {
+    // Units differ by factors of ten and more. A spacing that differs by less is a correction.
     constexpr double another_unit = 9;
     double greatest = 1;  // factor between the spacing wanted and the file's, either way
     for (size_t axis = 0; axis < 3; ++axis)
@@ -120,6 +133,7 @@ std::vector<std::string> notes_on_spacing(const Image& image, const cleft_io_rea
     if (reading.scale != 1 && greatest > another_unit)
         return {"the spacing asked for is taken as it is, and not multiplied by the scale " +
                 number_text(reading.scale) + ": it differs from the file's by a factor of " + number_text(greatest)};
+    // An origin of 0 stays right in any unit.
     if (reading.scale != 1 || greatest < 1.001 || length(image.origin) == 0)
         return {};
     return {"the spacing asked for replaces the file's, but the origin (" + number_text(image.origin[0]) + ", " +
@@ -132,6 +146,7 @@ void set_geometry(std::array<double, 12> affine, cleft_io_world world, Image& im
     if (world == CLEFT_IO_WORLD_RAS)
         flip_world(affine);
     for (size_t axis = 0; axis < 3; ++axis) {
+        // The affine comes from the core, which has checked that no step is of length 0.
         const Vector3 step{affine[axis], affine[4 + axis], affine[8 + axis]};
         image.spacing[axis] = length(step);
         image.directions[axis] = times(1 / length(step), step);
@@ -161,6 +176,7 @@ cleft_type type_of(Component component)
         case Component::int64:
             break;
     }
+    // make_labels() and make_floating() leave none of these three.
     throw Error(CLEFT_ERROR_INTERNAL, "voxels were not converted");
 }
 
@@ -168,6 +184,7 @@ void make_labels(Image& image)
 {
     with_type(image.component, [&](auto zero) {
         using From = decltype(zero);
+        // The core has no type of signed bytes. int16 holds them all.
         if constexpr (std::is_same_v<From, int8_t>)
             convert_voxels<int16_t, From>(image, Component::int16, [](From v) { return int16_t{v}; });
         else if constexpr (std::is_floating_point_v<From> || std::is_same_v<From, uint32_t> ||

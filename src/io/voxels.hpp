@@ -19,6 +19,7 @@ void set_geometry(std::array<double, 12> affine, cleft_io_world world, Image& im
 cleft_type type_of(Component component);
 // In place where the new type is not wider. Fractions are rounded to the nearest; throws if a label does not fit.
 void make_labels(Image& image);
+// Whole numbers become float. float and double stay as they are.
 void make_floating(Image& image);
 // From float to double.
 void widen(Image& image);

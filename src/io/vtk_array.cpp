@@ -1,3 +1,5 @@
+// Decodes the arrays of VTK's XML files. Each length in them comes from the file and is checked
+// against the bytes that are there.
 #include "io/vtk_array.hpp"
 
 #include "base/error.hpp"
@@ -34,13 +36,16 @@ int base64_digit(char c)
 std::string take_base64(const XmlTag& array, std::string_view& text, uint64_t bytes)
 {
     std::string piece;
+    // The claim of the file alone must not take memory.
     piece.reserve(std::min<uint64_t>(bytes, text.size()) + 2);
     while (piece.size() < bytes) {
         int bits = 0;
         for (int i = 0; i < 4; ++i) {
+            // Writers break base64 into lines.
             const size_t at = text.find_first_not_of(" \t\r\n");
             if (at == std::string_view::npos)
                 damaged(array, "is cut short");
+            // Padding counts as zero bits. resize() below drops what it adds.
             const int digit = text[at] == '=' ? 0 : base64_digit(text[at]);
             if (digit < 0)
                 damaged(array, "is no base64");
@@ -55,6 +60,7 @@ std::string take_base64(const XmlTag& array, std::string_view& text, uint64_t by
 }
 
 // The stored form of an array: in base64 or raw.
+// It is small and copied freely: a copy reads ahead without moving the original.
 struct Stored {
     const XmlTag& array;
     std::string_view text;
@@ -89,6 +95,8 @@ struct Stored {
 std::string read_plain(const Stored& stored)
 {
     const uint64_t bytes = stored.header_item(stored.look(stored.width()), 0);
+    // Base64 has four characters for three bytes, so the text is longer than the bytes in either
+    // form.
     if (bytes > stored.text.size())
         damaged(stored.array, "is cut short");
     return stored.look(stored.width() + bytes).substr(stored.width());
@@ -98,6 +106,7 @@ std::string read_plain(const Stored& stored)
 std::string read_compressed(Stored stored)
 {
     const uint64_t blocks = stored.header_item(stored.look(stored.width()), 0);
+    // Each block has a number in the header, so there cannot be more blocks than characters.
     if (blocks > stored.text.size())
         damaged(stored.array, "has a damaged header");
     const std::string header = stored.take((3 + blocks) * stored.width());
@@ -107,14 +116,17 @@ std::string read_compressed(Stored stored)
     uint64_t packed_bytes = 0;
     for (uint64_t b = 0; b < blocks; ++b) {
         const uint64_t size = stored.header_item(header, 3 + b);
+        // Written without a sum of two numbers of the file, which could wrap around.
         if (size > stored.text.size() - std::min<uint64_t>(packed_bytes, stored.text.size()))
             damaged(stored.array, "is cut short");
         packed_bytes += size;
     }
     const std::string packed = stored.take(packed_bytes);
     for (uint64_t b = 0, at = 0; b < blocks; ++b) {
+        // A last size of 0 means that the last block is full.
         const uint64_t size = b + 1 == blocks && last_bytes > 0 ? last_bytes : block_bytes;
         const uint64_t packed_size = stored.header_item(header, 3 + b);
+        // Before memory is taken for the block.
         if (size / greatest_deflate_ratio > packed_size)
             damaged(stored.array, "has a damaged header");
         bytes.resize(bytes.size() + size);
@@ -129,6 +141,7 @@ std::string read_bytes(const XmlTag& array, const VtkEncoding& encoding)
 {
     Stored stored{array, array.text, true, encoding.wide_headers};
     if (array.get("format") == "appended") {
+        // From the underscore, which is not counted.
         uint64_t offset = 0;
         const std::string number = array.get("offset");
         const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), offset);
@@ -175,6 +188,7 @@ std::vector<To> convert(const std::string& bytes)
 template <class To>
 std::vector<To> convert_any(const XmlTag& array, const std::string& bytes)
 {
+    // The names of "VTK File Formats". Arrays of String and Bit are not asked for.
     const std::string type = array.get("type");
     if (type == "Int8")
         return convert<int8_t, To>(bytes);
@@ -192,6 +206,7 @@ std::vector<To> convert_any(const XmlTag& array, const std::string& bytes)
         return convert<int64_t, To>(bytes);
     if (type == "UInt64")
         return convert<uint64_t, To>(bytes);
+    // Offsets and corners in floating point are damage, and would lose digits.
     if constexpr (std::is_floating_point_v<To>) {
         if (type == "Float32")
             return convert<float, To>(bytes);
@@ -206,6 +221,7 @@ std::vector<To> read_numbers(const XmlTag& array, const VtkEncoding& encoding, i
 {
     std::vector<To> numbers =
         array.get("format") == "ascii" ? parse_text<To>(array) : convert_any<To>(array, read_bytes(array, encoding));
+    // Counts are those of the piece. A wrong length would shift the labels of all cells.
     if (static_cast<int64_t>(numbers.size()) != count)
         damaged(array, "has " + std::to_string(numbers.size()) + " numbers instead of " + std::to_string(count));
     return numbers;

@@ -22,6 +22,8 @@ struct VtkType {
 // `long` has the size that it has on all systems but Windows. VTK writes its ids as 32-bit numbers.
 VtkType type_named(const std::string& name)
 {
+    // dataType of "VTK File Formats" and the names of fixed size that newer versions of VTK write.
+    // vtkIdType is written as int.
     static const std::map<std::string, Component> numbers{
         {"unsigned_char", Component::uint8}, {"char", Component::int8},
         {"signed_char", Component::int8},    {"unsigned_short", Component::uint16},
@@ -46,11 +48,13 @@ VtkType type_named(const std::string& name)
     }
     const auto found = numbers.find(small);
     if (found == numbers.end())
+        // An unknown type has an unknown size, so that the arrays behind it could not be found.
         throw Error(CLEFT_ERROR_FORMAT, "its type of values '" + name.substr(0, 40) + "' cannot be read");
     type.component = found->second;
     return type;
 }
 
+// Counts and components come from the file.
 int64_t product(int64_t a, int64_t b)
 {
     int64_t result = 0;
@@ -78,6 +82,8 @@ void skip_strings(TextSource& source, bool binary, int64_t count)
         }
         unsigned char first = 0;
         source.read(&first, 1);
+        // VTK writes a length in 1, 2, 4 or 8 bytes. The two highest bits of the first byte tell
+        // which: 3 for one byte, 0 for eight.
         uintmax_t length = first & 0x3f;
         for (int more = (1 << (3 - (first >> 6))) - 1; more > 0; --more) {
             unsigned char byte = 0;
@@ -88,6 +94,8 @@ void skip_strings(TextSource& source, bool binary, int64_t count)
     }
 }
 
+// Values are passed over without being stored, so that a file with many arrays costs memory for
+// one.
 void skip_values(TextSource& source, bool binary, const VtkType& type, int64_t count)
 {
     if (!type.is_numeric)
@@ -100,6 +108,7 @@ void skip_values(TextSource& source, bool binary, const VtkType& type, int64_t c
         source.skip(static_cast<uintmax_t>(product(count, static_cast<int64_t>(size_of(type.component)))));
 }
 
+// Goes through POINT_DATA and CELL_DATA once and notes where each array begins.
 class ArrayFinder
 {
 public:
@@ -118,6 +127,7 @@ public:
 private:
     std::string take() { return std::string(source_.word()); }
 
+    // The next word, which must be there.
     std::string name(const char* what)
     {
         std::string word = take();
@@ -128,12 +138,14 @@ private:
 
     void end_line()
     {
+        // In binary files the values begin behind this line, so nothing on it may be left unread.
         if (!source_.rest_is_blank())
             throw Error(CLEFT_ERROR_FORMAT, "there is more on a line of it than is known");
     }
 
     void take_attribute(const std::string& keyword, const std::string& shown)
     {
+        // Attributes with a fixed number of components ("VTK File Formats", dataset attributes).
         static const std::map<std::string, int64_t> fixed{{"vectors", 3},   {"normals", 3},    {"tensors", 9},
                                                           {"tensors6", 6},  {"global_ids", 1}, {"pedigree_ids", 1},
                                                           {"edge_flags", 1}};
@@ -167,6 +179,7 @@ private:
         on_cells_ = on_cells;
         tuples_ = vtk_count(source_, on_cells ? "CELL_DATA" : "POINT_DATA");
         const int64_t wanted = on_cells ? cells_ : points_;
+        // The values would belong to other voxels than their order says.
         if (tuples_ != wanted)
             throw Error(CLEFT_ERROR_FORMAT, "its " + std::string(on_cells ? "CELL_DATA" : "POINT_DATA") + " are " +
                                                 std::to_string(tuples_) + ", but its dimensions are " +
@@ -195,10 +208,12 @@ private:
         const VtkType type = type_named(name("a type of SCALARS"));
         std::string rest;
         source_.next_line(rest);
+        // The number of components may be left out and is then 1.
         const std::string_view given = trimmed(rest);
         const int64_t components = given.empty() ? 1 : integer_of("SCALARS", given);
         if (components < 1 || components > 64)
             refuse_field("SCALARS", given, "so many numbers a voxel are not known");
+        // Looked at and not read as a word: in a binary file the values may begin here.
         if (source_.next_is("LOOKUP_TABLE") || source_.next_is("lookup_table"))
             source_.next_line(rest);
         add(array_name, type, components);
@@ -210,6 +225,7 @@ private:
         const VtkType type = type_named(name("a type"));
         end_line();
         add(array_name, type, components);
+        // Ids number the points or cells and are never labels, whatever their values are.
         arrays_.back().is_id = is_id;
     }
 
@@ -218,6 +234,7 @@ private:
         const std::string array_name = name("a name of COLOR_SCALARS");
         const int64_t components = vtk_count(source_, "COLOR_SCALARS");
         end_line();
+        // VtkType{} is of bytes, which is how binary files store colours.
         add(array_name, VtkType{}, components);
         arrays_.back().is_colour = true;
     }
@@ -236,6 +253,7 @@ private:
         name("a name of LOOKUP_TABLE");
         const int64_t colours = vtk_count(source_, "LOOKUP_TABLE");
         end_line();
+        // A table has four numbers, red, green, blue and alpha, for each colour.
         skip_values(source_, binary_, VtkType{}, product(colours, 4));
     }
 
@@ -245,6 +263,7 @@ private:
         const int64_t count = vtk_count(source_, "FIELD");
         for (int64_t i = 0; i < count; ++i) {
             std::string array_name = name("an array of FIELD");
+            // VTK writes METADATA between the arrays of a FIELD, too.
             if (in_small_letters(array_name) == "metadata") {
                 skip_vtk_metadata(source_);
                 array_name = name("an array of FIELD");
@@ -253,6 +272,7 @@ private:
             const int64_t tuples = vtk_count(source_, "FIELD");
             const VtkType type = type_named(name("a type"));
             end_line();
+            // An array of another length belongs to neither points nor cells.
             if (tuples != tuples_)
                 throw Error(CLEFT_ERROR_FORMAT, "its array '" + array_name.substr(0, 40) + "' has " +
                                                     std::to_string(tuples) + " values, but " + std::to_string(tuples_) +

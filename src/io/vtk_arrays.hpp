@@ -10,6 +10,7 @@
 namespace cleft::io
 {
 
+// What stands in front of the values of an array, and where they begin.
 struct VtkArray {
     std::string name;
     bool on_cells = false;
@@ -28,6 +29,7 @@ struct VtkArray {
 std::vector<VtkArray> find_vtk_arrays(TextSource& source, bool binary, int64_t points, int64_t cells);
 
 // What numbers of this type are; "vtkIdType" and so on are the names in the file.
+// Throws Error(CLEFT_ERROR_FORMAT) for bits and texts.
 Component vtk_number_type(const std::string& type);
 // Passes over the values of an array of this type.
 void skip_vtk_values(TextSource& source, bool binary, const std::string& type, int64_t count);

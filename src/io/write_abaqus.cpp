@@ -15,6 +15,7 @@ namespace cleft::io
 namespace
 {
 
+// Abaqus and CalculiX turn names into capitals. In the file they look as the solver reports them.
 std::string upper(std::string name)
 {
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
@@ -29,12 +30,15 @@ struct Set {
 
 std::vector<Set> collect_sets(const MeshView& mesh)
 {
+    // In the order of CLEFT_SIDE_X_MIN to CLEFT_SIDE_OTHER. Loads and supports are applied to a
+    // whole side, so its labels are put together.
     static const char* const sides[] = {"BOX_X_MIN", "BOX_X_MAX", "BOX_Y_MIN", "BOX_Y_MAX",
                                         "BOX_Z_MIN", "BOX_Z_MAX", "HULL"};
     std::vector<Set> sets;
     for (size_t g = 0; g < mesh.groups.size(); ++g) {
         const SurfaceGroup& group = mesh.groups[g];
         const std::string name = group.is_interface() ? upper(group.name) : sides[group.side];
+        // Groups of one side follow each other, as the hull is sorted by sides.
         if (sets.empty() || sets.back().name != name)
             sets.push_back({name, {}});
         sets.back().groups.push_back(g);
@@ -48,7 +52,9 @@ void write_node_set(const MeshView& mesh, const Set& set, std::vector<int32_t>& 
     for (const size_t g : set.groups)
         scratch.insert(scratch.end(), mesh.groups[g].triangles, mesh.groups[g].triangles + 3 * mesh.groups[g].count);
     std::sort(scratch.begin(), scratch.end());
+    // A point lies at about six triangles, so the file would name it six times.
     scratch.erase(std::unique(scratch.begin(), scratch.end()), scratch.end());
+    // *NSET takes at most 16 entries a line.
     constexpr size_t per_line = 16;
     file.print("*NSET, NSET=", set.name, '\n');
     for (size_t i = 0; i < scratch.size(); ++i) {
@@ -70,6 +76,8 @@ void write_surface(const MeshView& mesh, const Set& set, const std::vector<std::
 
 void write_elements(const MeshView& mesh, AtomicFile& file)
 {
+    // An *ELEMENT block names one set, so elements are gathered by label. Their numbers stay those
+    // of the mesh.
     std::vector<std::vector<int64_t>> tets(mesh.labels.size());
     for (int64_t t = 0; t < mesh.tet_count; ++t)
         tets[mesh.label_index(mesh.tet_labels[t])].push_back(t);
@@ -81,6 +89,7 @@ void write_elements(const MeshView& mesh, AtomicFile& file)
             file.print(t + 1, ',', c[0] + int64_t{1}, ',', c[1] + int64_t{1}, ',', c[2] + int64_t{1}, ',',
                        c[3] + int64_t{1}, '\n');
         }
+        // A second set with the name of the label. Scripts find the first one by the label alone.
         const std::string named = upper(mesh.material(m));
         if (named != set)
             file.print("*ELSET, ELSET=", named, '\n', set, '\n');
@@ -91,6 +100,7 @@ void write_elements(const MeshView& mesh, AtomicFile& file)
 
 void write_abaqus(const MeshView& mesh, const std::string& path)
 {
+    // Before the file is opened, as it may throw.
     const std::vector<std::vector<ElementFace>> faces = find_element_faces(mesh);
     AtomicFile file(path);
     file.print(

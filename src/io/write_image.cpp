@@ -25,6 +25,7 @@ enum class Wrapping { gzip, zlib };
 
 std::string compressed(const Image& image, Wrapping wrapping)
 {
+    // The default of zlib and of libdeflate.
     constexpr int level = 6;
     const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
         libdeflate_alloc_compressor(level), libdeflate_free_compressor);
@@ -50,6 +51,7 @@ void print_vector(AtomicFile& file, const Vector3& vector)
 
 void write_nrrd(AtomicFile& file, const Image& image)
 {
+    // Version 4 has the fields of space; versions above add nothing that is needed here.
     file.print("NRRD0004\ntype: float\ndimension: 3\nspace: left-posterior-superior\nsizes: ");
     print_sizes(file, image);
     file.print("space directions:");
@@ -59,11 +61,14 @@ void write_nrrd(AtomicFile& file, const Image& image)
     }
     file.print("\nkinds: domain domain domain\nendian: little\nencoding: gzip\nspace origin: ");
     print_vector(file, image.origin);
+    // The empty line ends the header.
     file.print("\n\n", compressed(image, Wrapping::gzip));
 }
 
 void write_metaimage(AtomicFile& file, const Image& image)
 {
+    // First, as CompressedDataSize stands in the header. MetaIO compresses as a zlib stream, not as
+    // gzip.
     const std::string voxels = compressed(image, Wrapping::zlib);
     file.print("ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n",
                "CompressedData = True\nCompressedDataSize = ", voxels.size(), "\nTransformMatrix =");
@@ -83,6 +88,7 @@ void write_metaimage(AtomicFile& file, const Image& image)
 
 void write_vtk_volume(AtomicFile& file, const Image& image)
 {
+    // Big-endian copies of 256 kB, so that the field is not held twice.
     constexpr size_t chunk = size_t{1} << 18;
     file.print("# vtk DataFile Version 3.0\nCleft sizing field\nBINARY\nDATASET STRUCTURED_POINTS\nDIMENSIONS ");
     print_sizes(file, image);
@@ -101,10 +107,13 @@ void write_vtk_volume(AtomicFile& file, const Image& image)
 
 void check_geometry(const Image& image, const std::string& extension)
 {
+    // Directions come out of a division and are off by rounding.
     constexpr double tolerance = 1e-6;
     bool turned = false;
     bool sheared = false;
     for (size_t axis = 0; axis < 3; ++axis) {
+        // Structured points have axes along x, y and z only. MetaImage has directions, which ITK
+        // wants at right angles.
         turned = turned || image.directions[axis][axis] < 1 - tolerance;
         sheared = sheared || std::abs(dot(image.directions[axis], image.directions[(axis + 1) % 3])) > tolerance;
     }

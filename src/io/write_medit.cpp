@@ -24,6 +24,7 @@ void write_triangles(const MeshView& mesh, AtomicFile& file)
 void write_medit(const MeshView& mesh, const std::string& path)
 {
     AtomicFile file(path);
+    // 2: double precision.
     file.print("MeshVersionFormatted 2\n# tetrahedra: the reference is the material; triangles:\n");
     for (const SurfaceGroup& group : mesh.groups)
         file.print("# ", group.number, " = ", group.name, '\n');
@@ -33,6 +34,7 @@ void write_medit(const MeshView& mesh, const std::string& path)
     file.print("Dimension 3\n\nVertices\n", mesh.point_count, '\n');
     for (int64_t i = 0; i < mesh.point_count; ++i) {
         const double* p = mesh.points + 3 * i;
+        // Points have no reference of their own: one may touch several materials.
         file.print(p[0], ' ', p[1], ' ', p[2], " 0\n");
     }
     file.print("\nTetrahedra\n", mesh.tet_count, '\n');
@@ -42,6 +44,7 @@ void write_medit(const MeshView& mesh, const std::string& path)
                    mesh.tet_labels[t], '\n');
     }
     write_triangles(mesh, file);
+    // The keyword that ends a file in MEDIT's format.
     file.print("\nEnd\n");
     file.commit();
 }

@@ -15,6 +15,8 @@ void write_msh22_elements(const MeshView& mesh, AtomicFile& file)
     for (const SurfaceGroup& group : mesh.groups)
         for (int64_t t = 0; t < group.count; ++t) {
             const int32_t* c = group.triangles + 3 * t;
+            // " 2 ": two tags follow, physical group and entity. Elements are numbered through both
+            // kinds, as no two may have the same number.
             file.print(++element, ' ', gmsh_triangle, " 2 ", group.number, ' ', group.number, ' ', c[0] + int64_t{1},
                        ' ', c[1] + int64_t{1}, ' ', c[2] + int64_t{1}, '\n');
         }

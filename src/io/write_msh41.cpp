@@ -17,6 +17,7 @@ namespace
 struct Box {
     std::array<double, 6> bounds;  // least x y z, greatest x y z
 
+    // An empty box: the first point sets both ends.
     Box()
     {
         std::fill_n(bounds.begin(), 3, std::numeric_limits<double>::max());
@@ -39,6 +40,8 @@ struct Entities {
     std::vector<std::vector<int32_t>> boundaries;  // signed numbers of the surfaces around each volume
 };
 
+// A point is stored with one entity. Surfaces come first, so that points at interfaces belong to
+// the surface, as Gmsh has it.
 void collect_surfaces(const MeshView& mesh, std::vector<bool>& taken, Entities& entities)
 {
     for (size_t g = 0; g < mesh.groups.size(); ++g) {
@@ -87,6 +90,7 @@ Entities collect_entities(const MeshView& mesh)
     std::vector<bool> taken(static_cast<size_t>(mesh.point_count), false);
     collect_surfaces(mesh, taken, entities);
     collect_volumes(mesh, taken, entities);
+    // Ascending numbers within each entity make the file independent of the order of elements.
     for (std::vector<int32_t>& points : entities.points)
         std::sort(points.begin(), points.end());
     return entities;
@@ -103,6 +107,8 @@ void write_entities(const MeshView& mesh, const Entities& entities, AtomicFile& 
 {
     const size_t surfaces = mesh.groups.size();
     file.print("$Entities\n");
+    // MSH 4.1, $Entities: numbers of points, curves, surfaces and volumes. Discrete surfaces need
+    // no curves.
     for (const size_t count : {size_t{0}, size_t{0}, surfaces, mesh.labels.size()})
         file.binary(count);
     for (size_t e = 0; e < entities.points.size(); ++e) {
@@ -110,6 +116,7 @@ void write_entities(const MeshView& mesh, const Entities& entities, AtomicFile& 
         const int32_t number = entity_number(mesh, e);
         file.binary(number);
         file.binary(entities.boxes[e].bounds);
+        // One physical group, of the same number as the entity.
         file.binary(size_t{1});
         file.binary(number);
         const std::vector<int32_t> boundary = is_surface ? std::vector<int32_t>() : entities.boundaries[e - surfaces];
@@ -124,11 +131,13 @@ void write_nodes(const MeshView& mesh, const Entities& entities, AtomicFile& fil
     const size_t surfaces = mesh.groups.size();
     const size_t points = static_cast<size_t>(mesh.point_count);
     file.print("$Nodes\n");
+    // MSH 4.1, $Nodes: number of entity blocks, number of nodes, least and greatest tag.
     for (const size_t number : {entities.points.size(), points, std::min(points, size_t{1}), points})
         file.binary(number);
     for (size_t e = 0; e < entities.points.size(); ++e) {
         file.binary(int32_t{e < surfaces ? 2 : 3});
         file.binary(entity_number(mesh, e));
+        // Not parametric.
         file.binary(int32_t{0});
         file.binary(entities.points[e].size());
         for (const int32_t p : entities.points[e])
@@ -151,6 +160,7 @@ void write_elements(const MeshView& mesh, const Entities& entities, AtomicFile& 
 {
     const size_t total = static_cast<size_t>(mesh.triangle_count() + mesh.tet_count);
     file.print("$Elements\n");
+    // MSH 4.1, $Elements: number of entity blocks, number of elements, least and greatest tag.
     for (const size_t number : {entities.points.size(), total, std::min(total, size_t{1}), total})
         file.binary(number);
     size_t element = 0;
@@ -177,6 +187,7 @@ void write_msh41(const MeshView& mesh, const std::string& path)
     const Entities entities = collect_entities(mesh);
     AtomicFile file(path);
     file.print("$MeshFormat\n4.1 1 8\n");
+    // The number 1, by which a reader finds out the order of bytes.
     file.binary(int32_t{1});
     file.print("\n$EndMeshFormat\n");
     write_physical_names(mesh, file);

@@ -18,6 +18,7 @@ namespace cleft::io
 namespace
 {
 
+// 352, the least vox_offset that nifti1.h allows in a single file.
 constexpr size_t voxel_offset = nifti1_header_bytes + nifti_extension_mark;
 
 template <class T>
@@ -36,6 +37,7 @@ std::array<double, 3> quaternion_of(const std::array<Vector3, 3>& axes)
     // Four times the products: of a with b, c, d, and of c d, b d, b c.
     const std::array<double, 3> with_a{axes[1][2] - axes[2][1], axes[2][0] - axes[0][2], axes[0][1] - axes[1][0]};
     const std::array<double, 3> others{axes[1][2] + axes[2][1], axes[2][0] + axes[0][2], axes[0][1] + axes[1][0]};
+    // Division by the largest component: the others are lost to rounding where it is small.
     const auto largest = static_cast<size_t>(std::max_element(squares.begin(), squares.end()) - squares.begin());
     const double twice = std::sqrt(squares[largest]);
     std::array<double, 3> found{};
@@ -49,11 +51,14 @@ std::array<double, 3> quaternion_of(const std::array<Vector3, 3>& axes)
     for (size_t i = 0; i < 3; ++i)
         if (i != self)
             found[i] = others[3 - self - i] / (2 * twice);
+    // A quaternion and its negative are one rotation. nifti1.h stores the one with a >= 0 and
+    // leaves a out.
     return with_a[self] < 0 ? std::array<double, 3>{-found[0], -found[1], -found[2]} : found;
 }
 
 bool is_sheared(const Image& image)
 {
+    // Directions come out of a division and are off by rounding.
     constexpr double tolerance = 1e-6;
     for (size_t axis = 0; axis < 3; ++axis)
         if (std::abs(dot(image.directions[axis], image.directions[(axis + 1) % 3])) > tolerance)
@@ -71,13 +76,16 @@ void put_geometry(const Image& image, std::string& header)
         axes[axis] = ras(image.directions[axis]);
     const Vector3 origin = ras(image.origin);
     const bool mirrored = dot(cross(axes[0], axes[1]), axes[2]) < 0;
+    // qfac, in pixdim[0]: a quaternion cannot hold a reflection.
     put(header, 76, mirrored ? -1.0F : 1.0F);
+    // sform_code 1: coordinates of a scanner. The unit and meaning of the world are not known here.
     put(header, 254, int16_t{1});
     for (size_t row = 0; row < 3; ++row) {
         for (size_t axis = 0; axis < 3; ++axis)
             put(header, 280 + 16 * row + 4 * axis, static_cast<float>(image.spacing[axis] * axes[axis][row]));
         put(header, 280 + 16 * row + 12, static_cast<float>(origin[row]));
     }
+    // qform_code stays 0: no quaternion describes a sheared grid.
     if (is_sheared(image))
         return;
     put(header, 252, int16_t{1});
@@ -92,12 +100,15 @@ void put_geometry(const Image& image, std::string& header)
 
 std::string header_of(const Image& image)
 {
+    // DT_FLOAT32
     constexpr int16_t float32 = 16;
     std::string header(voxel_offset, '\0');
     put(header, 0, static_cast<int32_t>(nifti1_header_bytes));
+    // dim[0]. Fields of nifti1.h that are not set below stay 0.
     put(header, 40, int16_t{3});
     for (size_t axis = 0; axis < 7; ++axis) {
         const int64_t count = axis < 3 ? image.dims[axis] : 1;
+        // dim[] has 16 bits in NIfTI-1.
         if (count > INT16_MAX)
             throw Error(CLEFT_ERROR_UNSUPPORTED,
                         "a NIfTI file cannot hold " + std::to_string(count) + " voxels along an axis: use .nrrd");
@@ -117,6 +128,7 @@ std::string gzip(const std::string& header, const Image& image)
 {
     std::string bytes = header;
     bytes.append(reinterpret_cast<const char*>(image.voxels.get()), image.bytes());
+    // The default of zlib and of libdeflate.
     constexpr int level = 6;
     const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
         libdeflate_alloc_compressor(level), libdeflate_free_compressor);

@@ -23,6 +23,7 @@ Vector3 point(const MeshView& mesh, int32_t p)
 Vector3 unit_normal(const Vector3& a, const Vector3& b, const Vector3& c)
 {
     const Vector3 normal = cross(minus(b, a), minus(c, a));
+    // Readers of STL compute the normal anew where it is zero.
     return length(normal) > 0 ? times(1 / length(normal), normal) : Vector3{0, 0, 0};
 }
 
@@ -31,9 +32,11 @@ Vector3 unit_normal(const Vector3& a, const Vector3& b, const Vector3& c)
 void write_stl(const MeshView& mesh, const std::string& path)
 {
     const InnerSurface surface = inner_surface(mesh);
+    // The count in the header has 32 bits.
     if (surface.count() > UINT32_MAX)
         throw Error(CLEFT_ERROR_TOO_LARGE, "too many triangles for an STL file");
     AtomicFile file(path);
+    // A text that does not begin with "solid", by which readers know STL of text.
     std::array<char, 80> header{};
     std::strcpy(header.data(), "binary STL of the interfaces between materials, by cleft");
     file.write(header.data(), header.size());
@@ -44,6 +47,7 @@ void write_stl(const MeshView& mesh, const std::string& path)
         for (const Vector3& row : {unit_normal(corners[0], corners[1], corners[2]), corners[0], corners[1], corners[2]})
             for (const double coordinate : row)
                 file.binary(static_cast<float>(coordinate));
+        // The attribute byte count, which the format leaves to applications.
         file.binary(uint16_t{0});
     }
     file.commit();
@@ -53,6 +57,7 @@ void write_ply(const MeshView& mesh, const std::string& path)
 {
     const InnerSurface surface = inner_surface(mesh);
     AtomicFile file(path);
+    // PLY has double precision. Single precision would move the points.
     file.print("ply\nformat binary_little_endian 1.0\ncomment interfaces between materials, by cleft\nelement vertex ",
                surface.points.size(), "\nproperty double x\nproperty double y\nproperty double z\nelement face ",
                surface.count(),

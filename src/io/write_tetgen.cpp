@@ -12,6 +12,7 @@ namespace
 
 void write_nodes(const MeshView& mesh, AtomicFile& file)
 {
+    // Dimension 3, no attributes, no markers.
     file.print(mesh.point_count, " 3 0 0\n");
     for (int64_t i = 0; i < mesh.point_count; ++i) {
         const double* p = mesh.points + 3 * i;
@@ -21,6 +22,7 @@ void write_nodes(const MeshView& mesh, AtomicFile& file)
 
 void write_ele(const MeshView& mesh, AtomicFile& file)
 {
+    // Four corners, one attribute.
     file.print(mesh.tet_count, " 4 1\n");
     for (int64_t t = 0; t < mesh.tet_count; ++t) {
         const int32_t* c = mesh.tets + 4 * t;
@@ -51,6 +53,8 @@ void write_faces(const MeshView& mesh, AtomicFile& file)
 void write_tetgen(const MeshView& mesh, const std::string& path)
 {
     const std::string prefix = tetgen_prefix(path);
+    // All three are written before any takes its name: a .ele file beside the .node file of another
+    // mesh would be wrong without a sign.
     AtomicFile nodes(prefix + ".node");
     write_nodes(mesh, nodes);
     AtomicFile elements(prefix + ".ele");

@@ -17,6 +17,7 @@ namespace
 {
 
 template <class T>
+// Arrays are of the four types below; the names are those of VTK.
 constexpr const char* vtk_type = nullptr;
 template <>
 constexpr const char* vtk_type<double> = "Float64";
@@ -41,12 +42,15 @@ public:
                               "\" NumberOfComponents=\"" + std::to_string(components) +
                               "\" format=\"appended\" offset=\"" + std::to_string(offset_) + "\"/>\n";
         arrays_.push_back(compress_blocks(values, static_cast<size_t>(count) * sizeof(T), threads_));
+        // Offsets count from the first byte behind the underscore.
         offset_ += arrays_.back().size();
         return element;
     }
 
     void write(AtomicFile& file) const
     {
+        // Raw bytes are a third smaller than base64. The newline and "_" in front belong to the
+        // format.
         file.print("<AppendedData encoding=\"raw\">\n_");
         for (const std::string& array : arrays_)
             file.print(array);
@@ -71,6 +75,7 @@ std::string add_offsets(AppendedArrays& arrays, int64_t cells, int corners)
 
 std::string add_cells(AppendedArrays& arrays, const int32_t* corners, int64_t cells, int corners_each)
 {
+    // 32 bits for the offsets where they suffice: half of the bytes to compress.
     const bool small = cells <= std::numeric_limits<int32_t>::max() / corners_each;
     std::string elements = arrays.add("connectivity", corners, corners_each * cells);
     elements +=
@@ -115,6 +120,7 @@ void write_vtu(const MeshView& mesh, const std::string& path, int threads)
     piece += "<Points>\n" + arrays.add("Points", mesh.points, 3 * mesh.point_count, 3) + "</Points>\n";
     piece += "<Cells>\n" + add_cells(arrays, mesh.tets, mesh.tet_count, 4);
     piece += arrays.add("types", types.data(), mesh.tet_count) + "</Cells>\n";
+    // The active scalars, by which ParaView colours the mesh when it is opened.
     piece += "<CellData Scalars=\"material\">\n" + arrays.add("material", mesh.tet_labels, mesh.tet_count) +
              "</CellData>\n</Piece>\n";
     write_file(path, "UnstructuredGrid", field_data(mesh) + piece, arrays);

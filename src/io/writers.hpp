@@ -8,6 +8,8 @@
 namespace cleft::io
 {
 
+// Order of points and elements is that of the view, and the bytes do not depend on `threads`.
+// Formats with triangles need a view with a surface.
 void write_vtu(const MeshView& mesh, const std::string& path, int threads);
 void write_vtp(const MeshView& mesh, const std::string& path, int threads);
 void write_vtk(const MeshView& mesh, const std::string& path);

@@ -11,6 +11,7 @@ namespace cleft::io
 namespace
 {
 
+// The five entities that XML 1.0, section 4.6 defines.
 constexpr std::pair<char, std::string_view> entities[] = {
     {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&apos;"}};
 
@@ -23,6 +24,7 @@ std::map<std::string, std::string> parse_attributes(std::string_view text)
     for (size_t at = 0;;) {
         at = text.find_first_not_of(xml_blanks, at);
         const size_t equals = text.find('=', at);
+        // A damaged attribute ends the list. What is missing is then refused by who asks for it.
         if (at == std::string_view::npos || equals == std::string_view::npos)
             return attributes;
         const size_t open = text.find_first_of("\"'", equals);
@@ -59,6 +61,7 @@ std::string from_xml(std::string_view text)
         const auto* entity = std::find_if(std::begin(entities), std::end(entities), [text](const auto& e) {
             return text.substr(0, e.second.size()) == e.second;
         });
+        // Numeric entities stay as they are: VTK's writers hardly use them.
         const bool found = entity != std::end(entities);
         out += found ? entity->first : text.front();
         text.remove_prefix(found ? entity->second.size() : 1);
@@ -78,6 +81,7 @@ bool XmlScanner::next(XmlTag& tag)
         const size_t open = text_.find('<', at_);
         if (open == std::string_view::npos)
             return false;
+        // A comment may have ">" in it.
         const bool comment = text_.compare(open, 4, "<!--") == 0;
         const size_t close = comment ? text_.find("-->", open) : text_.find('>', open);
         if (close == std::string_view::npos)
@@ -90,6 +94,8 @@ bool XmlScanner::next(XmlTag& tag)
         tag.name = inside.substr(0, name_end);
         tag.attributes = parse_attributes(inside.substr(name_end));
         tag.end = at_;
+        // The text may be the base64 of an array. It is a view, so that nothing is copied before an
+        // array is asked for.
         tag.text = text_.substr(at_, text_.find('<', at_) - at_);
         return true;
     }

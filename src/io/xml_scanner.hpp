@@ -22,6 +22,8 @@ struct XmlTag {
     std::string get(const std::string& attribute) const;
 };
 
+// It knows no nesting and no sections of CDATA, which VTK's and OME's files do not use. `text` must
+// outlive it and its tags.
 class XmlScanner
 {
 public:
