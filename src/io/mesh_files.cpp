@@ -4,9 +4,7 @@
 #include "io/byte_source.hpp"
 #include "io/entry.hpp"
 #include "io/formats.hpp"
-#include "io/mesh_data.hpp"
 #include "io/text_scanner.hpp"
-#include "io/writers.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -25,62 +23,14 @@ namespace cleft::io
 namespace
 {
 
-cleft_io_format resolve(const std::string& path, cleft_io_format format, int32_t direction)
+const MeshFormat& resolve(const std::string& path, cleft_io_format format, int32_t direction)
 {
     const bool by_name = format == CLEFT_FORMAT_BY_NAME;
-    const auto* row = by_name ? format_of_path(path, direction) : find_format(format);
+    const MeshFormat* row = by_name ? format_of_path(path, direction) : find_format(format);
     if (row)
-        return row->format;
+        return *row;
     throw Error(CLEFT_ERROR_ARGUMENT, by_name ? "'" + path + "': its extension is none of " + extensions_with(direction)
                                               : "there is no format " + std::to_string(format) + " of meshes");
-}
-
-// VTU and legacy VTK are written with tetrahedra alone, so their surface need not be computed.
-bool needs_surface(cleft_io_format format) { return format != CLEFT_FORMAT_VTU && format != CLEFT_FORMAT_VTK; }
-
-void write(const MeshView& mesh, const std::string& path, cleft_io_format format, int threads)
-{
-    switch (format) {
-        case CLEFT_FORMAT_VTU:
-            return write_vtu(mesh, path, threads);
-        case CLEFT_FORMAT_VTP:
-            return write_vtp(mesh, path, threads);
-        case CLEFT_FORMAT_VTK:
-            return write_vtk(mesh, path);
-        case CLEFT_FORMAT_MEDIT:
-            return write_medit(mesh, path);
-        case CLEFT_FORMAT_MSH41:
-            return write_msh41(mesh, path);
-        case CLEFT_FORMAT_MSH22:
-            return write_msh22(mesh, path);
-        case CLEFT_FORMAT_ABAQUS:
-            return write_abaqus(mesh, path);
-        case CLEFT_FORMAT_TETGEN:
-            return write_tetgen(mesh, path);
-        case CLEFT_FORMAT_STL:
-            return write_stl(mesh, path);
-        case CLEFT_FORMAT_PLY:
-            return write_ply(mesh, path);
-        default:
-            throw Error(CLEFT_ERROR_ARGUMENT, "there is no format " + std::to_string(format));
-    }
-}
-
-MeshData read(const std::string& path)
-{
-    switch (resolve(path, CLEFT_FORMAT_BY_NAME, CLEFT_IO_READS_MESH)) {
-        case CLEFT_FORMAT_VTU:
-            return read_vtu(path);
-        case CLEFT_FORMAT_VTK:
-            return read_vtk(path);
-        case CLEFT_FORMAT_MEDIT:
-            return read_medit(path);
-        case CLEFT_FORMAT_TETGEN:
-            return read_tetgen(path);
-        // Both versions of MSH have one extension; the reader tells them apart by the header.
-        default:
-            return read_gmsh(path);
-    }
 }
 
 struct MeshDeleter {
@@ -155,29 +105,27 @@ cleft_status cleft_io_write_mesh(cleft_context* context, const cleft_mesh* mesh,
     return entry(context, {mesh}, [&] {
         required(mesh, "mesh");
         required(path, "path");
-        const cleft_io_format resolved = resolve(path, format, CLEFT_IO_WRITES_MESH);
-        // Most formats and programs have no form for an empty mesh. It comes from stripping all
-        // labels.
+        const MeshFormat& row = resolve(path, format, CLEFT_IO_WRITES_MESH);
+        // Most formats and programs have no form for an empty mesh. It comes from stripping all labels.
         if (cleft_mesh_tet_count(mesh) == 0)
             throw cleft::Error(CLEFT_ERROR_ARGUMENT, "the mesh has no tetrahedra to write");
         SurfaceHandle surface;
-        if (needs_surface(resolved)) {
-            // The surface is made once for all formats, so that groups have the same order and
-            // numbers in each.
+        if (row.has_surface) {
+            // The surface is made once for all formats, so that groups have the same order and numbers in each.
             cleft_surface* made = nullptr;
             check(context, cleft_surface_create(context, mesh, &made));
             surface.reset(made);
         }
-        write(view_of(mesh, surface.get()), path, resolved, cleft_context_threads(context));
+        row.write(view_of(mesh, surface.get()), path, cleft_context_threads(context));
     });
 }
 
 cleft_status cleft_io_read_mesh(cleft_context* context, const char* path, cleft_mesh** out) noexcept
 {
     return entry_making(context, out, {}, [&] {
-        const MeshData mesh = read(required(path, "path"));
-        // A surface mesh is a common mistake here, and the core's sentence about it would not name
-        // the file.
+        required(path, "path");
+        const MeshData mesh = resolve(path, CLEFT_FORMAT_BY_NAME, CLEFT_IO_READS_MESH).read(path);
+        // A surface mesh is a common mistake here, and the core's sentence about it would not name the file.
         if (mesh.tets.empty())
             throw cleft::Error(CLEFT_ERROR_FORMAT, std::string("'") + path + "': there are no tetrahedra in it");
         cleft_mesh* made = nullptr;
