@@ -23,8 +23,8 @@ namespace Cleft
             switch (status) {
             // <choice> made by tools/generate.py from include/cleft/cleft_status.h
             case CleftNative.CLEFT_ERROR_OUT_OF_MEMORY: return new NativeMemoryException(status, sentence);
-            case CleftNative.CLEFT_ERROR_NULL:
             case CleftNative.CLEFT_ERROR_ARGUMENT:
+            case CleftNative.CLEFT_ERROR_NULL:
             case CleftNative.CLEFT_ERROR_BUFFER: return new InvalidArgumentException(status, sentence);
             case CleftNative.CLEFT_ERROR_NOT_FINITE: return new NotFiniteException(status, sentence);
             case CleftNative.CLEFT_ERROR_OPTION: return new InvalidOptionException(status, sentence);

@@ -14,20 +14,17 @@ class CleftError(Exception):
     status = native.CLEFT_ERROR_INTERNAL
 
 
-class InternalError(CleftError):
-    """A defect of the library."""
+# <classes> Made by tools/generate.py from include/cleft/cleft_status.h.
+class Cancelled(CleftError):
+    """The progress function answered a false value, or Mesher.cancel() was called."""
+
+    status = native.CLEFT_ERROR_CANCELLED
 
 
 class OutOfMemory(CleftError, MemoryError):
     """There is not enough memory."""
 
     status = native.CLEFT_ERROR_OUT_OF_MEMORY
-
-
-class Cancelled(CleftError):
-    """The progress function answered a false value, or Mesher.cancel() was called."""
-
-    status = native.CLEFT_ERROR_CANCELLED
 
 
 class InvalidArgument(CleftError, ValueError):
@@ -42,16 +39,16 @@ class NotFinite(InvalidArgument):
     status = native.CLEFT_ERROR_NOT_FINITE
 
 
-class TooLarge(CleftError, OverflowError):
-    """Too large for 32-bit numbering."""
-
-    status = native.CLEFT_ERROR_TOO_LARGE
-
-
 class OptionError(InvalidArgument):
     """The value of an option is out of its range."""
 
     status = native.CLEFT_ERROR_OPTION
+
+
+class TooLarge(CleftError, OverflowError):
+    """Too large for numbers of 32 bits."""
+
+    status = native.CLEFT_ERROR_TOO_LARGE
 
 
 class Unsupported(CleftError, NotImplementedError):
@@ -70,6 +67,33 @@ class LabelLost(CleftError):
     """A label of the volume is not in the mesh, and the option `strict` is on."""
 
     status = native.CLEFT_ERROR_LABEL_LOST
+
+
+class FormatError(CleftError, ValueError):
+    """The contents of a file break the rules of its format."""
+
+    status = native.CLEFT_ERROR_FORMAT
+
+
+class InternalError(CleftError):
+    """A defect of the library."""
+
+    status = native.CLEFT_ERROR_INTERNAL
+
+
+class Closed(CleftError, ValueError):
+    """The object was closed before."""
+
+    status = native.CLEFT_ERROR_HANDLE
+
+
+class Busy(CleftError, RuntimeError):
+    """The Mesher runs another call."""
+
+    status = native.CLEFT_ERROR_BUSY
+
+
+# </classes>
 
 
 class FileError(CleftError, OSError):
@@ -112,29 +136,26 @@ def file_error(found: OSError, path: str | bytes, sentence: str) -> FileError:
     return error
 
 
-class FormatError(CleftError, ValueError):
-    """The contents of a file break the rules of its format."""
-
-    status = native.CLEFT_ERROR_FORMAT
-
-
-class Closed(CleftError, ValueError):
-    """The object was closed before."""
-
-    status = native.CLEFT_ERROR_HANDLE
-
-
-class Busy(CleftError, RuntimeError):
-    """The Mesher runs another call."""
-
-    status = native.CLEFT_ERROR_BUSY
-
-
-_CLASSES = {kind.status: kind for kind in (
-    InternalError, OutOfMemory, Cancelled, InvalidArgument, NotFinite, TooLarge, OptionError, Unsupported, InvalidMesh,
-    LabelLost, FileError, FormatError, Closed, Busy)}
-_CLASSES[native.CLEFT_ERROR_NULL] = InvalidArgument  # a missing pointer
-_CLASSES[native.CLEFT_ERROR_BUFFER] = InvalidArgument  # a buffer that is too small
+_CLASSES = {
+    # <choice> Made by tools/generate.py from include/cleft/cleft_status.h.
+    native.CLEFT_ERROR_CANCELLED: Cancelled,
+    native.CLEFT_ERROR_OUT_OF_MEMORY: OutOfMemory,
+    native.CLEFT_ERROR_ARGUMENT: InvalidArgument,
+    native.CLEFT_ERROR_NULL: InvalidArgument,
+    native.CLEFT_ERROR_BUFFER: InvalidArgument,
+    native.CLEFT_ERROR_NOT_FINITE: NotFinite,
+    native.CLEFT_ERROR_OPTION: OptionError,
+    native.CLEFT_ERROR_TOO_LARGE: TooLarge,
+    native.CLEFT_ERROR_UNSUPPORTED: Unsupported,
+    native.CLEFT_ERROR_INVALID_MESH: InvalidMesh,
+    native.CLEFT_ERROR_LABEL_LOST: LabelLost,
+    native.CLEFT_ERROR_FILE: FileError,
+    native.CLEFT_ERROR_FORMAT: FormatError,
+    native.CLEFT_ERROR_INTERNAL: InternalError,
+    native.CLEFT_ERROR_HANDLE: Closed,
+    native.CLEFT_ERROR_BUSY: Busy,
+    # </choice>
+}
 
 
 class CleftWarning(UserWarning):

@@ -130,7 +130,7 @@ public class CleftException extends RuntimeException {
             // <choice> made by tools/generate.py from include/cleft/cleft_status.h
             case CleftNative.CLEFT_ERROR_CANCELLED -> new Cancelled(status, sentence);
             case CleftNative.CLEFT_ERROR_OUT_OF_MEMORY -> new OutOfMemory(status, sentence);
-            case CleftNative.CLEFT_ERROR_NULL, CleftNative.CLEFT_ERROR_ARGUMENT, CleftNative.CLEFT_ERROR_BUFFER ->
+            case CleftNative.CLEFT_ERROR_ARGUMENT, CleftNative.CLEFT_ERROR_NULL, CleftNative.CLEFT_ERROR_BUFFER ->
                 new InvalidArgument(status, sentence);
             case CleftNative.CLEFT_ERROR_NOT_FINITE -> new NotFinite(status, sentence);
             case CleftNative.CLEFT_ERROR_OPTION -> new InvalidOption(status, sentence);
