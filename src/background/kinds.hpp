@@ -9,7 +9,9 @@
 namespace cleft
 {
 
+/* <choice> Made by tools/generate.py from src/capi/options.toml. */
 enum class BackgroundKind { particles, lattice, octree };
+/* </choice> */
 
 struct BackgroundOptions {
     BackgroundKind kind = BackgroundKind::particles;

@@ -8,7 +8,9 @@
 namespace cleft
 {
 
+/* <choice> Made by tools/generate.py from src/capi/options.toml. */
 enum class Snap { quality, safe, none };
+/* </choice> */
 
 struct CleaveOptions {
     Snap snap = Snap::quality;

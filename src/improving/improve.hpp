@@ -8,7 +8,9 @@
 namespace cleft
 {
 
+/* <choice> Made by tools/generate.py from src/capi/options.toml. */
 enum class Effort { off, fast, best };
+/* </choice> */
 
 struct ImproveOptions {
     Effort effort = Effort::fast;

@@ -69,7 +69,14 @@ def _rows(table):
     return out + "#endif\n"
 
 
+def _stage_enum(tree, choice):
+    """The header of the stage with its enum made."""
+    names = ", ".join(value.name for value in choice.values)
+    return text.region(tree.read(choice.header), choice.header, "choice", f"enum class {choice.enum} {{ {names} }};\n")
+
+
 def files(tree, table):
     header = tree.read(HEADER)
     header = text.region(header, HEADER, "options", _keys(table))
-    return {HEADER: _manual(header, table), ROWS: _rows(table)}
+    made = {choice.header: _stage_enum(tree, choice) for choice in table.choices}
+    return made | {HEADER: _manual(header, table), ROWS: _rows(table)}

@@ -18,6 +18,7 @@ class Value:
 class Choice:
     key: str
     enum: str  # of the stage
+    header: str  # that has this enum
     name: str  # of the enumeration in Java and C#
     text: str
     values: tuple[Value, ...]
