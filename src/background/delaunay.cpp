@@ -5,6 +5,7 @@
 #include "background/insertion_order.hpp"
 #include "background/tetgen_run.hpp"
 #include "base/large_pages.hpp"
+#include "base/stage.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/predicates.hpp"
 
@@ -152,7 +153,6 @@ void check_all_used(const std::vector<Tet>& tets, size_t point_count)
 
 std::vector<Tet> delaunay(const std::vector<Vec3>& points, const Run& run)
 {
-    run.report(0.0, "Delaunay");
     check_points(points);
     const double scale = safe_scale(points);
     const std::vector<int32_t> order = insertion_order(points, run);
@@ -161,15 +161,14 @@ std::vector<Tet> delaunay(const std::vector<Vec3>& points, const Run& run)
         scaled[i] = points[static_cast<size_t>(order[i])] * scale;
     if (all_in_one_plane(scaled))
         throw Error(CLEFT_ERROR_ARGUMENT, "the points lie all in one plane");
-    std::vector<Tet> tets = run_tetgen_alone(scaled, run);
-    run.report(0.9, "Delaunay");
-    make_positive(tets, scaled, run);
+    Steps steps(run, {{nullptr, 9}, {nullptr, 1}});
+    std::vector<Tet> tets = run_tetgen_alone(scaled, steps.next());
+    make_positive(tets, scaled, steps.next());
     for (Tet& tet : tets)
         for (int32_t& v : tet)
             v = order[static_cast<size_t>(v)];
     check_all_used(tets, points.size());
     tets = by_least_point(tets, points.size());
-    run.report(1.0, "Delaunay");
     return tets;
 }
 

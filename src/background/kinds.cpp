@@ -16,7 +16,7 @@ constexpr BackgroundRow kRows[] = {
          return particle_background(field, options.particles, run);
      },
      [](const SizingField& field, const BackgroundOptions&, const Run&) { return expected_background_tets(field); },
-     nullptr},
+     nullptr, 57},
     {[](const SizingField& field, const BackgroundOptions& options, const Run& run) {
          return field_lattice(field, options.lattice, run);
      },
@@ -25,12 +25,13 @@ constexpr BackgroundRow kRows[] = {
      },
      [](const SizingField& field, const BackgroundOptions& options) {
          return field_lattice_size(field, options.lattice);
-     }},
+     },
+     5},
     {[](const SizingField& field, const BackgroundOptions&, const Run& run) { return octree_background(field, run); },
      [](const SizingField& field, const BackgroundOptions&, const Run& run) {
          return static_cast<double>(octree_tets(field, run));
      },
-     nullptr},
+     nullptr, 10},
 };
 
 }  // namespace

@@ -132,7 +132,7 @@ TetMesh lattice_background(const Grid& grid, double size, const Run& run)
     mesh.tets.reserve(static_cast<size_t>(12 * lattice.cell_count()));
     std::array<int32_t, 3> at{};
     for (at[2] = 0; at[2] < n[2]; ++at[2]) {
-        run.report(at[2] / static_cast<double>(n[2]), "making the lattice");
+        run.report(at[2] / static_cast<double>(n[2]), "background: lattice");
         for (at[1] = 0; at[1] < n[1]; ++at[1])
             for (at[0] = 0; at[0] < n[0]; ++at[0]) {
                 const int32_t centre = lattice.centre(at);

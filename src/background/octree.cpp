@@ -13,6 +13,7 @@
 #include "background/octree.hpp"
 
 #include "background/octree_tree.hpp"
+#include "base/stage.hpp"
 
 #include <algorithm>
 
@@ -237,7 +238,9 @@ private:
 
 TetMesh octree_background(const SizingField& field, const Run& run)
 {
-    const Octree tree = build_octree(field, run);
+    Steps steps(run, {{nullptr, 1}, {"background: cells", 1}});
+    const Octree tree = build_octree(field, steps.next());
+    const Run of_cells = steps.next();
     const Points points(tree, field.grid.extent());
     if (!points.fits())
         throw Error(CLEFT_ERROR_TOO_LARGE, "the sizing field spans too many octree levels for a box of this shape");
@@ -256,8 +259,7 @@ TetMesh octree_background(const SizingField& field, const Run& run)
     Mesher mesher(tree, points, centre, mesh);
     for (size_t c = 0; c < tree.cells.size(); ++c) {
         if (c % 4096 == 0)
-            run.report(0.5 + 0.5 * static_cast<double>(c) / static_cast<double>(tree.cells.size()),
-                       "joining the cells");
+            of_cells.report(static_cast<double>(c) / static_cast<double>(tree.cells.size()));
         if (tree.cells[c].first_child < 0)
             mesher.mesh_leaf(static_cast<int32_t>(c));
     }

@@ -2,6 +2,7 @@
 
 #include "background/bcc_cell.hpp"
 #include "base/number_text.hpp"
+#include "base/stage.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -118,7 +119,7 @@ void refine(Octree& tree, const SizingField& field, const Vec3& root_side, const
     const double thin = kThin * field.least();
     for (size_t c = 0; c < tree.cells.size(); ++c) {  // children join the end of the list and get their turn
         if (c % 4096 == 0)
-            run.report(0.5 * static_cast<double>(c) / static_cast<double>(tree.cells.size()), "building the octree");
+            run.report(static_cast<double>(c) / static_cast<double>(tree.cells.size()));
         const OctreeCell cell = tree.cells[c];
         const double edge = kMeanEdge * std::ldexp(std::cbrt(root_side.prod()), -cell.level);
         const double h = least_size(field, cell, root_side);
@@ -136,8 +137,7 @@ void balance(Octree& tree, const Run& run)
         if (tree.cells[c].first_child < 0 && tree.cells[c].level > 1)
             queue.push_back(static_cast<int32_t>(c));
     for (size_t q = 0; q < queue.size(); ++q) {
-        if (q % 65536 == 0)
-            run.check();
+        run.check_at(q);
         const OctreeCell cell = tree.cells[static_cast<size_t>(queue[q])];
         for (int d = 0; d < 27; ++d) {
             const Int3 step = {d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1};
@@ -188,8 +188,9 @@ Octree build_octree(const SizingField& field, const Run& run)
                 tree.cells.push_back({{i, j, k}, 0, -1});
     const Vec3 root_side = extent.cwiseQuotient(Vec3(tree.roots[0], tree.roots[1], tree.roots[2]));
     refuse_too_deep(tree, field, root_side);
-    refine(tree, field, root_side, run);
-    balance(tree, run);
+    Steps steps(run, {{"background: octree", 3}, {"background: balancing the octree", 1}});
+    refine(tree, field, root_side, steps.next());
+    balance(tree, steps.next());
     return tree;
 }
 

@@ -6,7 +6,7 @@
 #include "background/repair.hpp"
 #include "background/seeding.hpp"
 #include "base/parallel.hpp"
-#include "base/stage_timer.hpp"
+#include "base/stage.hpp"
 
 #include <numeric>
 
@@ -49,16 +49,16 @@ std::vector<Vec3> walls_first(const ParticleSet& particles)
 std::vector<Vec3> relaxed_particles(const SizingField& field, const ParticleOptions& options, const Run& run)
 {
     const SizeSampler size(field);
+    Steps steps(run, {{nullptr, 12}, {nullptr, 88}});
     Seeds seeds;
     {
-        const StageTimer timer(run, "background.seed");
-        run.report(0, "seeding the particles");
-        seeds = seed_particles(field, size, options.seed, run);
+        Stage stage(steps.next(), "background.seed", {{"background: seeding", 1}});
+        seeds = seed_particles(field, size, options.seed, stage.next());
     }
     run.note("background.particles", static_cast<double>(seeds.particles.size()));
     if (!seeds.at_rest) {
-        const StageTimer timer(run, "background.relax");
-        relax(seeds.particles, field, size, options.steps, run);
+        Stage stage(steps.next(), "background.relax", {{"background: relaxing the particles", 1}});
+        relax(seeds.particles, field, size, options.steps, stage.next());
     }
     jitter(seeds.particles, size, options.seed, run);
     return walls_first(seeds.particles);
@@ -67,12 +67,13 @@ std::vector<Vec3> relaxed_particles(const SizingField& field, const ParticleOpti
 TetMesh particle_background(const SizingField& field, const ParticleOptions& options, const Run& run)
 {
     TetMesh mesh;
-    mesh.points = relaxed_particles(field, options, run);
+    Steps steps(run, {{nullptr, 37}, {nullptr, 36}, {nullptr, 27}});
+    mesh.points = relaxed_particles(field, options, steps.next());
     {
-        const StageTimer timer(run, "background.delaunay");
-        mesh.tets = delaunay(mesh.points, run);
+        Stage stage(steps.next(), "background.delaunay", {{"background: Delaunay", 1}});
+        mesh.tets = delaunay(mesh.points, stage.next());
     }
-    repair(mesh, RepairOptions{}, run);
+    repair(mesh, RepairOptions{}, steps.next());
     return mesh;
 }
 

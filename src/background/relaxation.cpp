@@ -107,7 +107,7 @@ void relax(ParticleSet& particles, const SizingField& field, const SizeSampler& 
     LongWaves waves = make_long_waves(size, *least, *greatest, particles, run);
     std::vector<NearGroup> near;
     for (int step = 0; step < steps; ++step) {
-        run.report(static_cast<double>(step) / steps, "relaxing the particles");
+        run.report(static_cast<double>(step) / steps);
         read_sizes(particles, size, step % kAttractionLasts == 0, motion, run);
         if (step % kListsLast == 0) {
             fit_boxes(tree, particles.x, motion.reach, run);

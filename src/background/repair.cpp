@@ -1,7 +1,7 @@
 #include "background/repair.hpp"
 
 #include "base/degrees.hpp"
-#include "base/stage_timer.hpp"
+#include "base/stage.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/angle_notes.hpp"
 #include "mesh/flips.hpp"
@@ -17,7 +17,8 @@ namespace
 {
 
 // The sweep mends most of what is better than this, and may leave a tetrahedron as bad as this.
-constexpr double kSweepAngle = 22;  // degrees
+constexpr int64_t kRepairedAtOnce = 256;  // tetrahedra, between two looks for a cancel
+constexpr double kSweepAngle = 22;        // degrees
 // Points whose tetrahedra are all better than this have no need of it.
 constexpr double kGoodAngle = 38;  // degrees
 constexpr size_t kEdgesTried = 2;  // the others never helped in 10,000 tries
@@ -33,10 +34,13 @@ public:
     // Flips first: a sweep over bad connections would only move points to bad places.
     void work()
     {
-        improve_bad(std::min(kSweepAngle, options_.target_angle), false, 0.1);
+        std::vector<Step> shares(static_cast<size_t>(options_.sweeps) + 2, {nullptr, 4});
+        shares[0].share = 2;
+        Steps steps(run_, shares);
+        improve_bad(std::min(kSweepAngle, options_.target_angle), false, steps.next());
         for (int sweep = 0; sweep < options_.sweeps; ++sweep)
-            smooth_poor();
-        improve_bad(options_.target_angle, true, 0.6);
+            smooth_poor(steps.next());
+        improve_bad(options_.target_angle, true, steps.next());
     }
 
     const LocalMesh& mesh() const { return mesh_; }
@@ -48,10 +52,10 @@ public:
     }
 
 private:
-    void improve_bad(double angle, bool with_smoothing, double progress);
+    void improve_bad(double angle, bool with_smoothing, const Run& run);
     bool flip(int32_t t);
     bool smooth_corners(int32_t t, double target);
-    void smooth_poor();
+    void smooth_poor(const Run& run);
     void move_to_centroid(int32_t v, const Mat3& tangent);
 
     const Run& run_;
@@ -64,16 +68,15 @@ private:
 };
 
 // Passes over the tetrahedra with a worse angle, until none is left or nothing helps.
-void Repair::improve_bad(double angle, bool with_smoothing, double progress)
+void Repair::improve_bad(double angle, bool with_smoothing, const Run& run)
 {
     const double target = sine_of(angle);
-    bad_.collect_all(mesh_, target, run_);
+    bad_.collect_all(mesh_, target, run);
     bool changed = true;
     for (int pass = 0; pass < options_.passes && changed; ++pass) {
         changed = false;
         for (size_t i = 0; i < bad_.size(); ++i) {
-            if (i % 256 == 0)
-                run_.report(progress, "background repair");
+            run.check_at(i, kRepairedAtOnce);
             const bool worth = bad_.worth_trying(mesh_, i, target);
             const bool done = worth && (flip(bad_[i]) || (with_smoothing && smooth_corners(bad_[i], target)));
             changed = changed || done;
@@ -119,19 +122,18 @@ bool Repair::smooth_corners(int32_t t, double target)
 
 // One Gauss-Seidel sweep of points of poor tetrahedra towards the centroids of their stars. In a mesh of the wanted
 // sizes every tetrahedron weighs the same: a volume over the wanted volume is about one.
-void Repair::smooth_poor()
+void Repair::smooth_poor(const Run& run)
 {
     const double good = sine_of(kGoodAngle);
-    for (int32_t v = 0; v < mesh_.point_count(); ++v) {
-        if (v % 2048 == 0)
-            run_.report(0.2 + 0.4 * v / mesh_.point_count(), "background repair");
+    run.for_each(mesh_.point_count(), [&](int64_t point) {
+        const auto v = static_cast<int32_t>(point);
         const auto star = mesh_.star(v);
         if (std::all_of(star.begin(), star.end(), [&](int32_t t) { return mesh_.quality(t) >= good; }))
-            continue;
+            return;
         const Mat3 tangent = free_axes(mesh_.frozen(v));
         if (!tangent.isZero())
             move_to_centroid(v, tangent);
-    }
+    });
 }
 
 // The whole way or half of it, if that leaves nothing worse than the guard or the worst that was there.
@@ -159,14 +161,13 @@ void Repair::move_to_centroid(int32_t v, const Mat3& tangent)
 
 void repair(TetMesh& mesh, const RepairOptions& options, const Run& run)
 {
-    const StageTimer timer(run, "background.repair");
-    run.report(0, "background repair");
-    Repair repair(mesh, options, run);
+    Stage stage(run, "background.repair", {{"background: repairing", 1}});
+    const Run of_repair = stage.next();
+    Repair repair(mesh, options, of_repair);
     note_angles(repair.mesh(), "background.repair", "before", run);
     repair.work();
     note_angles(repair.mesh(), "background.repair", "after", run);
     mesh = repair.take();
-    run.report(1, "background repair");
 }
 
 }  // namespace cleft

@@ -40,10 +40,22 @@ struct Run {
     }
 
     // On the calling thread only: fraction in [0, 1] of the named stage; null: of the one named before.
-    void report(double fraction, const char* stage) const
+    void report(double fraction, const char* stage = nullptr) const
     {
         if (cancelled() || (progress && progress(fraction, stage)))
             throw Error(CLEFT_ERROR_CANCELLED, "the run was cancelled");
+    }
+
+    // body(i) for i in [0, n), with a report now and then. On the calling thread only.
+    template <class Body>
+    void for_each(int64_t n, const Body& body) const
+    {
+        constexpr int64_t kPeriod = 128;  // of items that take some microseconds or more
+        for (int64_t i = 0; i < n; ++i) {
+            if (i % kPeriod == 0)
+                report(static_cast<double>(i) / static_cast<double>(n));
+            body(i);
+        }
     }
 
     void note(const std::string& name, double value) const

@@ -23,7 +23,7 @@ public:
     StageTimer& operator=(const StageTimer&) = delete;
 
 private:
-    const Run& run_;
+    const Run run_;
     std::string name_;
     std::chrono::steady_clock::time_point wall_;
     double cpu_;

@@ -3,6 +3,7 @@
 
 #include "base/number_text.hpp"
 #include "base/ordinal.hpp"
+#include "base/stage.hpp"
 #include "capi/mesh_frame.hpp"
 #include "mesh/bounding_box.hpp"
 #include "mesh/finish.hpp"
@@ -60,7 +61,7 @@ void require_valid(const cleft_mesh& mesh, const char* whose, const Run& run)
 {
     if (mesh.mesh.tets.empty())
         throw Error(CLEFT_ERROR_ARGUMENT, std::string("the ") + whose + " has no tetrahedra");
-    const Validation found = validate(mesh.mesh, false, part_of(run, 0, 0));
+    const Validation found = validate(mesh.mesh, false, cleft::Steps(run, {{nullptr, 0}, {nullptr, 1}}).next());
     if (!found.first_fault.empty() && found.has_more_than_unused_points())
         throw Error(CLEFT_ERROR_INVALID_MESH, std::string("the ") + whose + " is not valid: " + found.first_fault);
 }

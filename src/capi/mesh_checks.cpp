@@ -91,6 +91,7 @@ cleft_status cleft_mesh_quality(cleft_context* context, const cleft_mesh* mesh, 
         const cleft::UserMesh& m = from->mesh;
         cleft::check_struct_size(*required(out, "out"), "cleft_quality");
         const cleft::Quality q = cleft::measure_quality(m.points, m.tets, run);
+        run.report(1);
         cleft_quality row{};
         row.tet_count = q.tets;
         row.min_dihedral = q.min_dihedral;
@@ -122,6 +123,7 @@ cleft_status cleft_mesh_validate(cleft_context* context, const cleft_mesh* mesh,
         const cleft_mesh& m = *from;
         cleft::check_struct_size(*required(out, "out"), "cleft_validation");
         const cleft::Validation v = cleft::validate(upright(m), fills_box != 0, run, placement_of(m));
+        run.report(1);
         cleft_validation row{};
         row.valid = v.valid();
         row.negative_tets = v.negative;

@@ -1,4 +1,5 @@
 // The entries that make meshes from volumes: background, cleaving, improving, stripping, and all at once.
+#include "base/stage.hpp"
 #include "capi/firewall.hpp"
 #include "capi/given_mesh.hpp"
 #include "capi/kept_labels.hpp"
@@ -78,8 +79,9 @@ cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volum
         const cleft::PipelineOptions p = pipeline_options(options);
         warn_of_unused_smooth(v->volume, options, run);
         GivenBackground given = given_background(*from, v->frame, run);
-        cleft::repair_background(given.mesh, given.options(p), cleft::part_of(run, 0.0, 0.3));
-        LabelledMesh cleaved = cleft::cleave(v->volume, given.mesh, p.cleave, cleft::part_of(run, 0.3, 1.0));
+        cleft::Steps steps(run, {{nullptr, 3}, {nullptr, 7}});
+        cleft::repair_background(given.mesh, given.options(p), steps.next());
+        LabelledMesh cleaved = cleft::cleave(v->volume, given.mesh, p.cleave, steps.next());
         cleft_mesh result = to_next_stage(std::move(cleaved), MadeBy::cleaving, v->frame, v->volume.labels(), run);
         add_label_names(result.names, v->names, result.labels);
         return result;

@@ -1,8 +1,6 @@
 #include "capi/firewall.hpp"
 #include "capi/options.hpp"
 
-#include "base/stage_timer.hpp"
-
 using namespace cleft::capi;
 using cleft::Error;
 using cleft::Run;
@@ -61,7 +59,6 @@ cleft_status cleft_volume_create_labels(cleft_context* context, cleft_type type,
             checked(options, "options");
         const cleft::Frame frame = cleft::make_frame(required(dims, "dims"), affine);
         const int kernel = static_cast<int>(option_value(options, CLEFT_OPTION_SMOOTH));
-        const cleft::StageTimer timer(run, "volume");
         return made_volume(frame, cleft::Volume::from_labels(voxel_type(type), voxels, frame.grid, kernel, run));
     });
 }
@@ -75,7 +72,6 @@ cleft_status cleft_volume_create_indicators(cleft_context* context, cleft_type t
         if (count < 1 || count > 65535)
             throw Error(CLEFT_ERROR_ARGUMENT, "count is " + std::to_string(count) + "; it must be 1 .. 65535");
         const cleft::Frame frame = cleft::make_frame(required(dims, "dims"), affine);
-        const cleft::StageTimer timer(run, "volume");
         if (type == CLEFT_TYPE_FLOAT32)
             return made_volume(frame, indicators<float>(fields, count, frame.grid, labels, run));
         if (type == CLEFT_TYPE_FLOAT64)

@@ -171,7 +171,6 @@ private:
 LabelledMesh assemble(const Centres& c, const Run& run)
 {
     const Plan plan = plan_output(c, run);
-    run.report(0.9, "cleaving: tetrahedra");
     Numbering numbering(c);
     note_points(numbering, run);
     LabelledMesh mesh;

@@ -5,7 +5,7 @@
 // tables made at the start hold all that can ever be.
 #pragma once
 
-#include "base/run.hpp"
+#include "base/stage.hpp"
 #include "cleaving/sample_store.hpp"
 #include "cleaving/stencil_table.hpp"
 #include "cleaving/tie.hpp"
@@ -83,8 +83,8 @@ struct Centres {
     void place_cut(CutEdge& e, Samples& scratch) const;
 };
 
-// Samples the volume at the vertices and finds all centres and fans.
-Centres find_centres(const Volume& volume, const TetMesh& background, const Run& run);
+// Samples the volume at the vertices, finds all centres, and chooses fans: three steps.
+Centres find_centres(const Volume& volume, const TetMesh& background, Steps& steps);
 
 // The part of it without geometry: fills the tables of edges, faces and tetrahedra from vertices of one material each.
 void list_centres(Centres& c, const Run& run);

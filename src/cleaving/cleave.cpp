@@ -1,6 +1,6 @@
 #include "cleaving/cleave.hpp"
 
-#include "base/stage_timer.hpp"
+#include "base/stage.hpp"
 #include "cleaving/assemble.hpp"
 #include "cleaving/centres.hpp"
 #include "cleaving/mend.hpp"
@@ -12,30 +12,35 @@ namespace cleft
 namespace
 {
 
-// Also tells which points may need mending.
+// Also says which points may need mending.
 LabelledMesh split_background(const Volume& volume, const TetMesh& background, Snap rule,
-                              std::vector<int32_t>& in_doubt, const Run& run)
+                              std::vector<int32_t>& in_doubt, Steps& steps)
 {
-    Centres centres = find_centres(volume, background, run);
-    const SnapCounts counts = snap_vertices(centres, rule, run);
-    run.note("cleaving.snapped", static_cast<double>(counts.moved));
-    run.note("cleaving.stayed", static_cast<double>(counts.stayed));
-    run.note("cleaving.given_up", static_cast<double>(give_up_flat_cuts(centres, run)));
+    Centres centres = find_centres(volume, background, steps);
+    const SnapCounts counts = snap_vertices(centres, rule, steps.next());
+    const Run of_assembly = steps.next();
+    of_assembly.note("cleaving.snapped", static_cast<double>(counts.moved));
+    of_assembly.note("cleaving.stayed", static_cast<double>(counts.stayed));
+    of_assembly.note("cleaving.given_up", static_cast<double>(give_up_flat_cuts(centres, of_assembly)));
     in_doubt = points_in_doubt(centres);
-    return assemble(centres, run);
+    return assemble(centres, of_assembly);
 }
 
 }  // namespace
 
 LabelledMesh cleave(const Volume& volume, const TetMesh& background, const CleaveOptions& options, const Run& run)
 {
-    const StageTimer timer(run, "cleaving");
+    Stage stage(run, "cleaving",
+                {{"cleaving: materials of vertices", 3},
+                 {"cleaving: cuts", 15},
+                 {"cleaving: fans", 7},
+                 {"cleaving: snapping", 51},
+                 {"cleaving: tetrahedra", 11},
+                 {"cleaving: mending", 13}});
     std::vector<int32_t> in_doubt;
-    LabelledMesh mesh = split_background(volume, background, options.snap, in_doubt, run);
-    run.report(0.95, "cleaving: mending");
-    mend_interfaces(mesh, in_doubt, run);
+    LabelledMesh mesh = split_background(volume, background, options.snap, in_doubt, stage);
+    mend_interfaces(mesh, in_doubt, stage.next());
     run.note("cleaving.tets", static_cast<double>(mesh.tets.size()));
-    run.report(1.0, "cleaving");
     return mesh;
 }
 

@@ -99,14 +99,14 @@ private:
         const size_t n = c_.points.size();
         std::vector<int64_t> slot(n + 1, 0);
         for (size_t t = 0; t < c_.tets.size(); ++t) {
-            check_now_and_then(t);
+            run_.check_at(t);
             for_each_cut(c_.tets[t], [&](size_t, int32_t lower, int32_t) { ++slot[static_cast<size_t>(lower) + 1]; });
         }
         for (size_t v = 0; v < n; ++v)
             slot[v + 1] += slot[v];
         std::vector<int32_t> upper = large_vector<int32_t>(static_cast<size_t>(slot[n]));
         for (size_t t = 0; t < c_.tets.size(); ++t) {
-            check_now_and_then(t);
+            run_.check_at(t);
             for_each_cut(c_.tets[t], [&](size_t, int32_t lower, int32_t high) {
                 upper[static_cast<size_t>(slot[static_cast<size_t>(lower)]++)] = high;
             });
@@ -139,7 +139,7 @@ private:
         reserve_large(c_.mixed, static_cast<size_t>(std::count_if(c_.tets.begin(), c_.tets.end(),
                                                                   [&](const Tet& t) { return !has_one_material(t); })));
         for (size_t t = 0; t < c_.tets.size(); ++t) {
-            check_now_and_then(t);
+            run_.check_at(t);
             MixedTet m{static_cast<int32_t>(t), {-1, -1, -1, -1, -1, -1}, {-1, -1, -1, -1}};
             bool has_cut = false;
             for_each_cut(c_.tets[t], [&](size_t e, int32_t lower, int32_t upper) {
@@ -159,7 +159,7 @@ private:
     {
         std::vector<int32_t> newest(c_.edges.size(), -1), older;
         for (size_t k = 0; k < c_.mixed.size(); ++k) {
-            check_now_and_then(k);
+            run_.check_at(k);
             MixedTet& m = c_.mixed[k];
             CutMask cuts = 0;
             for (size_t e = 0; e < 6; ++e)
@@ -192,12 +192,6 @@ private:
         return face;
     }
 
-    void check_now_and_then(size_t i) const
-    {
-        if (i % (size_t{1} << 16) == 0)
-            run_.check();
-    }
-
     Centres& c_;
     const Run& run_;
     std::vector<uint16_t> material_;   // of each vertex
@@ -208,10 +202,9 @@ private:
 
 void list_centres(Centres& c, const Run& run) { Tables(c, run).build(); }
 
-Centres find_centres(const Volume& volume, const TetMesh& background, const Run& run)
+Centres find_centres(const Volume& volume, const TetMesh& background, Steps& steps)
 {
-    run.report(0.0, "cleaving: materials of vertices");
-    SampledVertices sampled = sample_vertices(volume, background.points, run);
+    SampledVertices sampled = sample_vertices(volume, background.points, steps.next());
     Centres c{volume,
               background.tets,
               copy_of(background.points),
@@ -224,16 +217,14 @@ Centres find_centres(const Volume& volume, const TetMesh& background, const Run&
               {},
               {},
               {}};
-    run.report(0.1, "cleaving: cuts");
-    list_centres(c, run);
-    run.report(0.15, "cleaving: cuts");
-    parallel_for(run, static_cast<int64_t>(c.edges.size()), kCutsPlaced, [&](int64_t begin, int64_t end) {
+    const Run of_cuts = steps.next();
+    list_centres(c, of_cuts);
+    parallel_for(of_cuts, static_cast<int64_t>(c.edges.size()), kCutsPlaced, [&](int64_t begin, int64_t end) {
         Samples scratch;
         for (int64_t e = begin; e < end; ++e)
             c.place_cut(c.edges[static_cast<size_t>(e)], scratch);
     });
-    run.report(0.25, "cleaving: fans");
-    choose_fans(c, run);
+    choose_fans(c, steps.next());
     return c;
 }
 

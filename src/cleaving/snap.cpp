@@ -1,5 +1,6 @@
 #include "cleaving/snap.hpp"
 
+#include "base/stage.hpp"
 #include "cleaving/pinch.hpp"
 #include "cleaving/snap_order.hpp"
 #include "cleaving/star.hpp"
@@ -54,13 +55,11 @@ public:
     SnapCounts run()
     {
         const int passes = rule_ == Snap::quality ? kPasses : 1;
+        Steps steps(run_, std::vector<Step>(static_cast<size_t>(passes), {nullptr, 1}));
         for (int pass = 0; pass < passes; ++pass) {
             const std::vector<int32_t> order = vertices_to_visit(c_, kSnapReach, touched_, run_);
-            for (size_t i = 0; i < order.size(); ++i) {
-                if (i % 128 == 0)
-                    run_.report(0.3 + 0.5 * (pass + double(i) / double(order.size())) / passes, "cleaving: snapping");
-                visit(order[i]);
-            }
+            steps.next().for_each(static_cast<int64_t>(order.size()),
+                                  [&](int64_t i) { visit(order[static_cast<size_t>(i)]); });
         }
         return counts_;
     }
@@ -100,8 +99,7 @@ private:
     {
         safe_reach_.resize(c_.edges.size());
         for (int32_t v = 0; v < static_cast<int32_t>(c_.points.size()); ++v) {
-            if (v % 1024 == 0)
-                run_.report(0.3, "cleaving: snapping");
+            run_.check_at(v, 1024);
             star_.gather(v);
             if (star_.edges().empty())
                 continue;

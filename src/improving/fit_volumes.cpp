@@ -1,7 +1,7 @@
 #include "improving/fit_volumes.hpp"
 
 #include "base/degrees.hpp"
-#include "base/stage_timer.hpp"
+#include "base/stage.hpp"
 #include "improving/interface_triangles.hpp"
 #include "improving/material_offsets.hpp"
 #include "improving/settle_gaps.hpp"
@@ -302,14 +302,15 @@ void fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, cons
 {
     if (volume.material_count() < 2)
         return;
-    const StageTimer timer(run, "fitting");
-    run.report(0, "fitting volumes");
+    Stage stage(run, "fitting", {{"fitting: lines and gaps", 13}, {"fitting: heights", 24}, {"fitting: volumes", 63}});
+    const Run of_places = stage.next();
     const double floor = sine_of(least_angle);
-    const Meetings meetings = find_meetings(mesh, run);
-    const std::vector<int32_t> astray = settle(mesh, volume, floor, meetings, run);
-    std::vector<InterfaceTriangle> triangles = find_triangles(mesh, meetings, run);
-    run.report(0.3, "fitting volumes");
-    find_heights(mesh, volume, astray, triangles, run);
+    const Meetings meetings = find_meetings(mesh, of_places);
+    const std::vector<int32_t> astray = settle(mesh, volume, floor, meetings, of_places);
+    const Run of_heights = stage.next();
+    std::vector<InterfaceTriangle> triangles = find_triangles(mesh, meetings, of_heights);
+    find_heights(mesh, volume, astray, triangles, of_heights);
+    const Run of_volumes = stage.next();
     std::vector<FitPoint> points = find_points(mesh, astray, triangles);
     const std::vector<Contact> contacts = find_contacts(triangles);
     Granter granter(mesh, floor);
@@ -320,13 +321,13 @@ void fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, cons
     for (int round = 0; round < kMostRounds; ++round) {
         if (round >= kFitRounds && !is_any_off(missing, voxels, spacing.prod()))
             break;
-        run.report(0.6 + 0.4 * round / kMostRounds, "fitting volumes");
+        of_volumes.report(static_cast<double>(round) / kMostRounds);
         if (round >= kFitRounds)
             for (size_t m = 0; m < wide.size(); ++m)
                 wide[m] = wide[m] || is_off(missing[m], voxels[m], spacing.prod(), kSmallLabel, kWideTolerance);
         if (volume.is_label_map())
             add_offsets(mesh, missing, wide, spacing, points, round == 0, contacts, triangles);
-        const int64_t held = granter.grant(wishes(mesh, triangles, points), points, missing, run);
+        const int64_t held = granter.grant(wishes(mesh, triangles, points), points, missing, of_volumes);
         run.note("fitting.held", static_cast<double>(held));
     }
 }

@@ -1,12 +1,13 @@
 #include "improving/improve.hpp"
 
 #include "base/degrees.hpp"
-#include "base/stage_timer.hpp"
+#include "base/stage.hpp"
 #include "improving/improver.hpp"
 #include "mesh/angle_notes.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace cleft
 {
@@ -52,9 +53,19 @@ Shortfall shortfall(const LocalMesh& mesh, double target, const Run& run)
     return found;
 }
 
+// The searches, and as many again in each round that searches on. The first one takes nearly all of the time: the
+// others work on the few that are left.
+std::vector<Step> steps_of(size_t searches)
+{
+    std::vector<Step> steps(searches * (1 + std::size(kHigherAims)), {"improving", 0});
+    for (size_t i = 0; i < searches; ++i)
+        steps[i].share = i == 0 ? 20 : 1;
+    return steps;
+}
+
 // Where a few are left, the searches go on around them with a higher aim: few of those end at the same tetrahedra. With
 // a margin, they have had a higher aim from the beginning.
-Shortfall search_on(LocalMesh& mesh, Improver& improver, const ImproveOptions& options, const Run& run)
+Shortfall search_on(LocalMesh& mesh, Improver& improver, const ImproveOptions& options, Stage& stage, const Run& run)
 {
     constexpr int64_t kFew = 300;
     const double target = sine_of(options.target_angle);
@@ -65,7 +76,7 @@ Shortfall search_on(LocalMesh& mesh, Improver& improver, const ImproveOptions& o
             break;
         improver.aim_higher(sine_of(options.target_angle + margin));
         for (const Search& search : searches_of(options.effort))
-            improver.work(search);
+            improver.work(search, stage.next());
         left = shortfall(mesh, target, run);
         ++rounds;
     }
@@ -79,19 +90,18 @@ Shortfall improve(LocalMesh& mesh, const Volume& volume, const ImproveOptions& o
 {
     if (options.effort == Effort::off)
         return {};
-    const StageTimer timer(run, "improving");
-    run.report(0, "improving");
+    const std::vector<Search> searches = searches_of(options.effort);
+    Stage stage(run, "improving", steps_of(searches.size()));
     Improver improver(mesh, volume, sine_of(options.target_angle + options.margin), run);
     note_angles(mesh, "improving", "before", run);
     int number = 0;
-    for (const Search& search : searches_of(options.effort)) {
-        improver.work(search);
+    for (const Search& search : searches) {
+        improver.work(search, stage.next());
         run.note("improving.left_" + std::to_string(++number), static_cast<double>(improver.left()));
     }
-    const Shortfall left = search_on(mesh, improver, options, run);
+    const Shortfall left = search_on(mesh, improver, options, stage, run);
     note_angles(mesh, "improving", "after", run);
     note_counts(improver.counts(), run);
-    run.report(1, "improving");
     return left;
 }
 

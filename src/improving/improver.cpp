@@ -12,6 +12,8 @@ namespace cleft
 namespace
 {
 
+constexpr size_t kImprovedAtOnce = 16;  // tetrahedra, between two looks for a cancel: a rescue takes milliseconds
+
 // Dear operations are for a few: where a target is out of reach for many (random noise, an angle asked too much), only
 // the worst get them, one in so many tetrahedra of the mesh and some more.
 constexpr size_t kThoroughOneIn = 200, kThoroughAtLeast = 200;
@@ -40,19 +42,19 @@ size_t attempts_in_pass(const Search& search, size_t tets)
 }  // namespace
 
 Improver::Improver(LocalMesh& mesh, const Volume& volume, double target, const Run& run)
-    : run_(run), target_(target), voxel_(volume.grid().spacing.minCoeff()), mesh_(mesh), constraint_(volume)
+    : target_(target), voxel_(volume.grid().spacing.minCoeff()), mesh_(mesh), constraint_(volume)
 {
     mesh_.find_qualities(run);
     home_ = mesh_.points();
 }
 
-void Improver::work(const Search& search)
+void Improver::work(const Search& search, const Run& run)
 {
     search_ = search;
     if (started_)
         bad_.collect_left(mesh_, target_);
     else
-        bad_.collect_all(mesh_, target_, run_);
+        bad_.collect_all(mesh_, target_, run);
     started_ = true;
     const auto tets = static_cast<size_t>(mesh_.slot_count());
     const size_t most = search.thorough ? tets / kThoroughOneIn + kThoroughAtLeast : tets;
@@ -61,8 +63,8 @@ void Improver::work(const Search& search)
         changed = false;
         attempts_left_ = attempts_in_pass(search, tets);
         for (size_t i = 0; i < bad_.size(); ++i) {
-            if (i % 16 == 0)
-                run_.report((pass + double(i) / double(bad_.size())) / search.passes, "improving");
+            if (i % kImprovedAtOnce == 0)
+                run.report((pass + double(i) / double(bad_.size())) / search.passes);
             const bool worth = i < most && bad_.worth_trying(mesh_, i, target_);
             const bool done = worth && improve_tet(bad_[i]);
             changed = changed || done;

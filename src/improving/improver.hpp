@@ -32,7 +32,7 @@ public:
     // `target`: of angle_quality.
     Improver(LocalMesh& mesh, const Volume& volume, double target, const Run& run);
 
-    void work(const Search& search);
+    void work(const Search& search, const Run& run);
     // The next searches aim higher, around what the last one left: they take other ways there.
     void aim_higher(double target);
     // Tetrahedra that the last search left below the target.
@@ -59,8 +59,8 @@ private:
     void accept();
     int32_t find(const Tet& corners) const;
     std::vector<Tet> tets_around(const Tet& corners) const;
-    bool attempt(int32_t t, int operation, double share);
-    bool split_in_middle(int32_t t, int corner_a, int corner_b, double share);
+    bool attempt(int32_t t, int operation);
+    bool split_in_middle(int32_t t, int corner_a, int corner_b);
     bool smooth_all(const Tet& bad, double before);
     bool pays(const Tet& bad, double wanted);
     void smooth_and_note(int32_t t);
@@ -68,7 +68,6 @@ private:
     void unsettle_around(int32_t v);
     void take_back();
 
-    const Run& run_;
     double target_;
     const double voxel_;
     LocalMesh& mesh_;

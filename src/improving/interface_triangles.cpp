@@ -116,8 +116,7 @@ std::vector<InterfaceTriangle> find_triangles(const LocalMesh& mesh, const Meeti
     std::vector<InterfaceTriangle> triangles;
     triangles.reserve(static_cast<size_t>(mesh.slot_count()) / 8);
     for (int32_t t = 0; t < mesh.slot_count(); ++t) {
-        if (t % (1 << 16) == 0)
-            run.report(0.2 * t / mesh.slot_count(), "fitting volumes");
+        run.check_at(t);
         if (!mesh.alive(t))
             continue;
         const Tet& corners = mesh.tet(t);

@@ -17,7 +17,7 @@ namespace
 // 6 edge removals, 4 face removals, 12 contractions, 6 splits.
 constexpr int kOperations = 28;
 // An operation may leave a tetrahedron with this share of the worst quality before it.
-constexpr double kShare = 0.3, kShareAround = 0.4;
+constexpr double kShare = 0.3;
 // A new tetrahedron that smoothing cannot bring to this share of it never gets better than it, or hardly ever: with
 // those the attempt is given up. That saves half the time, and costs 2 % of the attempts that would help.
 constexpr double kHopeful = 0.95;
@@ -66,8 +66,7 @@ bool Improver::rescue(int32_t t)
 bool Improver::rescue_at(const Tet& place, const Tet& bad, double before)
 {
     for (int operation = 0; operation < kOperations; ++operation) {
-        if (!tried_.insert(subject_of(operation, place)).second ||
-            !attempt(find(place), operation, place == bad ? kShare : kShareAround))
+        if (!tried_.insert(subject_of(operation, place)).second || !attempt(find(place), operation))
             continue;
         if (smooth_all(bad, before)) {
             accept();
@@ -110,26 +109,26 @@ std::vector<Tet> Improver::tets_around(const Tet& corners) const
     return around;
 }
 
-bool Improver::attempt(int32_t t, int operation, double share)
+bool Improver::attempt(int32_t t, int operation)
 {
     moves_.clear();
     attempt_began_ = ++clock_;
     if (operation < 6) {
         const auto& edge = kEdgeCorners[operation];
-        return remove_edge(mesh_, t, edge[0], edge[1], bend(t, edge[0], edge[1]), cavity_, share);
+        return remove_edge(mesh_, t, edge[0], edge[1], bend(t, edge[0], edge[1]), cavity_, kShare);
     }
     if (operation < 10)
-        return remove_face(mesh_, t, operation - 6, cavity_, share);
+        return remove_face(mesh_, t, operation - 6, cavity_, kShare);
     if (operation < 22) {
         const auto& edge = kEdgeCorners[(operation - 10) / 2];
         const int gone = operation % 2;
-        return contraction_.contract(mesh_, t, edge[gone], edge[1 - gone], cavity_, share);
+        return contraction_.contract(mesh_, t, edge[gone], edge[1 - gone], cavity_, kShare);
     }
     const auto& edge = kEdgeCorners[operation - 22];
-    return split_in_middle(t, edge[0], edge[1], share);
+    return split_in_middle(t, edge[0], edge[1]);
 }
 
-bool Improver::split_in_middle(int32_t t, int corner_a, int corner_b, double share)
+bool Improver::split_in_middle(int32_t t, int corner_a, int corner_b)
 {
     EdgeRing& ring = cavity_.ring;
     mesh_.ring(t, corner_a, corner_b, ring);
@@ -138,7 +137,7 @@ bool Improver::split_in_middle(int32_t t, int corner_a, int corner_b, double sha
     star_.load(mesh_, ring);
     Vec3 middle = 0.5 * (mesh_.point(ring.a) + mesh_.point(ring.b));
     constrain(ring.tets, middle, middle, frozen_on_edge(mesh_, ring));
-    if (!constraint_.project(middle) || !(star_.worst_at(middle, -1) > share * mesh_.worst(ring.tets)))
+    if (!constraint_.project(middle) || !(star_.worst_at(middle, -1) > kShare * mesh_.worst(ring.tets)))
         return false;
     split_edge(mesh_, ring, middle, cavity_);
     home_.push_back(middle);

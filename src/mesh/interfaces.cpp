@@ -2,6 +2,7 @@
 
 #include "base/ordinal.hpp"
 #include "base/parallel.hpp"
+#include "base/stage.hpp"
 #include "mesh/bounding_box.hpp"
 #include "mesh/face_buckets.hpp"
 #include "mesh/surface_points.hpp"
@@ -94,19 +95,20 @@ std::vector<Face> sorted_union(std::vector<Faces>& parts, std::vector<Face> Face
 
 Interfaces extract_interfaces(const RegionMesh& mesh, const Vec3& lo, const Vec3& hi, const Run& run)
 {
-    run.report(0, "extracting interfaces");
+    Steps steps(run, {{"extracting interfaces", 3}, {nullptr, 4}, {nullptr, 3}});
+    const Run of_points = steps.next();
     const auto point_count = static_cast<int64_t>(mesh.points.size());
     const BoundingBox box{lo, hi};
-    const std::vector<uint8_t> surface = surface_points(mesh, run);
-    const FaceBuckets buckets(mesh.tets, point_count, run, &surface);
+    const std::vector<uint8_t> surface = surface_points(mesh, of_points);
+    const FaceBuckets buckets(mesh.tets, point_count, of_points, &surface);
     std::vector<Faces> parts(static_cast<size_t>(chunk_count(point_count, FaceBuckets::points_at_once)));
-    run.report(0.3, "extracting interfaces");
-    parallel_chunks(run, point_count, FaceBuckets::points_at_once, [&](int64_t chunk, int64_t begin, int64_t end) {
-        Faces& part = parts[static_cast<size_t>(chunk)];
-        buckets.for_each_face(begin, end,
-                              [&](const HalfFace* face, size_t count) { add_face(mesh, face, count, box, part); });
-    });
-    run.report(0.7, "extracting interfaces");
+    parallel_chunks(
+        steps.next(), point_count, FaceBuckets::points_at_once, [&](int64_t chunk, int64_t begin, int64_t end) {
+            Faces& part = parts[static_cast<size_t>(chunk)];
+            buckets.for_each_face(begin, end,
+                                  [&](const HalfFace* face, size_t count) { add_face(mesh, face, count, box, part); });
+        });
+    steps.next();
 
     Interfaces out;
     const std::vector<InterfaceFace> interfaces = sorted_union(parts, &Faces::interfaces);

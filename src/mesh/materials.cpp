@@ -1,5 +1,6 @@
 // What is in a mesh by material.
 #include "base/disjoint_sets.hpp"
+#include "base/stage.hpp"
 #include "mesh/face_buckets.hpp"
 #include "mesh/finish.hpp"
 #include "mesh/quality.hpp"
@@ -67,8 +68,8 @@ MeshParts mesh_parts(const LabelledMesh& mesh, const Run& run)
 {
     const auto material = [&](int32_t t) { return mesh.material[static_cast<size_t>(t)]; };
     const auto point_count = static_cast<int64_t>(mesh.points.size());
-    run.report(0, "finding parts");
-    const std::vector<uint8_t> surface = surface_points(mesh, run);
+    Steps steps(run, {{nullptr, 1}, {nullptr, 1}});
+    const std::vector<uint8_t> surface = surface_points(mesh, steps.next());
     DisjointSets sets(mesh.tets.size());
     std::vector<int32_t> first(mesh.points.size(), -1);  // tetrahedron at a point
     for (size_t t = 0; t < mesh.tets.size(); ++t)
@@ -79,9 +80,8 @@ MeshParts mesh_parts(const LabelledMesh& mesh, const Run& run)
             else if (surface[static_cast<size_t>(p)] == 0)
                 sets.join(before, static_cast<int32_t>(t));
         }
-    run.report(0.5, "finding parts");
     Borders borders;
-    const FaceBuckets buckets(mesh.tets, point_count, run, &surface);
+    const FaceBuckets buckets(mesh.tets, point_count, steps.next(), &surface);
     buckets.for_each_face(0, point_count, [&](const HalfFace* face, size_t count) {
         for (size_t k = 1; k < count; ++k) {
             const Material here = material(face[k].tet()), before = material(face[k - 1].tet());

@@ -1,6 +1,7 @@
 // Numbering along a Hilbert curve.
 #include "base/large_pages.hpp"
 #include "base/parallel.hpp"
+#include "base/stage.hpp"
 #include "mesh/curve_order.hpp"
 #include "mesh/finish.hpp"
 
@@ -78,10 +79,9 @@ void order_tets(LabelledMesh& mesh, const Run& run)
 
 void order_spatially(LabelledMesh& mesh, const Run& run)
 {
-    run.report(0, "ordering");
+    Steps steps(run, {{"ordering", 4}, {nullptr, 2}, {nullptr, 4}});
     std::vector<int32_t> order = used_points(mesh);
-    order_along_curve(mesh.points, order, run);
-    run.report(0.4, "ordering");
+    order_along_curve(mesh.points, order, steps.next());
     std::vector<int32_t> new_number(mesh.points.size(), -1);
     std::vector<Vec3> points;
     reserve_large(points, order.size());
@@ -90,7 +90,7 @@ void order_spatially(LabelledMesh& mesh, const Run& run)
         points.push_back(mesh.points[static_cast<size_t>(p)]);
     }
     mesh.points.swap(points);
-    parallel_for(run, static_cast<int64_t>(mesh.tets.size()), kItemsOrdered, [&](int64_t begin, int64_t end) {
+    parallel_for(steps.next(), static_cast<int64_t>(mesh.tets.size()), kItemsOrdered, [&](int64_t begin, int64_t end) {
         for (auto t = static_cast<size_t>(begin); t < static_cast<size_t>(end); ++t) {
             Tet& tet = mesh.tets[t];
             for (int32_t& p : tet)
@@ -98,8 +98,7 @@ void order_spatially(LabelledMesh& mesh, const Run& run)
             tet = least_corners_first(tet);
         }
     });
-    run.report(0.6, "ordering");
-    order_tets(mesh, run);
+    order_tets(mesh, steps.next());
 }
 
 }  // namespace cleft

@@ -2,6 +2,7 @@
 
 #include "base/degrees.hpp"
 #include "base/parallel.hpp"
+#include "base/stage.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/angle_quality.hpp"
 
@@ -268,7 +269,7 @@ Quality measure_quality(const std::vector<Vec3>& points, const std::vector<Tet>&
 {
     if (tets.empty())
         return {};
-    run.report(0, "measuring quality");
+    Steps steps(run, {{"measuring quality", 8}, {nullptr, 2}});
     const auto corners = [&](size_t t) {
         FourPoints x;
         for (size_t i = 0; i < 4; ++i)
@@ -279,11 +280,11 @@ Quality measure_quality(const std::vector<Vec3>& points, const std::vector<Tet>&
     const AngleBins bins;
     std::vector<QualityPart> parts(static_cast<size_t>(chunk_count(count, kTetsMeasured)), empty_part());
     std::vector<double> ratios(tets.size());
-    parallel_chunks(run, count, kTetsMeasured, [&](int64_t chunk, int64_t begin, int64_t end) {
+    parallel_chunks(steps.next(), count, kTetsMeasured, [&](int64_t chunk, int64_t begin, int64_t end) {
         for (auto t = static_cast<size_t>(begin); t < static_cast<size_t>(end); ++t)
             ratios[t] = add_tet(corners(t), t, bins, parts[static_cast<size_t>(chunk)]);
     });
-    run.report(0.8, "measuring quality");
+    steps.next();
     QualityPart whole = empty_part();
     for (const QualityPart& part : parts)
         combine(part, whole);
@@ -292,7 +293,6 @@ Quality measure_quality(const std::vector<Vec3>& points, const std::vector<Tet>&
     q.min_dihedral = extreme_angles(corners(whole.sharpest))[0];
     q.max_dihedral = extreme_angles(corners(whole.bluntest))[1];
     add_radius_ratios(std::move(ratios), q);
-    run.report(1, "measuring quality");
     return q;
 }
 

@@ -1,6 +1,7 @@
 #include "mesh/validate.hpp"
 
 #include "base/ordinal.hpp"
+#include "base/stage.hpp"
 #include "mesh/checks.hpp"
 #include "mesh/face_buckets.hpp"
 
@@ -109,12 +110,11 @@ std::string first_box_fault(const RegionMesh& mesh, const Placement& world, cons
 
 Validation validate(const RegionMesh& mesh, bool fills_box, const Run& run, const Placement& world)
 {
-    run.report(0, "validating");
+    Steps steps(run, {{"validating", 2}, {nullptr, 2}, {nullptr, 6}});
+    steps.next();
     const PointChecks points = check_points(mesh);
-    run.report(0.2, "validating");
-    const TetChecks tets = check_tets(mesh, run);
-    run.report(0.4, "validating");
-    const FaceChecks faces = check_faces(mesh, points.box, tets.sign, world, run);
+    const TetChecks tets = check_tets(mesh, steps.next());
+    const FaceChecks faces = check_faces(mesh, points.box, tets.sign, world, steps.next());
 
     Validation out;
     out.bad_index = tets.bad_index.count;
@@ -138,7 +138,6 @@ Validation validate(const RegionMesh& mesh, bool fills_box, const Run& run, cons
     out.first_fault = first_fault(mesh, world, points, tets, faces);
     if (out.first_fault.empty() && fills_box)
         out.first_fault = first_box_fault(mesh, world, faces, out);
-    run.report(1, "validating");
     return out;
 }
 

@@ -1,6 +1,10 @@
 // Improves a cleaved mesh; again, on other ways, where the first one ends with a few bad tetrahedra.
 #include "pipeline/improved_mesh.hpp"
 
+#include "base/stage.hpp"
+
+#include <iterator>
+
 namespace cleft
 {
 
@@ -19,8 +23,9 @@ struct Try {
 
 Try try_with(const Volume& volume, const Cleaved& cleaved, const ImproveOptions& options, const Run& run)
 {
-    LocalMesh mesh(cleaved(part_of(run, 0.0, 0.75)), run);
-    const Shortfall left = improve(mesh, volume, options, part_of(run, 0.75, 1.0));
+    Steps steps(run, {{nullptr, 90}, {nullptr, 10}});
+    LocalMesh mesh(cleaved(steps.next()), run);
+    const Shortfall left = improve(mesh, volume, options, steps.next());
     return {std::move(mesh), left};
 }
 
@@ -28,7 +33,10 @@ Try try_with(const Volume& volume, const Cleaved& cleaved, const ImproveOptions&
 
 LocalMesh improved_mesh(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options, const Run& run)
 {
-    Try best = try_with(volume, cleaved, options.improve, run);
+    std::vector<Step> shares(1 + std::size(kHigherAims), {nullptr, 0});
+    shares[0].share = 1;  // others are seldom needed
+    Steps steps(run, shares);
+    Try best = try_with(volume, cleaved, options.improve, steps.next());
     int tries = 1;
     for (const double margin : kHigherAims) {
         if (best.left.tets == 0 || best.left.tets > kFew || best.mesh.slot_count() > kMostTets)
@@ -37,7 +45,7 @@ LocalMesh improved_mesh(const Volume& volume, const Cleaved& cleaved, const Pipe
         ImproveOptions higher = options.improve;
         higher.margin = margin;
         Metrics noted;
-        Run quiet = part_of(run, 1.0, 1.0);
+        Run quiet = steps.next();
         quiet.log = nullptr;
         quiet.metrics = &noted;
         Try other = try_with(volume, cleaved, higher, quiet);

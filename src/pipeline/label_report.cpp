@@ -1,5 +1,6 @@
 #include "pipeline/label_report.hpp"
 
+#include "base/stage.hpp"
 #include "mesh/finish.hpp"
 #include "mesh/quality.hpp"
 #include "pipeline/pipeline.hpp"
@@ -106,7 +107,8 @@ LabelReport label_report(const Volume& volume, const LabelledMesh& mesh, const R
     std::vector<LabelRow> rows(static_cast<size_t>(count));
     const std::vector<int64_t> voxels = volume.voxel_counts();
     const std::vector<double> volumes = material_volumes(mesh, count);
-    const MeshParts parts = mesh_parts(mesh, part_of(run, 0, 0.3));
+    Steps steps(run, {{"finding parts", 4}, {"counting components", 4}, {"looking for contacts", 2}});
+    const MeshParts parts = mesh_parts(mesh, steps.next());
     const std::vector<int32_t>& part = parts.of_tet;
     for (size_t m = 0; m < rows.size(); ++m) {
         rows[m].label = volume.labels()[m];
@@ -115,7 +117,7 @@ LabelReport label_report(const Volume& volume, const LabelledMesh& mesh, const R
         rows[m].mesh_volume = volumes[m];
     }
 
-    const VoxelComponents components = voxel_components(volume, part_of(run, 0.3, 0.6));
+    const VoxelComponents components = voxel_components(volume, steps.next());
     std::vector<uint8_t> is_met(components.voxels.size(), 0);  // by a tetrahedron in it
     std::vector<Shared> shared;
     for (size_t t = 0; t < mesh.tets.size(); ++t) {
@@ -146,7 +148,7 @@ LabelReport label_report(const Volume& volume, const LabelledMesh& mesh, const R
             row.large_components_joined += joined[c];
         }
     }
-    return {std::move(rows), new_contacts(volume, components, parts.borders, part_of(run, 0.7, 1))};
+    return {std::move(rows), new_contacts(volume, components, parts.borders, steps.next())};
 }
 
 }  // namespace cleft

@@ -1,7 +1,7 @@
 #include "pipeline/number_search.hpp"
 
 #include "base/number_text.hpp"
-#include "base/stage_timer.hpp"
+#include "base/stage.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -55,8 +55,10 @@ int64_t kept_count(const LabelledMesh& mesh, const PipelineOptions& options)
 // One run at one size, without the finishing.
 LabelledMesh attempt(const Volume& volume, const SizingField& field, const PipelineOptions& options, const Run& run)
 {
-    const TetMesh background = make_background(field, options, part_of(run, 0.0, 0.5));
-    return cleave_and_improve(volume, background, options, part_of(run, 0.5, 1.0));
+    const double share = row_of(options.background.kind).share_of_time;
+    Steps steps(run, {{nullptr, share}, {nullptr, 100 - share}});
+    const TetMesh background = make_background(field, options, steps.next());
+    return cleave_and_improve(volume, background, options, steps.next());
 }
 
 // Finds the factor on the sizing field that gives the wanted number. The number falls with the factor by a power
@@ -90,6 +92,27 @@ private:
     Try many_{}, few_{};  // the last that gave too many, and too few
 };
 
+constexpr int kRounds = 8;
+
+// Fitting, then the rounds, each of which scales and meshes. Most searches end in the second or third: progress goes by
+// halves of what is left.
+std::vector<Step> steps_of_rounds()
+{
+    std::vector<Step> steps{{nullptr, 0}};
+    for (int round = 0; round < kRounds; ++round) {
+        steps.push_back({nullptr, 0});
+        steps.push_back({nullptr, std::ldexp(1.0, -round)});
+    }
+    return steps;
+}
+
+// Warnings are of the mesh that is kept.
+Run silenced(Run run)
+{
+    run.log = nullptr;
+    return run;
+}
+
 // The least factor that keeps a mesh to the limit, where `all` tetrahedra came (or are expected) of `factor`.
 double least_factor(double factor, double all, double limit) { return limit > 0 ? factor * std::cbrt(all / limit) : 0; }
 
@@ -111,42 +134,40 @@ void warn_of_number(const LabelledMesh& mesh, const PipelineOptions& options, bo
 
 void fit_to_number(SizingField& field, const Volume& volume, const PipelineOptions& options, const Run& run)
 {
-    constexpr int kRounds = 4;  // the gradation limit bends the power law
+    constexpr int kFittingRounds = 4;  // the gradation limit bends the power law
     if (options.tets <= 0 || field.found_for == options.tets)
         return;
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kFittingRounds; ++round) {
         const double ratio = expected_kept(field, volume, options) / static_cast<double>(options.tets);
         if (std::abs(ratio - 1) < 0.05)
             return;
-        scale_sizing(field, std::cbrt(ratio), part_of(run, 1, 1));
+        scale_sizing(field, std::cbrt(ratio), run);
     }
 }
 
 LabelledMesh mesh_of_number(const Volume& volume, SizingField& field, const PipelineOptions& options, const Run& run)
 {
-    constexpr int kRounds = 8;
     constexpr double kTolerance = 0.08, kNearLimit = 0.9;
     const StageTimer timer(run, "pipeline.rounds");  // of all; the stages note their last round
     const double wanted = static_cast<double>(options.tets), limit = limit_of(options);
     NumberSearch search(wanted);
-    Run silent = run;  // warnings are of the mesh that is kept
-    silent.log = nullptr;
+    Steps steps(run, steps_of_rounds());
     const bool was_found = field.found_for == options.tets;
     double factor = 1, next = 1;
-    fit_to_number(field, volume, options, run);
+    fit_to_number(field, volume, options, steps.next());
     if (!was_found)
         next = std::max({1.0, least_factor(1, expected_of_all(field, options, run), limit),
                          first_factor(field, volume, options, run)});
     bool is_limited = false;
     LabelledMesh mesh;
     for (int round = 0; round < kRounds && !is_limited; ++round) {
-        // Most searches end in the second or third round: progress goes by halves of what is left.
-        const double begin = 1 - std::ldexp(1.0, -round), end = 1 - std::ldexp(1.0, -round - 1);
         if (next != factor)
-            scale_sizing(field, next / factor, part_of(run, begin, begin));
+            scale_sizing(field, next / factor, steps.next());
+        else
+            steps.next();
         factor = next;
         mesh = LabelledMesh();
-        mesh = attempt(volume, field, options, part_of(silent, begin, end));
+        mesh = attempt(volume, field, options, silenced(steps.next()));
         const double all = static_cast<double>(mesh.tets.size());
         const double count = static_cast<double>(kept_count(mesh, options));
         run.note("pipeline.rounds.count", round + 1);

@@ -1,7 +1,7 @@
 #include "pipeline/pipeline.hpp"
 
 #include "background/repair.hpp"
-#include "base/stage_timer.hpp"
+#include "base/stage.hpp"
 #include "improving/fit_volumes.hpp"
 #include "mesh/finish.hpp"
 #include "pipeline/improved_mesh.hpp"
@@ -60,8 +60,9 @@ LabelledMesh improved(const Volume& volume, const Cleaved& cleaved, const Pipeli
 {
     if (options.improve.effort == Effort::off)
         return cleaved(run);
-    LocalMesh mesh = improved_mesh(volume, cleaved, options, part_of(run, 0.0, 0.9));
-    fit_volumes(mesh, volume, options.improve.target_angle, part_of(run, 0.9, 1.0));
+    Steps steps(run, {{nullptr, 74}, {nullptr, 26}});
+    LocalMesh mesh = improved_mesh(volume, cleaved, options, steps.next());
+    fit_volumes(mesh, volume, options.improve.target_angle, steps.next());
     return mesh.take();
 }
 
@@ -72,28 +73,18 @@ LabelledMesh finished(const Volume& volume, LabelledMesh mesh, const PipelineOpt
         require_all_labels(volume, mesh, options, run);
     warn_of_volume_differences(volume, mesh, options.keep, run);
     warn_of_missed_angles(volume, mesh, options, run);
-    const StageTimer timer(run, "finish");
-    order_spatially(mesh, run);
+    Stage stage(run, "finish", {{nullptr, 1}});
+    order_spatially(mesh, stage.next());
     return mesh;
 }
 
 }  // namespace
 
-Run part_of(const Run& run, double from, double to)
-{
-    Run part = run;
-    if (run.progress)
-        part.progress = [progress = run.progress, from, to](double fraction, const char* stage) {
-            return progress(from + (to - from) * fraction, stage);
-        };
-    return part;
-}
-
 SizingField make_sizing(const Volume& volume, const PipelineOptions& options, const Run& run)
 {
-    const double meshing = options.tets > 0 ? 0.1 : 1;
-    SizingField field = compute_sizing(volume, options.sizing, part_of(run, 0.0, meshing));
-    scale_to_number(field, volume, options, part_of(run, meshing, 1.0));
+    Steps steps(run, {{nullptr, 1}, {nullptr, options.tets > 0 ? 20.0 : 0}});
+    SizingField field = compute_sizing(volume, options.sizing, steps.next());
+    scale_to_number(field, volume, options, steps.next());
     return field;
 }
 
@@ -105,8 +96,8 @@ void scale_to_number(SizingField& field, const Volume& volume, const PipelineOpt
 
 TetMesh make_background(const SizingField& field, const PipelineOptions& options, const Run& run)
 {
-    const StageTimer timer(run, "background");
-    TetMesh mesh = row_of(options.background.kind).make(field, options.background, run);
+    Stage stage(run, "background", {{"background", 1}});
+    TetMesh mesh = row_of(options.background.kind).make(field, options.background, stage.next());
     run.note("background.points", static_cast<double>(mesh.points.size()));
     run.note("background.tets", static_cast<double>(mesh.tets.size()));
     return mesh;
@@ -116,11 +107,11 @@ void repair_background(TetMesh& background, const PipelineOptions& options, cons
 {
     if (options.repair_angle <= 0)
         return;
-    const StageTimer timer(run, "background");
+    Stage stage(run, "background", {{"background", 1}});
     RepairOptions repair_options;
     repair_options.target_angle = options.repair_angle;
     repair_options.sweeps = 0;  // a user's points stay where they are unless a bad tetrahedron needs them moved
-    repair(background, repair_options, run);
+    repair(background, repair_options, stage.next());
 }
 
 LabelledMesh cleave_and_improve(const Volume& volume, const TetMesh& background, const PipelineOptions& options,
@@ -133,37 +124,43 @@ LabelledMesh cleave_and_improve(const Volume& volume, const TetMesh& background,
 LabelledMesh improved_and_finished(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options,
                                    const Run& run)
 {
-    return finished(volume, improved(volume, cleaved, options, run), options, run);
+    Steps steps(run, {{nullptr, 90}, {nullptr, 10}});
+    LabelledMesh mesh = improved(volume, cleaved, options, steps.next());
+    return finished(volume, std::move(mesh), options, steps.next());
 }
 
 LabelledMesh mesh_from_volume(const Volume& volume, const PipelineOptions& options, const Run& run)
 {
-    const Run first = part_of(run, 0.0, 0.1);
-    SizingField field = compute_sizing(volume, options.sizing, first);
-    return mesh_from_sizing(volume, std::move(field), options, part_of(run, 0.1, 1.0));
+    Steps steps(run, {{nullptr, 13}, {nullptr, options.tets > 0 ? 200.0 : 87}});
+    SizingField field = compute_sizing(volume, options.sizing, steps.next());
+    return mesh_from_sizing(volume, std::move(field), options, steps.next());
 }
 
 LabelledMesh mesh_from_sizing(const Volume& volume, SizingField field, const PipelineOptions& options, const Run& run)
 {
     if (options.tets > 0) {
-        LabelledMesh mesh = mesh_of_number(volume, field, options, run);
+        Steps steps(run, {{nullptr, 95}, {nullptr, 5}});
+        LabelledMesh mesh = mesh_of_number(volume, field, options, steps.next());
         field = SizingField();
-        return finished(volume, std::move(mesh), options, run);
+        return finished(volume, std::move(mesh), options, steps.next());
     }
-    TetMesh background = make_background(field, options, part_of(run, 0.0, 0.5));
+    const double share = row_of(options.background.kind).share_of_time;
+    Steps steps(run, {{nullptr, share}, {nullptr, 97 - share}, {nullptr, 3}});
+    TetMesh background = make_background(field, options, steps.next());
     field = SizingField();
-    LabelledMesh mesh = cleave_and_improve(volume, background, options, part_of(run, 0.5, 1.0));
+    LabelledMesh mesh = cleave_and_improve(volume, background, options, steps.next());
     background = TetMesh();
-    return finished(volume, std::move(mesh), options, run);
+    return finished(volume, std::move(mesh), options, steps.next());
 }
 
 LabelledMesh mesh_from_background(const Volume& volume, TetMesh background, const PipelineOptions& options,
                                   const Run& run)
 {
-    repair_background(background, options, part_of(run, 0.0, 0.2));
-    LabelledMesh mesh = cleave_and_improve(volume, background, options, part_of(run, 0.2, 1.0));
+    Steps steps(run, {{nullptr, 20}, {nullptr, 75}, {nullptr, 5}});
+    repair_background(background, options, steps.next());
+    LabelledMesh mesh = cleave_and_improve(volume, background, options, steps.next());
     background = TetMesh();
-    return finished(volume, std::move(mesh), options, run);
+    return finished(volume, std::move(mesh), options, steps.next());
 }
 
 }  // namespace cleft

@@ -27,9 +27,6 @@ struct PipelineOptions {
     bool keeps(Material m) const { return keep.empty() || keep[static_cast<size_t>(m)] != 0; }
 };
 
-// The same run with its progress squeezed into [from, to].
-Run part_of(const Run& run, double from, double to);
-
 // The stage of sizing. With options.tets the field is scaled until its mesh has that number, for which meshes are made.
 SizingField make_sizing(const Volume& volume, const PipelineOptions& options, const Run& run);
 // The same for a field that is given.

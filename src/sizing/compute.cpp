@@ -1,7 +1,7 @@
 #include "sizing/compute.hpp"
 
 #include "base/number_text.hpp"
-#include "base/stage_timer.hpp"
+#include "base/stage.hpp"
 #include "sizing/feature_size.hpp"
 #include "sizing/gradient_limit.hpp"
 #include "sizing/one_voxel.hpp"
@@ -101,11 +101,11 @@ std::vector<float> material_sizes(const std::vector<int32_t>& labels, const Sizi
 }
 
 void lower_to_material_sizes(const Labelling& labelling, const std::vector<float>& sizes, std::vector<float>& h,
-                             const Progress& progress)
+                             const Run& run)
 {
     const int32_t n = labelling.grid.dims[0];
     parallel_with_progress(
-        progress, row_count(labelling.grid), rows_per_chunk(labelling.grid), [&](int64_t, int64_t begin, int64_t end) {
+        run, row_count(labelling.grid), rows_per_chunk(labelling.grid), [&](int64_t, int64_t begin, int64_t end) {
             std::vector<Material> materials(static_cast<size_t>(n));
             for (int64_t row = begin; row < end; ++row) {
                 labelling.read(row * n, n, materials.data());
@@ -128,10 +128,9 @@ void lower_to_features(const FeatureSizes& features, const SizingOptions& option
     }
 }
 
-void lower_to_one_voxel_parts(const Labelling& labelling, const Limits& limits, std::vector<float>& h,
-                              const Progress& progress)
+void lower_to_one_voxel_parts(const Labelling& labelling, const Limits& limits, std::vector<float>& h, const Run& run)
 {
-    const std::vector<uint8_t> near = near_one_voxel_parts(labelling, progress);
+    const std::vector<uint8_t> near = near_one_voxel_parts(labelling, run);
     for (size_t v = 0; v < h.size(); ++v)
         if (near[v])
             h[v] = std::min(h[v], static_cast<float>(limits.thin));
@@ -167,26 +166,30 @@ struct Sources {
     FeatureSizes features;
 };
 
-SizingField field_of(const Sources& from, const Limits& limits, const Progress& progress)
+SizingField field_of(const Sources& from, const Limits& limits, const Run& run)
 {
     const Grid& grid = from.labelling.grid;
     SizingField field{grid, std::vector<float>(static_cast<size_t>(grid.size()), static_cast<float>(limits.greatest)),
                       from.options.gradation};
+    Steps steps(run, {{"sizing: sizes of labels", from.options.label_sizes.empty() ? 0.0 : 10},
+                      {"sizing: thin parts", from.options.keep_thin ? 20.0 : 0},
+                      {"sizing: gradation", 90}});
+    const Run of_labels = steps.next(), of_thin = steps.next(), of_gradation = steps.next();
     lower_to_features(from.features, from.options, limits, field.h);
     if (!from.options.label_sizes.empty())
-        lower_to_material_sizes(from.labelling, material_sizes(from.labels, from.options, limits, progress.run),
-                                field.h, progress.part(0, 0.15));
+        lower_to_material_sizes(from.labelling, material_sizes(from.labels, from.options, limits, run), field.h,
+                                of_labels);
     if (from.options.keep_thin)
-        lower_to_one_voxel_parts(from.labelling, limits, field.h, progress.part(0, 0.15));
+        lower_to_one_voxel_parts(from.labelling, limits, field.h, of_thin);
     if (from.options.user)
         lower_to_user(from.options.user, grid, limits, field.h);
-    limit_gradient(grid, from.options.gradation, field.h, progress.part(0.15, 1));
+    limit_gradient(grid, from.options.gradation, field.h, of_gradation);
     return field;
 }
 
 // Raises the least size of features until the expected number is kept to. Thin structures fill a noisy volume, so that
 // the number falls with a power of the least size between two and three.
-void keep_to_number(const Sources& from, Limits limits, SizingField& field, const Progress& progress)
+void keep_to_number(const Sources& from, Limits limits, SizingField& field, const Run& run)
 {
     constexpr int kRounds = 6;
     constexpr double kPower = 2.5;
@@ -202,18 +205,18 @@ void keep_to_number(const Sources& from, Limits limits, SizingField& field, cons
         limits.thin *= factor;
         limits.greatest = std::max(limits.greatest, limits.least_feature);
         field = SizingField();
-        field = field_of(from, limits, progress);
+        field = field_of(from, limits, run);
         expected = expected_background_tets(field);
     }
-    progress.run.note("sizing.raised_size_min", limits.least_feature);
+    run.note("sizing.raised_size_min", limits.least_feature);
     const std::string raised = "the features ask for about " + count_text(asked) +
                                " tetrahedra: the least size was raised to " + number_text(limits.least_feature);
     // A size that is given for interfaces, labels or points holds whatever it comes to.
     if (expected > kNearly * wanted)
-        progress.run.say(CLEFT_LOG_WARNING, raised + ", but the sizes that were given still ask for about " +
-                                                count_text(expected) + ", more than max_tets, " + count_text(wanted));
+        run.say(CLEFT_LOG_WARNING, raised + ", but the sizes that were given still ask for about " +
+                                       count_text(expected) + ", more than max_tets, " + count_text(wanted));
     else
-        progress.run.say(CLEFT_LOG_WARNING, raised + " to keep to max_tets, " + count_text(wanted));
+        run.say(CLEFT_LOG_WARNING, raised + " to keep to max_tets, " + count_text(wanted));
 }
 
 }  // namespace
@@ -221,20 +224,20 @@ void keep_to_number(const Sources& from, Limits limits, SizingField& field, cons
 SizingField compute_sizing(const Labelling& labelling, const std::vector<int32_t>& labels, const SizingOptions& options,
                            const Run& run)
 {
-    const StageTimer timer(run, "sizing");
+    Stage stage(run, "sizing", {{"sizing: features", 60}, {"sizing: field", 40}, {"sizing: number of tetrahedra", 0}});
     check_options(options);
     check_sizing_grid(labelling.grid);
     const Limits limits = limits_of(labelling.grid, options);
-    const Progress progress{run, 0, 1, "sizing"};
 
     Sources from{labelling, labels, options, {}};
+    const Run of_features = stage.next();
     if (options.size <= 0 || options.interface_size > 0)
-        from.features = local_feature_sizes(labelling, progress.part(0, 0.6));
+        from.features = local_feature_sizes(labelling, of_features);
     note_features(from.features, run);
     if (options.size > 0)  // only the places are wanted
         std::fill(from.features.size.begin(), from.features.size.end(), std::numeric_limits<float>::infinity());
-    SizingField field = field_of(from, limits, progress.part(0.6, 1));
-    keep_to_number(from, limits, field, progress.part(1, 1));
+    SizingField field = field_of(from, limits, stage.next());
+    keep_to_number(from, limits, field, stage.next());
     note_field(field, run);
     return field;
 }

@@ -1,5 +1,6 @@
 #include "sizing/feature_size.hpp"
 
+#include "base/stage.hpp"
 #include "sizing/feature_transform.hpp"
 #include "sizing/medial_axis.hpp"
 #include "sizing/thin_parts.hpp"
@@ -79,12 +80,12 @@ FeatureSizes sizes_of_rows(const MedialAxis& axis, const InterfacePoints& points
     return found;
 }
 
-FeatureSizes read_at_interface(const MedialAxis& axis, const InterfacePoints& points, const Progress& progress)
+FeatureSizes read_at_interface(const MedialAxis& axis, const InterfacePoints& points, const Run& run)
 {
     const int64_t rows = row_count(axis.grid);
     const int64_t grain = rows_per_chunk(axis.grid);
     std::vector<FeatureSizes> parts(static_cast<size_t>(chunk_count(rows, grain)));
-    parallel_with_progress(progress, rows, grain, [&](int64_t chunk, int64_t begin, int64_t end) {
+    parallel_with_progress(run, rows, grain, [&](int64_t chunk, int64_t begin, int64_t end) {
         parts[static_cast<size_t>(chunk)] = sizes_of_rows(axis, points, begin, end);
     });
     FeatureSizes all;
@@ -110,24 +111,29 @@ FeatureSizes without_medial_axis(const InterfacePoints& points, int64_t voxels)
 
 }  // namespace
 
-FeatureSizes local_feature_sizes(const Labelling& labelling, const Progress& progress)
+FeatureSizes local_feature_sizes(const Labelling& labelling, const Run& run)
 {
     const Grid& grid = labelling.grid;
-    InterfacePoints points(labelling, progress.part(0, 0.15));
+    Steps steps(run, {{"sizing: interfaces", 6},
+                      {"sizing: thin parts", 5},
+                      {"sizing: distances from interfaces", 14},
+                      {"sizing: medial axis", 26},
+                      {"sizing: distances from the medial axis", 13},
+                      {"sizing: feature sizes", 4}});
+    InterfacePoints points(labelling, steps.next());
     if (points.count() == 0)
         return {};
-    std::vector<uint8_t> medial = thin_medial_places(labelling, points, progress.part(0.15, 0.2));
+    std::vector<uint8_t> medial = thin_medial_places(labelling, points, steps.next());
     points.forget_sides();
     std::vector<int32_t> nearest(static_cast<size_t>(grid.size()));
     mark_sites(nearest, [&](size_t v) { return points.contains(static_cast<int64_t>(v)); });
-    feature_transform(grid, nearest, progress.part(0.2, 0.5));
-    add_medial_places(labelling, points, nearest, medial, progress.part(0.5, 0.7));
+    feature_transform(grid, nearest, steps.next());
+    add_medial_places(labelling, points, nearest, medial, steps.next());
     const int64_t medial_voxels = mark_sites(nearest, [&](size_t v) { return medial[v] != 0; });
     if (medial_voxels == 0)
         return without_medial_axis(points, grid.size());
-    feature_transform(grid, nearest, progress.part(0.7, 0.95));
-    FeatureSizes sizes =
-        read_at_interface({grid, VoxelCoordinates(grid), medial, nearest}, points, progress.part(0.95, 1));
+    feature_transform(grid, nearest, steps.next());
+    FeatureSizes sizes = read_at_interface({grid, VoxelCoordinates(grid), medial, nearest}, points, steps.next());
     sizes.medial_voxels = medial_voxels;
     return sizes;
 }

@@ -18,6 +18,6 @@ struct FeatureSizes {
     int64_t medial_voxels = 0;
 };
 
-FeatureSizes local_feature_sizes(const Labelling& labelling, const Progress& progress);
+FeatureSizes local_feature_sizes(const Labelling& labelling, const Run& run);
 
 }  // namespace cleft

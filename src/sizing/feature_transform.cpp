@@ -2,6 +2,8 @@
 // squared distances to the sites found so far are parabolas of one width, and their lower envelope is built by a stack.
 #include "sizing/feature_transform.hpp"
 
+#include "base/stage.hpp"
+
 namespace cleft
 {
 namespace
@@ -140,13 +142,13 @@ void transform_block(const Columns& columns, int64_t number, std::vector<int32_t
             corner[y * columns.stride + c] = s.site[static_cast<size_t>(c * n + y)];
 }
 
-void transform_columns(const Grid& grid, int axis, std::vector<int32_t>& nearest, const Progress& progress)
+void transform_columns(const Grid& grid, int axis, std::vector<int32_t>& nearest, const Run& run)
 {
     const Columns columns(grid, axis);
     if (columns.length() == 1)
         return;
     const int64_t grain = std::max<int64_t>(1, 16384 / (int64_t{columns.length()} * block_width));
-    parallel_with_progress(progress, columns.count(), grain, [&](int64_t, int64_t begin, int64_t end) {
+    parallel_with_progress(run, columns.count(), grain, [&](int64_t, int64_t begin, int64_t end) {
         ColumnScratch scratch(static_cast<size_t>(columns.length()));
         for (int64_t block = begin; block < end; ++block)
             transform_block(columns, block, nearest, scratch);
@@ -155,16 +157,17 @@ void transform_columns(const Grid& grid, int axis, std::vector<int32_t>& nearest
 
 }  // namespace
 
-void feature_transform(const Grid& grid, std::vector<int32_t>& nearest, const Progress& progress)
+void feature_transform(const Grid& grid, std::vector<int32_t>& nearest, const Run& run)
 {
     const int32_t n = grid.dims[0];
-    const auto rows = progress.part(0, 0.1);
-    parallel_with_progress(rows, row_count(grid), rows_per_chunk(grid), [&](int64_t, int64_t begin, int64_t end) {
-        for (int64_t row = begin; row < end; ++row)
-            transform_row(nearest.data() + row * n, static_cast<int32_t>(row * n), n);
-    });
-    transform_columns(grid, 1, nearest, progress.part(0.1, 0.5));
-    transform_columns(grid, 2, nearest, progress.part(0.5, 1));
+    Steps steps(run, {{nullptr, 1}, {nullptr, 4}, {nullptr, 5}});
+    parallel_with_progress(steps.next(), row_count(grid), rows_per_chunk(grid),
+                           [&](int64_t, int64_t begin, int64_t end) {
+                               for (int64_t row = begin; row < end; ++row)
+                                   transform_row(nearest.data() + row * n, static_cast<int32_t>(row * n), n);
+                           });
+    transform_columns(grid, 1, nearest, steps.next());
+    transform_columns(grid, 2, nearest, steps.next());
 }
 
 }  // namespace cleft

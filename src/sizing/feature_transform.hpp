@@ -11,6 +11,6 @@ namespace cleft
 
 // In: nearest[v] = v for a site v, -1 for any other voxel. Out: the site whose centre is nearest to the centre of v,
 // with the grid's spacing; of sites at equal distance always the same one. All -1 if there is no site.
-void feature_transform(const Grid& grid, std::vector<int32_t>& nearest, const Progress& progress);
+void feature_transform(const Grid& grid, std::vector<int32_t>& nearest, const Run& run);
 
 }  // namespace cleft

@@ -4,6 +4,7 @@
 // pair of scans with the plain distances to the neighbours (a chamfer transform) closes the gaps.
 #include "sizing/gradient_limit.hpp"
 
+#include "base/stage.hpp"
 #include "base/wide_vectors.hpp"
 #include "sizing/wavefront.hpp"
 
@@ -72,7 +73,7 @@ public:
     }
 
     void row(int32_t plane, int32_t row);
-    void finish(const Progress& progress);
+    void finish(const Run& run);
 
 private:
     // The rows a plane works with: three of the plane before, two of its own, each in a slot by its number.
@@ -247,9 +248,9 @@ void ConeScan::row(int32_t plane, int32_t row)
 }
 
 // Turns the values at the apexes into the values of the cones at the voxels.
-void ConeScan::finish(const Progress& progress)
+void ConeScan::finish(const Run& run)
 {
-    parallel_with_progress(progress, row_count(grid_), rows_per_chunk(grid_), [&](int64_t, int64_t begin, int64_t end) {
+    parallel_with_progress(run, row_count(grid_), rows_per_chunk(grid_), [&](int64_t, int64_t begin, int64_t end) {
         ConeRow cones;
         cones.resize(static_cast<size_t>(grid_.dims[0]));
         for (int64_t row = begin; row < end; ++row) {
@@ -322,26 +323,22 @@ private:
 
 }  // namespace
 
-void limit_gradient(const Grid& grid, double gradation, std::vector<float>& h, const Progress& progress)
+void limit_gradient(const Grid& grid, double gradation, std::vector<float>& h, const Run& run)
 {
     constexpr std::array<Scan, 4> scans{{{{1, 1, 1}}, {{-1, -1, -1}}, {{1, -1, 1}}, {{-1, 1, -1}}}};
-    constexpr double part = 1.0 / (scans.size() + 2);
+    Steps steps(run, std::vector<Step>(scans.size() + 3, {"sizing: gradation", 1}));
     std::vector<int32_t> apex(h.size());
     for (size_t v = 0; v < apex.size(); ++v)
         apex[v] = static_cast<int32_t>(v);
-    double done = 0;
     for (const Scan& scan : scans) {
         ConeScan cones(grid, gradation, h, apex, scan);
-        wavefront(progress.part(done, done + part), grid.dims[2], grid.dims[1],
-                  [&](int32_t plane, int32_t row) { cones.row(plane, row); });
-        done += part;
+        wavefront(steps.next(), grid.dims[2], grid.dims[1], [&](int32_t plane, int32_t row) { cones.row(plane, row); });
     }
-    ConeScan(grid, gradation, h, apex, scans[0]).finish(progress.part(done, done));
+    ConeScan(grid, gradation, h, apex, scans[0]).finish(steps.next());
     for (const Scan& scan : {scans[0], scans[1]}) {
         ChamferScan chamfer(grid, gradation, h, scan);
-        wavefront(progress.part(done, done + part), grid.dims[2], grid.dims[1],
+        wavefront(steps.next(), grid.dims[2], grid.dims[1],
                   [&](int32_t plane, int32_t row) { chamfer.row(plane, row); });
-        done += part;
     }
 }
 

@@ -11,6 +11,6 @@ namespace cleft
 // h(x) = min over the voxels b of (h(b) + gradation |x - b|), in place: the lower envelope of a cone at each voxel.
 // The result is gradation-Lipschitz between any two of 26 neighbours, up to rounding, nowhere below the exact envelope
 // and above it by a small part of a percent at most.
-void limit_gradient(const Grid& grid, double gradation, std::vector<float>& h, const Progress& progress);
+void limit_gradient(const Grid& grid, double gradation, std::vector<float>& h, const Run& run);
 
 }  // namespace cleft

@@ -118,7 +118,7 @@ Code code_of(const Rows& rows, int32_t i, int sides)
 
 }  // namespace
 
-InterfacePoints::InterfacePoints(const Labelling& labelling, const Progress& progress)
+InterfacePoints::InterfacePoints(const Labelling& labelling, const Run& run)
     : codes_(static_cast<size_t>(labelling.grid.size())),
       sides_(static_cast<size_t>(labelling.grid.size())),
       table_(decode_all(labelling.grid.spacing))
@@ -126,7 +126,7 @@ InterfacePoints::InterfacePoints(const Labelling& labelling, const Progress& pro
     const Grid& grid = labelling.grid;
     const int64_t grain = rows_per_chunk(grid);
     std::vector<int64_t> found(static_cast<size_t>(chunk_count(row_count(grid), grain)));
-    parallel_with_progress(progress, row_count(grid), grain, [&](int64_t chunk, int64_t begin, int64_t end) {
+    parallel_with_progress(run, row_count(grid), grain, [&](int64_t chunk, int64_t begin, int64_t end) {
         RowWindow window(labelling);
         for (int64_t row = begin; row < end; ++row) {
             const Rows rows =

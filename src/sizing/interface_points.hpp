@@ -23,7 +23,7 @@ struct InterfacePoint {
 class InterfacePoints
 {
 public:
-    InterfacePoints(const Labelling& labelling, const Progress& progress);
+    InterfacePoints(const Labelling& labelling, const Run& run);
 
     bool contains(int64_t voxel) const { return codes_[static_cast<size_t>(voxel)] != 0; }
     // Of a voxel at an interface.

@@ -203,11 +203,11 @@ private:
 }  // namespace
 
 void add_medial_places(const Labelling& labelling, const InterfacePoints& points, const std::vector<int32_t>& nearest,
-                       std::vector<uint8_t>& medial, const Progress& progress)
+                       std::vector<uint8_t>& medial, const Run& run)
 {
     const Grid& grid = labelling.grid;
     const MedialSearch search(grid, points, nearest);
-    parallel_with_progress(progress, row_count(grid), rows_per_chunk(grid), [&](int64_t, int64_t begin, int64_t end) {
+    parallel_with_progress(run, row_count(grid), rows_per_chunk(grid), [&](int64_t, int64_t begin, int64_t end) {
         RowWindow window(labelling);
         for (int64_t row = begin; row < end; ++row)
             search.row(static_cast<int32_t>(row % grid.dims[1]), static_cast<int32_t>(row / grid.dims[1]), window,

@@ -41,6 +41,6 @@ inline Vec3 medial_offset(uint8_t held, const Vec3& spacing)
 // Adds the places between neighbouring voxels whose nearest interface points differ, and the deepest voxels: `nearest`
 // is the feature transform of the interface voxels.
 void add_medial_places(const Labelling& labelling, const InterfacePoints& points, const std::vector<int32_t>& nearest,
-                       std::vector<uint8_t>& medial, const Progress& progress);
+                       std::vector<uint8_t>& medial, const Run& run);
 
 }  // namespace cleft

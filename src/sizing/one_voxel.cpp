@@ -1,5 +1,7 @@
 #include "sizing/one_voxel.hpp"
 
+#include "base/stage.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -100,10 +102,10 @@ bool matters(Neighbourhood own)
 
 // visit(i, j, k, voxel) for all voxels, row by row.
 template <class Visit>
-void for_each_voxel(const Labelling& labelling, const Progress& progress, const Visit& visit)
+void for_each_voxel(const Labelling& labelling, const Run& run, const Visit& visit)
 {
     const Grid& grid = labelling.grid;
-    parallel_with_progress(progress, row_count(grid), rows_per_chunk(grid), [&](int64_t, int64_t begin, int64_t end) {
+    parallel_with_progress(run, row_count(grid), rows_per_chunk(grid), [&](int64_t, int64_t begin, int64_t end) {
         RowWindow window(labelling);
         for (int64_t row = begin; row < end; ++row)
             for (int32_t i = 0; i < grid.dims[0]; ++i)
@@ -114,16 +116,17 @@ void for_each_voxel(const Labelling& labelling, const Progress& progress, const 
 
 }  // namespace
 
-std::vector<uint8_t> near_one_voxel_parts(const Labelling& labelling, const Progress& progress)
+std::vector<uint8_t> near_one_voxel_parts(const Labelling& labelling, const Run& run)
 {
     const Grid& grid = labelling.grid;
     std::vector<uint8_t> thin(static_cast<size_t>(grid.size())), near(thin.size());
-    for_each_voxel(labelling, progress, [&](RowWindow& window, int32_t i, int32_t j, int32_t k, size_t voxel) {
+    Steps steps(run, {{nullptr, 4}, {nullptr, 1}});
+    for_each_voxel(labelling, steps.next(), [&](RowWindow& window, int32_t i, int32_t j, int32_t k, size_t voxel) {
         const Neighbourhood own = alike(window, i, j, k);
         thin[voxel] = is_one_voxel_thick(own) && matters(own);
     });
     const size_t y = static_cast<size_t>(grid.dims[0]), z = y * static_cast<size_t>(grid.dims[1]);
-    for_each_voxel(labelling, progress, [&](RowWindow&, int32_t i, int32_t j, int32_t k, size_t voxel) {
+    for_each_voxel(labelling, steps.next(), [&](RowWindow&, int32_t i, int32_t j, int32_t k, size_t voxel) {
         near[voxel] = thin[voxel] || (i > 0 && thin[voxel - 1]) || (i + 1 < grid.dims[0] && thin[voxel + 1]) ||
                       (j > 0 && thin[voxel - y]) || (j + 1 < grid.dims[1] && thin[voxel + y]) ||
                       (k > 0 && thin[voxel - z]) || (k + 1 < grid.dims[2] && thin[voxel + z]);

@@ -91,7 +91,7 @@ void scale_sizing(SizingField& field, double factor, const Run& run)
         value = static_cast<float>(value * factor);
     field.scale *= factor;
     if (factor > 1)  // a smaller field grows the more slowly
-        limit_gradient(field.grid, field.gradation, field.h, Progress{run, 0, 1, "sizing"});
+        limit_gradient(field.grid, field.gradation, field.h, run);
 }
 
 }  // namespace cleft

@@ -92,13 +92,12 @@ private:
 
 }  // namespace
 
-std::vector<uint8_t> thin_medial_places(const Labelling& labelling, const InterfacePoints& points,
-                                        const Progress& progress)
+std::vector<uint8_t> thin_medial_places(const Labelling& labelling, const InterfacePoints& points, const Run& run)
 {
     const Grid& grid = labelling.grid;
     const ThinParts parts(grid, points);
     std::vector<uint8_t> medial(static_cast<size_t>(grid.size()));
-    parallel_with_progress(progress, row_count(grid), rows_per_chunk(grid), [&](int64_t, int64_t begin, int64_t end) {
+    parallel_with_progress(run, row_count(grid), rows_per_chunk(grid), [&](int64_t, int64_t begin, int64_t end) {
         RowWindow window(labelling);
         for (int64_t row = begin; row < end; ++row) {
             const auto j = static_cast<int32_t>(row % grid.dims[1]);

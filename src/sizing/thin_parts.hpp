@@ -11,7 +11,6 @@ namespace cleft
 {
 
 // For each voxel the place of the medial axis that it holds (see medial_axis.hpp), or 0.
-std::vector<uint8_t> thin_medial_places(const Labelling& labelling, const InterfacePoints& points,
-                                        const Progress& progress);
+std::vector<uint8_t> thin_medial_places(const Labelling& labelling, const InterfacePoints& points, const Run& run);
 
 }  // namespace cleft

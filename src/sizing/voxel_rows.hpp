@@ -1,4 +1,4 @@
-// Small helpers that the passes over the voxels share: coordinates of a voxel number, chunks of rows, progress.
+// Small helpers that the passes over the voxels share: coordinates of a voxel number, chunks of rows.
 #pragma once
 
 #include "base/parallel.hpp"
@@ -43,31 +43,18 @@ inline int64_t row_count(const Grid& grid) { return int64_t{grid.dims[1]} * grid
 // Rows in a chunk of about 16,000 voxels: enough to make a chunk worth handing out, few enough to cancel soon.
 inline int64_t rows_per_chunk(const Grid& grid) { return std::max<int64_t>(1, 16384 / grid.dims[0]); }
 
-// The part [begin, end] of a stage's progress that one pass covers.
-struct Progress {
-    const Run& run;
-    double begin, end;
-    const char* stage;
-
-    void report(double fraction) const { run.report(begin + fraction * (end - begin), stage); }
-    Progress part(double from, double to) const
-    {
-        return {run, begin + from * (end - begin), begin + to * (end - begin), stage};
-    }
-};
-
 // body(chunk, begin, end) over chunks of [0, n), in batches with a report before each.
 template <class Body>
-void parallel_with_progress(const Progress& progress, int64_t n, int64_t grain, const Body& body)
+void parallel_with_progress(const Run& run, int64_t n, int64_t grain, const Body& body)
 {
     constexpr int64_t batches = 16;
     const int64_t chunks = chunk_count(n, grain);
     const int64_t batch = std::max<int64_t>(1, chunk_count(chunks, batches));
     for (int64_t first = 0; first < chunks; first += batch) {
-        progress.report(static_cast<double>(first) / static_cast<double>(chunks));
+        run.report(static_cast<double>(first) / static_cast<double>(chunks));
         const int64_t begin = first * grain;
         const int64_t count = std::min(n, (first + batch) * grain) - begin;
-        parallel_chunks(progress.run, count, grain, [&](int64_t chunk, int64_t from, int64_t to) {
+        parallel_chunks(run, count, grain, [&](int64_t chunk, int64_t from, int64_t to) {
             body(first + chunk, begin + from, begin + to);
         });
     }

@@ -17,18 +17,18 @@ constexpr int32_t wavefront_batch = 16;
 
 // body(plane, row) in the order above. It must not throw: planes that wait for its rows would wait forever.
 template <class Body>
-void wavefront(const Progress& progress, int32_t planes, int32_t rows, const Body& body)
+void wavefront(const Run& run, int32_t planes, int32_t rows, const Body& body)
 {
     for (int32_t first = 0; first < planes; first += wavefront_batch) {
-        progress.report(static_cast<double>(first) / planes);
+        run.report(static_cast<double>(first) / planes);
         const int32_t count = std::min(wavefront_batch, planes - first);
         std::vector<std::atomic<int32_t>> done(static_cast<size_t>(count));
-        parallel_for(progress.run, count, 1, [&](int64_t p, int64_t) {
+        parallel_for(run, count, 1, [&](int64_t p, int64_t) {
             for (int32_t row = 0; row < rows; ++row) {
                 if (p > 0) {
                     const auto& before = done[static_cast<size_t>(p - 1)];
                     while (before.load(std::memory_order_acquire) < std::min(row + 2, rows)) {
-                        progress.run.check();  // the plane before may never come: its thread was cancelled
+                        run.check();  // the plane before may never come: its thread was cancelled
                         std::this_thread::yield();
                     }
                 }

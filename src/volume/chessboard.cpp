@@ -51,15 +51,15 @@ void sweep_plane(const Grid& grid, uint8_t* distance, int32_t z, int step, int g
 }  // namespace
 
 // Two sweeps, each over the 13 neighbours that come before, are exact in this norm.
-void chessboard_distance(const Grid& grid, uint8_t* distance, int greatest, double fraction, const Run& run)
+void chessboard_distance(const Grid& grid, uint8_t* distance, int greatest, const Run& run)
 {
     const int32_t nz = grid.dims[2];
     for (int32_t z = 0; z < nz; ++z) {
-        run.report(fraction, "volume");
+        run.report(0.5 * z / nz);
         sweep_plane(grid, distance, z, 1, greatest);
     }
     for (int32_t z = nz - 1; z >= 0; --z) {
-        run.report(fraction, "volume");
+        run.report(1 - 0.5 * (z + 1) / nz);
         sweep_plane(grid, distance, z, -1, greatest);
     }
 }

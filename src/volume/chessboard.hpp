@@ -11,6 +11,6 @@ namespace cleft
 
 // On entry 0 or `greatest` (at most 254); on return min(greatest, distance to the nearest 0) in grid steps.
 // `fraction` is what it reports as the progress of the stage.
-void chessboard_distance(const Grid& grid, uint8_t* distance, int greatest, double fraction, const Run& run);
+void chessboard_distance(const Grid& grid, uint8_t* distance, int greatest, const Run& run);
 
 }  // namespace cleft

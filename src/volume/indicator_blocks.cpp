@@ -1,6 +1,7 @@
 #include "volume/indicator_blocks.hpp"
 
 #include "base/parallel.hpp"
+#include "base/stage.hpp"
 #include "volume/chessboard.hpp"
 #include "volume/position.hpp"
 
@@ -133,8 +134,10 @@ void find_single_blocks(IndicatorField& field, const Run& run)
         field.blocks.dims[a] = (field.grid.dims[a] + kBlock - 1) / kBlock;
     const auto [nx, ny, nz] = field.blocks.dims;
     field.depth.assign(static_cast<size_t>(field.blocks.size()), 0);
+    Steps steps(run, {{nullptr, 9}, {nullptr, 1}});
+    const Run of_blocks = steps.next();
     for (int32_t z = 0; z < nz; ++z) {
-        run.report(0.5 + 0.4 * z / nz, "volume");
+        of_blocks.report(static_cast<double>(z) / nz);
         parallel_for(run, int64_t{nx} * ny, 16, [&, nx = nx](int64_t begin, int64_t end) {
             for (int64_t i = begin; i < end; ++i) {
                 const std::array<int32_t, 3> block{static_cast<int32_t>(i % nx), static_cast<int32_t>(i / nx), z};
@@ -145,8 +148,7 @@ void find_single_blocks(IndicatorField& field, const Run& run)
         });
     }
     // Blocks that touch share voxels, so those that are sure and touch have the same material.
-    chessboard_distance(field.blocks, field.depth.data(), kGreatestDepth, 0.9, run);
-    run.report(1.0, "volume");
+    chessboard_distance(field.blocks, field.depth.data(), kGreatestDepth, steps.next());
 }
 
 bool single_material_near(const IndicatorField& field, const Vec3& x, double reach)

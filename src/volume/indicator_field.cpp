@@ -1,5 +1,6 @@
 #include "volume/indicator_field.hpp"
 
+#include "base/stage.hpp"
 #include "volume/indicator_blocks.hpp"
 #include "volume/indicator_claims.hpp"
 #include "volume/indicator_values.hpp"
@@ -170,12 +171,13 @@ template <class Value>
 IndicatorField make_indicators(const std::vector<const Value*>& fields, const Grid& grid, const Run& run)
 {
     IndicatorField out;
+    Steps steps(run, {{nullptr, 1}, {nullptr, 1}});
     out.grid = grid;
-    out.field = bounded_values(fields, grid, run);
+    out.field = bounded_values(fields, grid, steps.next());
     check_claims(out.field, grid, run);
     if (!out.is_signed())
         out.rest = find_rest(out.field, run);
-    find_single_blocks(out, run);
+    find_single_blocks(out, steps.next());
     return out;
 }
 

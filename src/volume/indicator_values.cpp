@@ -4,6 +4,7 @@
 #include "base/number_text.hpp"
 #include "base/ordinal.hpp"
 #include "base/parallel.hpp"
+#include "base/stage.hpp"
 #include "volume/limits.hpp"
 
 #include <algorithm>
@@ -69,14 +70,17 @@ std::vector<std::vector<float>> bounded_values(const std::vector<const Value*>& 
                                                const Run& run)
 {
     Range range;
+    Steps steps(run, {{nullptr, 1}, {nullptr, 1}});
+    const Run of_ranges = steps.next();
     for (size_t k = 0; k < fields.size(); ++k)
-        range.add(range_of(fields[k], grid, k, run));
+        range.add(range_of(fields[k], grid, k, of_ranges));
     const double far = range.greatest > 0 ? kFarValue * range.greatest : 1;
     if (range.far > 0)
         warn_of_far_values(range.far, far, run);
     std::vector<std::vector<float>> out;
+    const Run of_copies = steps.next();
     for (size_t k = 0; k < fields.size(); ++k) {
-        run.report(0.5 * static_cast<double>(k) / static_cast<double>(fields.size()), "volume");
+        of_copies.report(static_cast<double>(k) / static_cast<double>(fields.size()));
         out.emplace_back(static_cast<size_t>(grid.size()));
         parallel_for(run, grid.size(), kValuesChecked, [&, values = fields[k]](int64_t begin, int64_t end) {
             for (int64_t i = begin; i < end; ++i) {

@@ -47,12 +47,11 @@ void find_depths(LabelMap<Label>& map, const Run& run)
     map.weight.assign(size, kWeightOne);
     map.code.assign(size, 0);
     uint8_t* depth = map.code.data();
-    run.report(0.1, "volume");
     parallel_for(run, int64_t{ny} * nz, 16, [&](int64_t begin, int64_t end) {
         for (int64_t row = begin; row < end; ++row)
             mark_band(map, static_cast<int32_t>(row % ny), static_cast<int32_t>(row / ny), depth + row * nx);
     });
-    chessboard_distance(grid, depth, kDepthGreatest, 0.15, run);
+    chessboard_distance(grid, depth, kDepthGreatest, run);
     parallel_for(run, grid.size(), int64_t{1} << 16, [&](int64_t begin, int64_t end) {
         for (int64_t v = begin; v < end; ++v)
             depth[v] = static_cast<uint8_t>(depth[v] == 0 ? 0 : depth[v] + kBumpGreatest);

@@ -291,7 +291,7 @@ void correct_row(LabelMap<Label>& map, const ShareWindow<Label>& window, int32_t
 }  // namespace
 
 template <class Label>
-void feed_back_volume(LabelMap<Label>& map, FeedbackRound round, const ProgressPart& progress, const Run& run)
+void feed_back_volume(LabelMap<Label>& map, FeedbackRound round, const Run& run)
 {
     constexpr int32_t kSlab = 8;
     const auto [nx, ny, nz] = map.grid.dims;
@@ -307,7 +307,7 @@ void feed_back_volume(LabelMap<Label>& map, FeedbackRound round, const ProgressP
     };
     int32_t filled = 0;
     for (int32_t z0 = 0; z0 < nz; z0 += kSlab) {
-        run.report(progress.at(z0, nz), "volume");
+        run.report(static_cast<double>(z0) / nz);
         const int32_t z1 = std::min(nz, z0 + kSlab);
         const int32_t fill = std::min(nz, z1 + ahead);
         rows(filled, fill, [&](int32_t y, int32_t z) { fill_row(map, at, y, z, window); });
@@ -316,7 +316,7 @@ void feed_back_volume(LabelMap<Label>& map, FeedbackRound round, const ProgressP
     }
 }
 
-template void feed_back_volume(LabelMap<uint8_t>&, FeedbackRound, const ProgressPart&, const Run&);
-template void feed_back_volume(LabelMap<uint16_t>&, FeedbackRound, const ProgressPart&, const Run&);
+template void feed_back_volume(LabelMap<uint8_t>&, FeedbackRound, const Run&);
+template void feed_back_volume(LabelMap<uint16_t>&, FeedbackRound, const Run&);
 
 }  // namespace cleft

@@ -95,7 +95,7 @@ std::vector<int32_t> distinct_labels(const Value* voxels, int64_t n, const Run& 
     Value last = voxels[0];
     set.insert(last);
     for (int64_t begin = 0; begin < n; begin += kVoxelsListed) {
-        run.report(0.0, "volume");
+        run.report(static_cast<double>(begin) / static_cast<double>(n));
         // Labels come in runs: look at the first voxel of each.
         for (int64_t i = begin; i < std::min(n, begin + kVoxelsListed); ++i)
             if (voxels[i] != last) {

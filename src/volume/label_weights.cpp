@@ -1,6 +1,7 @@
 #include "volume/label_weights.hpp"
 
 #include "base/parallel.hpp"
+#include "base/stage.hpp"
 #include "volume/label_block.hpp"
 
 #include <algorithm>
@@ -66,12 +67,12 @@ bool is_thin(const LabelMap<Label>& map, const std::array<int32_t, 3>& p)
 
 // body(x, y, z, voxel) for every voxel of the band.
 template <class Label, class Body>
-void for_band(const LabelMap<Label>& map, const Run& run, const ProgressPart& progress, const Body& body)
+void for_band(const LabelMap<Label>& map, const Run& run, const Body& body)
 {
     constexpr int32_t kSlab = 8;
     const auto [nx, ny, nz] = map.grid.dims;
     for (int32_t z0 = 0; z0 < nz; z0 += kSlab) {
-        run.report(progress.at(z0, nz), "volume");
+        run.report(static_cast<double>(z0) / nz);
         const int64_t rows = int64_t{ny} * std::min(kSlab, nz - z0);
         parallel_for(run, rows, 4, [&, nx = nx, ny = ny](int64_t begin, int64_t end) {
             for (int64_t row = begin; row < end; ++row) {
@@ -102,19 +103,19 @@ template <class Label>
 void find_weights(LabelMap<Label>& map, const Run& run)
 {
     const CentreWeights centre(map.kernel);
-    for_band(map, run, {0.2, 0.3}, [&](int32_t x, int32_t y, int32_t z, size_t v) {
+    Steps steps(run, {{nullptr, 1}, {nullptr, 3}, {nullptr, 3}, {nullptr, 1}});
+    for_band(map, steps.next(), [&](int32_t x, int32_t y, int32_t z, size_t v) {
         if (is_thin(map, {x, y, z}))
             map.code[v] = thin_bump(lead_at_centre(map, centre, {x, y, z}));
     });
-    feed_back_volume(map, FeedbackRound::first, {0.3, 0.6}, run);
-    feed_back_volume(map, FeedbackRound::second, {0.6, 0.9}, run);
+    feed_back_volume(map, FeedbackRound::first, steps.next());
+    feed_back_volume(map, FeedbackRound::second, steps.next());
     // A bump moves no other centre, so one pass in any order is exact.
-    for_band(map, run, {0.9, 1.0}, [&](int32_t x, int32_t y, int32_t z, size_t v) {
+    for_band(map, steps.next(), [&](int32_t x, int32_t y, int32_t z, size_t v) {
         const double lack = kMargin - lead_at_centre(map, centre, {x, y, z});
         if (lack > 0)
             map.code[v] = std::max(map.code[v], static_cast<uint8_t>(std::ceil(kWeightOne * lack)));
     });
-    run.report(1.0, "volume");
 }
 
 template void find_weights(LabelMap<uint8_t>&, const Run&);

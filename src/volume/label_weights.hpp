@@ -18,18 +18,9 @@ void find_depths(LabelMap<Label>& map, const Run& run);
 template <class Label>
 void find_weights(LabelMap<Label>& map, const Run& run);
 
-// A part of the progress of the stage.
-struct ProgressPart {
-    double begin, end;
-    double at(int64_t done, int64_t all) const
-    {
-        return begin + (end - begin) * static_cast<double>(done) / static_cast<double>(all);
-    }
-};
-
 // Step 2, one round. The second damps what the first one overshot.
 enum class FeedbackRound { first, second };
 template <class Label>
-void feed_back_volume(LabelMap<Label>& map, FeedbackRound round, const ProgressPart& progress, const Run& run);
+void feed_back_volume(LabelMap<Label>& map, FeedbackRound round, const Run& run);
 
 }  // namespace cleft

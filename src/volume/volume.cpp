@@ -2,7 +2,7 @@
 
 #include "base/number_text.hpp"
 #include "base/ordinal.hpp"
-#include "base/stage_timer.hpp"
+#include "base/stage.hpp"
 #include "volume/indicator_field.hpp"
 #include "volume/label_sample.hpp"
 #include "volume/label_values.hpp"
@@ -51,9 +51,10 @@ LabelMap<Label> make_label_map(const Value* voxels, const Grid& grid, int kernel
     map.grid = grid;
     map.kernel = Hann(kernel);
     map.material.resize(static_cast<size_t>(grid.size()) + kLanes);
-    dense_materials(voxels, grid.size(), labels, map.material.data(), run);
-    find_depths(map, run);
-    find_weights(map, run);
+    Steps steps(run, {{nullptr, 2}, {nullptr, 10}, {nullptr, 80}});
+    dense_materials(voxels, grid.size(), labels, map.material.data(), steps.next());
+    find_depths(map, steps.next());
+    find_weights(map, steps.next());
     return map;
 }
 
@@ -61,11 +62,13 @@ template <class Value>
 void store_labels(const void* voxels, const Grid& grid, int kernel, Volume::Data& data, const Run& run)
 {
     const auto* values = static_cast<const Value*>(voxels);
-    data.labels = distinct_labels(values, grid.size(), run);
+    Stage stage(run, "volume", {{"volume: labels", 10}, {"volume: smoothing", 90}});
+    data.labels = distinct_labels(values, grid.size(), stage.next());
     if (data.labels.size() <= 256)
-        data.field = make_label_map<uint8_t>(values, grid, kernel, data.labels, run);
+        data.field = make_label_map<uint8_t>(values, grid, kernel, data.labels, stage.next());
     else
-        data.field = make_label_map<uint16_t>(values, grid, kernel, data.labels, run);
+        data.field = make_label_map<uint16_t>(values, grid, kernel, data.labels, stage.next());
+    run.report(1);
 }
 
 // The names of the materials of K fields.
@@ -93,7 +96,7 @@ template <class Value>
 void store_indicators(const std::vector<const Value*>& fields, const Grid& grid, const std::vector<int32_t>& labels,
                       Volume::Data& data, const Run& run)
 {
-    const StageTimer timer(run, "volume");
+    Stage stage(run, "volume", {{"volume: functions", 1}});
     check_grid(grid);
     if (fields.empty())
         throw Error(CLEFT_ERROR_ARGUMENT, "at least one indicator function is needed");
@@ -103,14 +106,14 @@ void store_indicators(const std::vector<const Value*>& fields, const Grid& grid,
         if (!fields[k])
             throw Error(CLEFT_ERROR_NULL, "the " + ordinal(static_cast<int64_t>(k)) + " indicator function is NULL");
     data.labels = indicator_labels(fields.size(), labels);
-    data.field = make_indicators(fields, grid, run);
+    data.field = make_indicators(fields, grid, stage.next());
+    run.report(1);
 }
 
 }  // namespace
 
 Volume Volume::from_labels(VoxelType type, const void* voxels, const Grid& grid, int kernel, const Run& run)
 {
-    const StageTimer timer(run, "volume");
     check_grid(grid);
     if (!voxels)
         throw Error(CLEFT_ERROR_NULL, "the voxels are NULL");

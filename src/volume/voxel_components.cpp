@@ -1,6 +1,7 @@
 #include "volume/voxel_components.hpp"
 
 #include "base/disjoint_sets.hpp"
+#include "base/stage.hpp"
 
 namespace cleft
 {
@@ -17,7 +18,7 @@ VoxelComponents find_runs(const Volume& volume, const Run& run)
     int64_t v = 0;
     for (int64_t row = 0; v < grid.size(); ++row) {
         if (row % grid.dims[1] == 0)
-            run.report(0.5 * static_cast<double>(v) / static_cast<double>(grid.size()), "counting components");
+            run.report(static_cast<double>(v) / static_cast<double>(grid.size()));
         for (int32_t i = 0; i < grid.dims[0]; ++i, ++v) {
             const Material m = volume.voxel_material(v);
             if (i == 0 || m != runs.material.back()) {
@@ -52,7 +53,7 @@ DisjointSets joined(const VoxelComponents& runs, const Grid& grid, const Run& ru
     DisjointSets sets(runs.material.size());
     const int64_t row = grid.dims[0], plane = row * grid.dims[1];
     for (int64_t first = 0; first < grid.size(); first += plane) {
-        run.report(0.5 + 0.5 * static_cast<double>(first) / static_cast<double>(grid.size()), "counting components");
+        run.report(static_cast<double>(first) / static_cast<double>(grid.size()));
         join_rows(runs, first + row, plane - row, row, sets);
         if (first > 0)
             join_rows(runs, first, plane, plane, sets);
@@ -64,8 +65,9 @@ DisjointSets joined(const VoxelComponents& runs, const Grid& grid, const Run& ru
 
 VoxelComponents voxel_components(const Volume& volume, const Run& run)
 {
-    VoxelComponents runs = find_runs(volume, run);
-    const std::vector<int32_t> root = joined(runs, volume.grid(), run).take();
+    Steps steps(run, {{nullptr, 1}, {nullptr, 1}});
+    VoxelComponents runs = find_runs(volume, steps.next());
+    const std::vector<int32_t> root = joined(runs, volume.grid(), steps.next()).take();
     // A root comes before the other runs of its component.
     VoxelComponents out;
     std::vector<int32_t> number(root.size());

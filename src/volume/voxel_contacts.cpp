@@ -65,7 +65,7 @@ std::vector<uint8_t> voxels_touch(const Grid& grid, const VoxelComponents& compo
     // to it, and one in each of two rows across.
     constexpr int32_t kBeside[2][2] = {{1, 0}, {0, 1}}, kAcross[2][2] = {{-1, 1}, {1, 1}};
     for (int32_t k = 0; k < nz; ++k) {
-        run.report(static_cast<double>(k) / nz, "looking for contacts");
+        run.report(static_cast<double>(k) / nz);
         for (int32_t j = 0; j < ny; ++j) {
             const int64_t row = grid.index(0, j, k);
             const auto add_beside = [&](const int32_t(&by)[2], int64_t reach) {

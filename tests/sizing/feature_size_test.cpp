@@ -13,7 +13,7 @@ FeatureSizes features_of(const Labels& labels, int threads = 1)
 {
     Run run;
     run.threads = threads;
-    return local_feature_sizes(labels.labelling(), {run, 0, 1, "test"});
+    return local_feature_sizes(labels.labelling(), run);
 }
 
 // The size below which a share of the interface lies, for the interface voxels that `counts` picks.

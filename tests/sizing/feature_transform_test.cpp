@@ -22,7 +22,7 @@ std::vector<int32_t> transformed(const Grid& grid, std::vector<int32_t> sites, i
 {
     Run run;
     run.threads = threads;
-    feature_transform(grid, sites, {run, 0, 1, "test"});
+    feature_transform(grid, sites, run);
     return sites;
 }
 

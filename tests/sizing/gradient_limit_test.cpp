@@ -16,7 +16,7 @@ std::vector<float> limited(const Grid& grid, double gradation, std::vector<float
 {
     Run run;
     run.threads = threads;
-    limit_gradient(grid, gradation, h, {run, 0, 1, "test"});
+    limit_gradient(grid, gradation, h, run);
     return h;
 }
 
@@ -138,7 +138,7 @@ void can_be_cancelled(void**)
     run.progress = [&](double, const char*) { return ++reports == 3; };
     cleft_status status = CLEFT_OK;
     try {
-        limit_gradient(grid, 0.3, h, {run, 0, 1, "test"});
+        limit_gradient(grid, 0.3, h, run);
     } catch (const Error& error) {
         status = error.status();
     }

@@ -1,0 +1,68 @@
+// A stage of the work and the steps that it consists of: one timer, one bar, and one line that says how the steps share
+// out the time.
+#pragma once
+
+#include "base/stage_timer.hpp"
+
+#include <cassert>
+#include <utility>
+#include <vector>
+
+namespace cleft
+{
+
+// `name`: what the user reads while the step runs; null: what the steps inside of it are called, or the one before.
+// `share`: of the time, in any unit; what real volumes took.
+struct Step {
+    const char* name;
+    double share;
+};
+
+// Steps one after the other. Each gets a run of its own, whose progress from 0 to 1 is the share of the step.
+class Steps
+{
+public:
+    Steps(Run run, std::vector<Step> steps) : run_(std::move(run)), steps_(std::move(steps))
+    {
+        for (const Step& step : steps_)
+            all_ += step.share;
+    }
+
+    // The run of the step that begins now. A step with a name reports it.
+    Run next()
+    {
+        assert(at_ < steps_.size());
+        const Step step = steps_[at_++];
+        const double begin = done_ / all_, share = step.share / all_;
+        done_ += step.share;
+        Run part = run_;
+        if (run_.progress)
+            part.progress = [outer = run_.progress, begin, share, name = step.name](double fraction,
+                                                                                    const char* inner) {
+                return outer(begin + share * fraction, inner ? inner : name);
+            };
+        if (step.name)
+            part.report(0);
+        return part;
+    }
+
+private:
+    const Run run_;
+    std::vector<Step> steps_;
+    size_t at_ = 0;
+    double all_ = 0, done_ = 0;
+};
+
+// Steps that are timed: NAME.seconds, NAME.cpu_seconds and NAME.peak_bytes are noted at the end of the scope.
+class Stage : public Steps
+{
+public:
+    Stage(const Run& run, const char* name, std::vector<Step> steps) : Steps(run, std::move(steps)), timer_(run, name)
+    {
+    }
+
+private:
+    StageTimer timer_;
+};
+
+}  // namespace cleft
