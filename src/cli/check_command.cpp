@@ -28,6 +28,8 @@ struct CheckArguments {
 int run_check(const CheckArguments& arguments)
 {
     refuse_conflicts({arguments.mesh}, {}, arguments.run.json);
+    // Before the mesh is read: a report that cannot be written must not cost the reading of a large
+    // file.
     check_json_output(arguments.run.json);
     Session session(arguments.run);
     cleft_validation validation = {};
@@ -43,14 +45,19 @@ int run_check(const CheckArguments& arguments)
     session.timed("check", "checking the mesh", [&] {
         session.check(cleft_mesh_validate(session.context(), mesh.get(), arguments.fills_box ? 1 : 0, &validation),
                       EXIT_MESHING_FAILED);
+        // The sentence of the first fault is left on the context, which the next call of the
+        // library forgets.
         if (validation.valid == 0)
             fault = cleft_context_last_error(session.context());
         found = look_at_mesh(session, mesh.get());
+        // A second opinion: the validator and the surface count the same faces by code of their
+        // own.
         if (validation.valid != 0) {
             fault = surface_fault(validation, found);
             validation.valid = fault.empty();
         }
     });
+    // The bar shares the terminal with what is printed next.
     session.clear_progress();
     if (arguments.run.prints())
         print_summary_text(validation_lines(validation, fault) + mesh_lines(found) + "\n" +
@@ -64,6 +71,7 @@ int run_check(const CheckArguments& arguments)
         add_run(report, session);
         write_json(report, arguments.run.json);
     }
+    // Not a Failure: the check was done, and its answer is the exit code.
     return validation.valid != 0 ? EXIT_OK : EXIT_CHECK_FAILED;
 }
 
@@ -71,6 +79,7 @@ int run_check(const CheckArguments& arguments)
 
 Command add_check_command(CLI::App& app)
 {
+    // CLI11 keeps pointers to these values until the command has run.
     auto arguments = std::make_shared<CheckArguments>();
     CLI::App& parser =
         *app.add_subcommand("check", "Validate a mesh: exit code 1 and the first fault if it is not sound");

@@ -28,6 +28,7 @@ int run_convert(const ConvertArguments& arguments)
 {
     const Options options = arguments.options.make();
     refuse_conflicts({arguments.from}, {arguments.to}, arguments.run.json);
+    // All mistakes of usage are found before a file is read.
     const OutputFile output = checked_mesh_output(arguments.to, arguments.msh_version);
     check_json_output(arguments.run.json);
     Session session(arguments.run);
@@ -38,10 +39,12 @@ int run_convert(const ConvertArguments& arguments)
         });
     });
     session.timed("strip", "leaving labels out", [&] {
+        // Also without lists of labels: the call then copies the mesh, and the code has one way.
         mesh = session.make<Mesh>(EXIT_MESHING_FAILED, [&](cleft_mesh** out) {
             return cleft_mesh_strip(session.context(), mesh.get(), options.get(), out);
         });
     });
+    // The mesh and the report appear together, after both are written.
     StagedOutputs staged;
     session.timed("write", "writing", [&] { write_mesh(session, mesh.get(), {output}, staged); });
     session.clear_progress();
@@ -54,6 +57,7 @@ int run_convert(const ConvertArguments& arguments)
         add_run(report, session);
         write_json(report, arguments.run.json, staged);
     }
+    // Printed before the commit: if standard output is full, the command fails and leaves no file.
     if (arguments.run.prints())
         print_summary_text(grouped(cleft_mesh_tet_count(mesh.get())) + " tetrahedra, " +
                            grouped(cleft_mesh_point_count(mesh.get())) + " points written to " + arguments.to + "\n");

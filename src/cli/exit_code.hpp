@@ -11,6 +11,8 @@ namespace cleft_cli
 
 // Part of the command's interface: scripts rely on the numbers. 128 + n: ended by signal n.
 enum ExitCode {
+    // Numbers are documented in --help, in the manual pages and in docs/guide.md. They are never
+    // given another meaning.
     EXIT_OK = 0,
     EXIT_CHECK_FAILED = 1,
     EXIT_USAGE = 2,
@@ -31,7 +33,9 @@ inline const char* exit_code_help()
            "or stopped run leaves no output and no part of one.";
 }
 
+// what() is the sentence for the user, without the name of the command.
 struct Failure : std::runtime_error {
+    // The underscores keep the parameters from hiding the members below.
     Failure(int exit_code_, cleft_status status_, const std::string& sentence)
         : std::runtime_error(sentence), exit_code(exit_code_), status(status_)
     {
@@ -41,6 +45,7 @@ struct Failure : std::runtime_error {
     bool is_reported = true;  // in the JSON file, too
 };
 
+// For values that CLI11 cannot judge. It names the option.
 inline Failure usage_failure(const std::string& sentence) { return {EXIT_USAGE, CLEFT_ERROR_OPTION, sentence}; }
 
 }  // namespace cleft_cli

@@ -1,3 +1,5 @@
+// Gathers facts about volumes and meshes through the public C interface. The summary and the JSON
+// report are made of the same facts.
 #include "findings.hpp"
 
 #include <algorithm>
@@ -18,6 +20,7 @@ Point point_at(const double* points, int32_t number)
     return {p[0], p[1], p[2]};
 }
 
+// Positive for the orientation that the tetrahedra of a valid mesh have.
 double tet_volume(const double* points, const int32_t* tet)
 {
     const Point a = point_at(points, tet[0]);
@@ -35,6 +38,7 @@ double tet_volume(const double* points, const int32_t* tet)
 
 void note_bounds(const double* points, int64_t count, Point& low, Point& high)
 {
+    // An empty mesh keeps the box of zeros that the struct has.
     if (count == 0)
         return;
     low = high = point_at(points, 0);
@@ -55,6 +59,7 @@ std::map<int32_t, LabelTotals> label_totals(const cleft_mesh* mesh)
     const int32_t* tets = cleft_mesh_tets(mesh);
     const int32_t* labels = cleft_mesh_tet_labels(mesh);
     for (int64_t t = 0; t < cleft_mesh_tet_count(mesh); ++t) {
+        // The library gives labels in ascending order.
         const auto place = std::lower_bound(names, names + name_count, labels[t]) - names;
         LabelTotals& sum = sums[static_cast<std::size_t>(place)];
         ++sum.tets;
@@ -71,6 +76,7 @@ void note_surface(const Session& session, const cleft_mesh* mesh, MeshFindings& 
     cleft_surface* surface = nullptr;
     const cleft_status status = cleft_surface_create(session.context(), mesh, &surface);
     const Surface owner(surface);
+    // `cleft check` must report on broken meshes, too. Their numbers of triangles are then absent.
     if (status == CLEFT_ERROR_INVALID_MESH)
         return;
     session.check(status, EXIT_MESHING_FAILED);
@@ -78,6 +84,7 @@ void note_surface(const Session& session, const cleft_mesh* mesh, MeshFindings& 
     found.hull_triangles = cleft_surface_hull_count(surface);
 }
 
+// The library is at fault here and not the mesh, so the sentence says so.
 std::string count_fault(const char* what, int64_t faces, const std::optional<int64_t>& triangles)
 {
     if (!triangles || *triangles == faces)
@@ -125,6 +132,7 @@ void VolumeFindings::bounds(Point& low, Point& high) const
         for (std::size_t row = 0; row < 3; ++row) {
             double value = affine[4 * row + 3];
             for (std::size_t axis = 0; axis < 3; ++axis) {
+                // The box reaches half a voxel beyond the centres of its outer voxels.
                 const double index = (corner >> axis & 1U) != 0 ? static_cast<double>(dims[axis]) - 0.5 : -0.5;
                 value += affine[4 * row + axis] * index;
             }
@@ -140,6 +148,7 @@ VolumeFindings look_at_volume(const Session& session, const cleft_volume* volume
     session.check(cleft_volume_dims(volume, found.dims.data()), EXIT_MESHING_FAILED);
     session.check(cleft_volume_affine(volume, found.affine.data()), EXIT_MESHING_FAILED);
     for (std::size_t axis = 0; axis < 3; ++axis)
+        // The length of a column of the affine map: the step along that axis.
         found.spacing[axis] = std::hypot(found.affine[axis], found.affine[4 + axis], found.affine[8 + axis]);
     const int64_t count = cleft_volume_label_count(volume);
     std::vector<int64_t> voxels(static_cast<std::size_t>(count));
@@ -160,6 +169,7 @@ ReportFindings look_at_labels(const Session& session, const cleft_volume* volume
     found.labels.resize(static_cast<std::size_t>(cleft_report_count(report.get())));
     for (std::size_t i = 0; i < found.labels.size(); ++i) {
         LabelFindings& row = found.labels[i];
+        // Not sizeof row: LabelFindings adds a name behind the library's struct.
         row.struct_size = sizeof(cleft_label_report);
         session.check(cleft_report_label(report.get(), static_cast<int64_t>(i), &row), EXIT_MESHING_FAILED);
         row.name = cleft_volume_label_name(volume, row.label);
@@ -175,6 +185,7 @@ ReportFindings look_at_labels(const Session& session, const cleft_volume* volume
 
 double difference_percent(const cleft_label_report& row)
 {
+    // 0 for a label without voxels: there is nothing to compare.
     return row.voxel_volume > 0 ? 100 * (row.mesh_volume / row.voxel_volume - 1) : 0;
 }
 

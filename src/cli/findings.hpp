@@ -31,6 +31,7 @@ struct MeshFindings {
 // A sentence if the surface of the mesh is not the faces that the validator counted; else "".
 std::string surface_fault(const cleft_validation& validation, const MeshFindings& found);
 
+// Throws Failure. Volumes are in the cube of the mesh's unit.
 MeshFindings look_at_mesh(const Session& session, const cleft_mesh* mesh);
 
 struct VolumeFindings {
@@ -41,14 +42,17 @@ struct VolumeFindings {
     std::map<int32_t, std::string> names;  // of each label, "" if it has none
 
     int64_t voxel_count() const { return dims[0] * dims[1] * dims[2]; }
+    // The determinant of the affine map, without its sign.
     double voxel_volume() const;
     // The corners of the box in world coordinates, least and greatest.
     void bounds(std::array<double, 3>& low, std::array<double, 3>& high) const;
 };
 
+// Throws Failure where the library does.
 VolumeFindings look_at_volume(const Session& session, const cleft_volume* volume);
 
 // The library's per-label report as values.
+// struct_size must be that of the base: see look_at_labels().
 struct LabelFindings : cleft_label_report {
     std::string name;  // "" if it has none
 };
@@ -56,7 +60,9 @@ struct ReportFindings {
     std::vector<LabelFindings> labels;
     std::vector<cleft_contact> contacts;  // that the voxels do not have
 };
+// Compares the mesh with the volume that it was made of, label by label.
 ReportFindings look_at_labels(const Session& session, const cleft_volume* volume, const cleft_mesh* mesh);
+// How much more volume the label has in the mesh than in the voxels, in percent of the latter.
 double difference_percent(const cleft_label_report& row);
 
 }  // namespace cleft_cli

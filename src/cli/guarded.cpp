@@ -1,3 +1,5 @@
+// Turns what a command throws into a sentence on standard error, a report, and an exit code. No
+// exception passes this place.
 #include "guarded.hpp"
 
 #include "json_report.hpp"
@@ -13,15 +15,19 @@ namespace
 int tell_failure(const std::string& command, const RunArguments& arguments, const Failure& failure)
 {
     std::fprintf(stderr, "cleft %s: %s\n", command.c_str(), failure.what());
+    // is_reported is false where the report itself is in the way, or could not be written.
     if (arguments.json.empty() || !failure.is_reported)
         return failure.exit_code;
     nlohmann::ordered_json report = report_head(command);
+    // Scripts find the failure under "error" whatever the command is. Fields of a success are
+    // absent then.
     report["error"] = {{"exit_code", failure.exit_code},
                        {"status", failure.status},
                        {"kind", cleft_status_string(failure.status)},
                        {"message", failure.what()}};
     try {
         write_json(report, arguments.json);
+        // The first failure keeps the exit code; the second is told as well.
     } catch (const Failure& second) {
         std::fprintf(stderr, "cleft %s: %s\n", command.c_str(), second.what());
     }
@@ -36,8 +42,11 @@ int guarded(const std::string& command, const RunArguments& arguments, const std
         return body();
     } catch (const Failure& failure) {
         return tell_failure(command, arguments, failure);
+        // Also from the command's own code: the summary of a large mesh takes memory, too.
     } catch (const std::bad_alloc&) {
         return tell_failure(command, arguments, {EXIT_OUT_OF_MEMORY, CLEFT_ERROR_OUT_OF_MEMORY, "out of memory"});
+        // Everything else is a mistake in the command or the library, so it is never called a mistake
+        // of the user's.
     } catch (const std::exception& other) {
         return tell_failure(command, arguments, {EXIT_MESHING_FAILED, CLEFT_ERROR_INTERNAL, other.what()});
     }

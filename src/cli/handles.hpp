@@ -8,6 +8,8 @@
 namespace cleft_cli
 {
 
+// One type serves all handles, as overloads choose the function. unique_ptr never calls it for
+// NULL.
 struct Destroy {
     void operator()(cleft_context* handle) const { cleft_context_destroy(handle); }
     void operator()(cleft_options* handle) const { cleft_options_destroy(handle); }

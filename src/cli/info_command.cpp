@@ -24,6 +24,7 @@ struct InfoArguments {
     RunArguments run;
 };
 
+// With --dims the file is raw voxels whatever its name says. Several files are always volumes.
 bool is_mesh(const InfoArguments& arguments)
 {
     return arguments.input.dims.empty() && arguments.input.inputs.size() == 1 &&
@@ -34,6 +35,7 @@ std::string affine_lines(const VolumeFindings& volume)
 {
     std::string text;
     for (std::size_t row = 0; row < 3; ++row) {
+        // Four numbers of "%.6g" have at most 13 characters each.
         char buffer[160];
         const double* a = volume.affine.data() + 4 * row;
         std::snprintf(buffer, sizeof buffer, "%-11s%11.6g %11.6g %11.6g   %12.6g\n", row == 0 ? "Affine" : "", a[0],
@@ -47,6 +49,7 @@ int tell_volume(Session& session, const InfoArguments& arguments)
 {
     VolumeFindings found;
     session.timed("read", "reading the volume", [&] {
+        // Without options: they change nothing that is told here.
         const Volume volume = arguments.input.read(session, nullptr);
         found = look_at_volume(session, volume.get());
     });
@@ -94,11 +97,13 @@ Command add_info_command(CLI::App& app)
     auto arguments = std::make_shared<InfoArguments>();
     CLI::App& parser = *app.add_subcommand("info", "Tell what is in a volume or a mesh");
     arguments->input.add_inputs_to(parser);
+    // The argument is shared with `mesh` and `sizing`, which take no meshes.
     parser.get_option("INPUT")->description("A volume (or several indicator functions) or a mesh");
     arguments->input.add_reading_to(parser);
     arguments->run.add_to(parser);
     parser.footer("Examples:\n  cleft info atlas.nii.gz\n  cleft info atlas.vtu --json -\n\n" +
                   std::string(exit_code_help()));
+    // The shared pointer is copied into the function, so that the values live until it has run.
     const auto run = [arguments] {
         refuse_conflicts(arguments->input.inputs, {}, arguments->run.json);
         check_json_output(arguments->run.json);

@@ -1,3 +1,5 @@
+// Turns signals into a cancel of the library's call, and removes unfinished files where a signal
+// ends the command at once.
 #include "interrupt.hpp"
 
 #include "staged_outputs.hpp"
@@ -10,10 +12,13 @@ namespace cleft_cli
 namespace
 {
 
+// Those by which a terminal, a user or a batch system ends a program. SIGQUIT is left to leave a
+// core file.
 const int signals[] = {SIGINT, SIGTERM, SIGHUP};
 
 // A signal handler has no argument of its own: these two are the only globals of the command.
 std::atomic<cleft_context*> running_context{nullptr};
+// The only type besides lock-free atomics that a handler may write (C11, section 7.14.1.1).
 volatile std::sig_atomic_t arrived = 0;
 static_assert(std::atomic<cleft_context*>::is_always_lock_free, "a signal handler may read lock-free atomics only");
 
@@ -21,7 +26,9 @@ static_assert(std::atomic<cleft_context*>::is_always_lock_free, "a signal handle
 // default.
 void on_idle_signal(int signal)
 {
+    // Only functions that a handler may call are called here; see remove_all().
     StagedOutputs::remove_all();
+    // raise() then ends the command by the signal itself, which shells and batch systems look for.
     std::signal(signal, SIG_DFL);
     std::raise(signal);
 }
@@ -29,6 +36,7 @@ void on_idle_signal(int signal)
 void on_signal(int signal)
 {
     arrived = signal;
+    // A call that takes long to cancel can be ended by a second Ctrl-C.
     std::signal(signal, on_idle_signal);
     // With a sound handle, this only stores to an atomic flag, so it may be called here.
     if (cleft_context* context = running_context.load())
@@ -42,6 +50,7 @@ InterruptGuard::InterruptGuard(cleft_context* context)
     running_context = context;
     struct sigaction action = {};
     action.sa_handler = on_signal;
+    // Reads and writes go on after the handler. The cancel reaches the library by its flag.
     action.sa_flags = SA_RESTART;
     for (int signal : signals)
         sigaction(signal, &action, nullptr);
@@ -51,9 +60,12 @@ InterruptGuard::~InterruptGuard()
 {
     for (int signal : signals)
         std::signal(signal, on_idle_signal);
+    // After the handlers are replaced: the other way round, a signal in between would cancel
+    // nothing.
     running_context = nullptr;
 }
 
+// Blocked and not ignored: the signal stays pending and arrives when the destructor unblocks it.
 SignalsLater::SignalsLater() noexcept
 {
     sigset_t blocked;

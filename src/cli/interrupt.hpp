@@ -13,6 +13,8 @@ namespace cleft_cli
 class InterruptGuard
 {
 public:
+    // `context` must outlive it. There may be one such object at a time, as handlers belong to the
+    // process.
     explicit InterruptGuard(cleft_context* context);
     ~InterruptGuard();
     InterruptGuard(const InterruptGuard&) = delete;

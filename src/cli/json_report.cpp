@@ -1,3 +1,5 @@
+// Makes the machine-readable report and writes it to a file, a device or standard output. Names of
+// fields are an interface: scripts rely on them.
 #include "json_report.hpp"
 
 #include "standard_output.hpp"
@@ -12,6 +14,8 @@
 namespace cleft_cli
 {
 
+// Ordered: fields come in the order in which they are added, so reports of two runs compare line by
+// line.
 using Json = nlohmann::ordered_json;
 
 namespace
@@ -26,6 +30,7 @@ void write_text(const std::string& text, const std::string& path, int mode)
     if (error == 0)
         return;
     Failure failure(EXIT_CANNOT_WRITE, CLEFT_ERROR_FILE, "cannot write '" + path + "': " + std::strerror(error));
+    // The report cannot tell of its own failure.
     failure.is_reported = false;
     throw failure;
 }
@@ -78,6 +83,7 @@ Json mesh_json(const MeshFindings& mesh)
             {{"label", label}, {"name", mesh.names.at(label)}, {"tets", totals.tets}, {"volume", totals.volume}});
     return {{"points", mesh.points},
             {"tets", mesh.tets},
+            // null and not 0 where the mesh is too broken to have a surface.
             {"interface_triangles", mesh.interface_triangles ? Json(*mesh.interface_triangles) : Json()},
             {"hull_triangles", mesh.hull_triangles ? Json(*mesh.hull_triangles) : Json()},
             {"low", mesh.low},
@@ -113,6 +119,7 @@ Json label_reports_json(const std::vector<LabelFindings>& rows, const std::funct
         labels.push_back({{"label", row.label},
                           {"name", row.name},
                           {"left_out", left_out(row.label)},
+                          // A label that the user left out is not lost.
                           {"lost", row.lost != 0 && !left_out(row.label)},
                           {"voxels", row.voxels},
                           {"tets", row.tets},
@@ -138,6 +145,7 @@ Json contacts_json(const std::vector<cleft_contact>& contacts)
 
 void add_run(Json& report, const Session& session)
 {
+    // An array, as the order of the stages matters and a name may come twice.
     Json stages = Json::array();
     for (const StageFigures& stage : session.stages()) {
         stages.push_back({{"name", stage.name},
@@ -151,6 +159,7 @@ void add_run(Json& report, const Session& session)
     report["cpu_seconds"] = process.cpu_seconds;
     report["peak_bytes"] = process.peak_bytes;
     report["stages"] = stages;
+    // A metric that was noted twice keeps its last value.
     Json metrics = Json::object();
     for (const auto& [name, value] : session.metrics())
         metrics[name] = value;
@@ -160,13 +169,18 @@ void add_run(Json& report, const Session& session)
 
 void write_json(const Json& report, const std::string& path, StagedOutputs& staged)
 {
+    // error_handler_t::replace: paths may be no UTF-8, and dump() would throw. A report with one
+    // wrong character is better than none.
     const std::string text = report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     struct stat status = {};
     if (path == "-")
         print_report(text);
+    // /dev/stderr, a pipe or /dev/null cannot be replaced by a rename, so the report is written to
+    // them as they are.
     else if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
         write_text(text, path, O_WRONLY);
     else
+        // O_EXCL: the staging folder is new, so a file in it would be somebody else's.
         staged.write(path, [&](const std::string& place) { write_text(text, place, O_WRONLY | O_CREAT | O_EXCL); });
 }
 

@@ -22,6 +22,7 @@ namespace
 
 using cleft_cli::Command;
 
+// The first screen that a new user sees: one line a command, and a path through them.
 void describe(CLI::App& app)
 {
     app.name("cleft");
@@ -36,6 +37,7 @@ void describe(CLI::App& app)
     app.set_version_flag("--version",
                          std::string("cleft ") + cleft_version(nullptr, nullptr, nullptr) +
                              (cleft_has_tetgen() != 0 ? "" : " (without particles: built without TetGen)"));
+    // `cleft` alone prints an error and not the help of nothing.
     app.require_subcommand(1);
 }
 
@@ -48,6 +50,7 @@ int parse_and_run(int argc, char** argv)
         cleft_cli::add_convert_command(app), cleft_cli::add_sizing_command(app),
     };
     for (const Command& command : commands)
+        // Texts of options are wrapped at 66 characters, so that lines end before column 100.
         command.parser->get_formatter()->column_width(32);
     std::vector<std::string> arguments(argv + 1, argv + argc);
     cleft_cli::join_label_lists(arguments);
@@ -56,8 +59,11 @@ int parse_and_run(int argc, char** argv)
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::ParseError& error) {
         std::ostringstream text;
+        // CLI11 has exit codes of its own, above 100. --help and --version come here, too, with 0.
         if (app.exit(error, text, std::cerr) != 0)
             return cleft_cli::EXIT_USAGE;
+        // Help goes through the same function as summaries, so that a full disk behind standard
+        // output is noticed.
         cleft_cli::print_summary_text(text.str());
         return cleft_cli::EXIT_OK;
     }
@@ -78,6 +84,8 @@ int main(int argc, char** argv)
     } catch (const cleft_cli::Failure& failure) {
         std::fprintf(stderr, "cleft: %s\n", failure.what());
         return failure.exit_code;
+        // Commands catch their failures in guarded(). What arrives here was thrown while arguments were
+        // parsed.
     } catch (const std::bad_alloc&) {
         std::fputs("cleft: out of memory\n", stderr);
         return cleft_cli::EXIT_OUT_OF_MEMORY;

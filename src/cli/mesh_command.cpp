@@ -22,6 +22,7 @@ namespace cleft_cli
 namespace
 {
 
+// The table of labels then fits one screen with the rest of the summary.
 const std::size_t labels_shown = 20;
 
 struct MeshArguments {
@@ -52,11 +53,14 @@ std::vector<OutputFile> checked_outputs(const MeshArguments& arguments)
     if (arguments.outputs.empty() && !arguments.estimate)
         throw usage_failure("--output is required (or --estimate)");
     std::vector<std::string> inputs = arguments.input.inputs;
+    // Files that are read later are inputs, too: an output must not replace them. Empty names are
+    // passed over.
     inputs.insert(inputs.end(), {arguments.sizing_file, arguments.background_file});
     refuse_conflicts(inputs, arguments.outputs, arguments.run.json);
     std::vector<OutputFile> outputs;
     for (const std::string& path : arguments.outputs)
         outputs.push_back(checked_mesh_output(path, arguments.msh_version));
+    // A long run must not end with a report that cannot be written.
     check_json_output(arguments.run.json);
     return outputs;
 }
@@ -113,6 +117,8 @@ int tell_estimate(Session& session, const MeshArguments& arguments, const cleft_
         std::string text = volume_line(found) + left("Estimate", 11) + (estimate.is_bound != 0 ? "up to " : "") +
                            rounded(estimate.tets) + " tetrahedra, about " + bytes_text(estimate.peak_bytes) +
                            " of memory\n";
+        // Labels that are left out are meshed first and removed at the end, so they cost memory and
+        // time.
         if (estimate.whole_tets > 1.01 * estimate.tets)
             text += left("", 11) + "of " + rounded(estimate.whole_tets) + " with the labels that are left out\n";
         print_summary_text(text);
@@ -136,6 +142,7 @@ int tell_estimate(Session& session, const MeshArguments& arguments, const cleft_
 MeshFindings checked_findings(Session& session, const MeshArguments& arguments, const cleft_volume* volume,
                               const cleft_mesh* mesh)
 {
+    // A background of the user's may have any shape.
     bool whole = arguments.background_file.empty();
     for (int64_t i = 0; i < cleft_volume_label_count(volume); ++i)
         whole = whole && !arguments.left_out(cleft_volume_labels(volume)[i]);
@@ -145,6 +152,7 @@ MeshFindings checked_findings(Session& session, const MeshArguments& arguments, 
     std::string fault;
     session.timed("check", "checking the mesh", [&] {
         session.check(cleft_mesh_validate(session.context(), mesh, whole ? 1 : 0, &validation), EXIT_MESHING_FAILED);
+        // A broken mesh is not looked at further: its surface and angles may have no meaning.
         if (validation.valid == 0) {
             fault = cleft_context_last_error(session.context());
         } else {
@@ -152,6 +160,8 @@ MeshFindings checked_findings(Session& session, const MeshArguments& arguments, 
             fault = surface_fault(validation, found);
         }
     });
+    // A mesh that fails its check is a fault of the library. It is not written, as it would be used
+    // all the same.
     if (!fault.empty())
         throw Failure(EXIT_CHECK_FAILED, CLEFT_ERROR_INVALID_MESH,
                       "the mesh is not valid, and was not written: " + fault);
@@ -172,6 +182,7 @@ ReportFindings kept_contacts(const MeshArguments& arguments, ReportFindings foun
 
 void warn_of_contacts(Session& session, const std::vector<cleft_contact>& contacts)
 {
+    // More pairs make the warning unreadable; all of them are in the JSON report.
     constexpr std::size_t named = 5;
     if (contacts.empty())
         return;
@@ -212,11 +223,13 @@ void warn_of_lost_labels(Session& session, const MeshArguments& arguments, const
 {
     LabelList lost, pieces_lost, broken;
     for (const LabelFindings& row : result.report.labels) {
+        // What the user left out is neither lost nor broken.
         if (arguments.left_out(row.label))
             continue;
         const std::string of_pieces = " of " + plural(row.large_components, "piece");
         if (row.lost != 0)
             lost.add(row.label, plural(row.voxels, "voxel"));
+        // A lost label has lost its pieces, too; one warning suffices.
         else if (row.large_components_lost > 0)
             pieces_lost.add(row.label, grouped(row.large_components_lost) + of_pieces);
         if (row.large_components_broken > 0)
@@ -237,6 +250,7 @@ void print_summary(const Session& session, const MeshArguments& arguments, const
                    const StagedOutputs& staged)
 {
     const auto left_out = [&](int32_t label) { return arguments.left_out(label); };
+    // --verbose asks for everything.
     const std::size_t limit = arguments.run.verbose ? result.report.labels.size() : labels_shown;
     std::string text = volume_line(result.volume) + mesh_lines(result.mesh) + "\n" +
                        dihedral_histogram(result.mesh.quality) + "\n" +
@@ -245,6 +259,7 @@ void print_summary(const Session& session, const MeshArguments& arguments, const
         text += stages_table(session) + "\n";
     text += time_line(session, result.mesh.tets);
     for (const OutputFile& output : result.outputs) {
+        // 0 where the file cannot be looked at.
         const double bytes = staged.bytes(output.path);
         text += left("Written", 11) + output.path + (bytes > 0 ? " (" + bytes_text(bytes) + ")" : "") + "\n";
     }
@@ -259,6 +274,8 @@ void write_report(const Session& session, const MeshArguments& arguments, const 
     report["outputs"] = arguments.outputs;
     report["world"] = arguments.input.world;
     report["options"] = arguments.options.as_json(options);
+    // The option holds the name of a kind. The file that was used instead is what the reader of a
+    // report wants.
     if (!arguments.background_file.empty())
         report["options"]["background"] = arguments.background_file;
     report["options"]["sizing"] = arguments.sizing_file;
@@ -274,6 +291,7 @@ void write_report(const Session& session, const MeshArguments& arguments, const 
 
 int run_mesh(MeshArguments& arguments)
 {
+    // Before make(), which would refuse a path as a kind of background.
     arguments.background_file = arguments.options.take_background_file();
     const Options options = arguments.options.make();
     Result result;
@@ -293,10 +311,13 @@ int run_mesh(MeshArguments& arguments)
                                      out);
         });
     });
+    // Fields and background are as large as the volume or the mesh. They are not needed any more,
+    // and the report takes memory.
     sizing.reset();
     background.reset();
     if (arguments.check)
         result.mesh = checked_findings(session, arguments, volume.get(), mesh.get());
+    // With --quiet and no report nobody sees the figures, so they are not computed.
     if (arguments.run.prints() || !arguments.run.json.empty()) {
         session.timed("report", "looking at the mesh", [&] {
             result.volume = look_at_volume(session, volume.get());
@@ -307,6 +328,7 @@ int run_mesh(MeshArguments& arguments)
         warn_of_lost_labels(session, arguments, result);
         warn_of_contacts(session, result.report.contacts);
     }
+    // The voxels have been compared with the mesh. Writers need memory for the surface.
     volume.reset();
     StagedOutputs staged;
     session.timed("write", "writing", [&] { write_mesh(session, mesh.get(), result.outputs, staged); });
@@ -316,6 +338,7 @@ int run_mesh(MeshArguments& arguments)
         write_report(session, arguments, options.get(), result, staged);
     if (arguments.run.prints())
         print_summary(session, arguments, result, staged);
+    // Last of all: whatever fails before leaves no output and no part of one.
     staged.commit();
     return EXIT_OK;
 }
@@ -356,12 +379,16 @@ Command add_mesh_command(CLI::App& app)
                     "and stop there");
     arguments->options.add_to(parser, {"volume", "mesh"});
     arguments->options.add_label_sizes_to(parser);
+    // The command also takes a file here; the table of the library knows the kinds only.
     parser.get_option("--background")->type_name("particles|lattice|octree|FILE");
+    // --sizing and --combine belong to the command alone, but are shown with the options about
+    // sizes.
     const std::string sizes = parser.get_option("--size")->get_group();
     parser
         .add_option("--sizing", arguments->sizing_file,
                     "Your own sizing field: a volume on the same grid, with an edge\n"
                     "length for each voxel (see `cleft sizing`)")
+        // The description would stand behind the type in the help.
         ->check(CLI::ExistingFile.description(""))
         ->type_name("FILE")
         ->group(sizes);

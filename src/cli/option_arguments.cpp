@@ -1,3 +1,5 @@
+// Makes arguments of the library's table of options: an option that is added to the table appears
+// in the command by itself.
 #include "option_arguments.hpp"
 
 #include "text.hpp"
@@ -31,6 +33,7 @@ std::string value_name(const cleft_option_description& info)
 // Is a name one of "a|b|c"?
 bool is_one_of(const std::string& names, const std::string& name)
 {
+    // The bars keep "lat" from matching "lattice".
     return ("|" + names + "|").find("|" + name + "|") != std::string::npos;
 }
 
@@ -41,6 +44,7 @@ std::vector<cleft_option_description> table()
     for (std::size_t i = 0; i < rows.size(); ++i) {
         rows[i].struct_size = sizeof rows[i];
         if (cleft_option_info(static_cast<int32_t>(i), &rows[i]) != CLEFT_OK)
+            // cleft_option_count() and cleft_option_info() would contradict each other.
             throw std::logic_error("the table of options has no row " + std::to_string(i));
     }
     return rows;
@@ -68,6 +72,8 @@ const char* group_of(cleft_option key)
 std::string choice_name(const std::string& choices, int64_t index)
 {
     std::size_t begin = 0;
+    // A number beyond the list would come back to the first name, as npos + 1 is 0. The library
+    // never gives one.
     for (; index > 0 && begin != std::string::npos; --index)
         begin = choices.find('|', begin) + 1;
     return choices.substr(begin, choices.find('|', begin) - begin);
@@ -75,7 +81,8 @@ std::string choice_name(const std::string& choices, int64_t index)
 
 std::string range_text(const cleft_option_description& info)
 {
-    const double huge = 1e15;  // beyond it, the bound is there to have one
+    // Beyond it, the bound is there to have one, and tells the user nothing.
+    const double huge = 1e15;
     if (info.greatest >= huge)
         return "at least " + significant(info.least);
     return significant(info.least) + " .. " + significant(info.greatest, 10);
@@ -86,9 +93,12 @@ void set_label_size(cleft_options* options, const std::string& wish)
     const std::size_t equals = wish.find('=');
     int32_t label = 0;
     double size = 0;
+    // lexical_cast() takes the whole word or fails, so that "3=0.5x" is a mistake.
     if (equals == std::string::npos || !CLI::detail::lexical_cast(wish.substr(0, equals), label) ||
         !CLI::detail::lexical_cast(wish.substr(equals + 1), size))
         throw usage_failure("--label-size: '" + wish + "' is not of the form LABEL=SIZE");
+    // 0 takes a limit back in the library. On the command line there is none to take back; !(size >
+    // 0) also catches NaN.
     if (!(size > 0) || cleft_options_set_label_size(options, label, size) != CLEFT_OK)
         throw usage_failure("--label-size: '" + wish + "': the size must be a positive number");
 }
@@ -98,6 +108,7 @@ void set_label_size(cleft_options* options, const std::string& wish)
 std::string flag_name(const cleft_option_description& info)
 {
     std::string name = info.name;
+    // The table has names of C; options of commands have dashes.
     std::replace(name.begin(), name.end(), '_', '-');
     return "--" + name;
 }
@@ -105,11 +116,13 @@ std::string flag_name(const cleft_option_description& info)
 std::string option_help(const cleft_option_description& info)
 {
     std::string help = info.text;
+    // The choices themselves stand behind the option as its type.
     if (info.type == CLEFT_OPTION_TYPE_CHOICE)
         help += " (default " + choice_name(info.choices, std::llround(info.value)) + ")";
     else if (info.type != CLEFT_OPTION_TYPE_FLAG)
         help += " (" + range_text(info) + "; default " + significant(info.value, 10) + ")";
     help.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(help.front())));
+    // 66 and the 32 columns of names stay below 100.
     return wrapped(help, 66);
 }
 
@@ -122,8 +135,12 @@ void OptionArguments::add_to(CLI::App& app, const std::vector<std::string>& call
     const std::vector<cleft_option_description> rows = table();
     for (const std::string& group : groups_of(rows))
         for (const cleft_option_description& info : rows) {
+            // An option that no call of this command reads would be accepted and ignored, so it is
+            // not offered.
             if (info.group != group || !is_read(info))
                 continue;
+            // Text and not a number: the library reads it, with its own rules and messages for all
+            // languages.
             Row& row = rows_.emplace_back(Row{info, nullptr, {}, false});
             if (info.type == CLEFT_OPTION_TYPE_FLAG)
                 row.option = app.add_flag(flag_name(info), row.flag, option_help(info));
@@ -138,6 +155,8 @@ void OptionArguments::add_label_sizes_to(CLI::App& app)
     app.add_option(
            "--label-size", label_sizes_,
            "Greatest wanted edge length inside label L; may be repeated:\n--label-size 3=0.5 --label-size 7=0.8")
+        // One value for each --label-size: without it CLI11 would take the inputs behind it for
+        // more values.
         ->allow_extra_args(false)
         ->type_name("L=H")
         ->group(group_of(CLEFT_OPTION_SIZE));
@@ -148,6 +167,7 @@ void OptionArguments::add_label_lists_to(CLI::App& app)
     const char* group = "Labels";
     app.add_option("--strip", strip_, "Labels to leave out of the mesh: --strip 0, --strip 0,4 or --strip 0 4")
         ->delimiter(',')
+        // join_label_lists() has put the words of a list together before.
         ->allow_extra_args(false)
         ->type_name("LABEL")
         ->group(group);
@@ -163,6 +183,7 @@ std::string OptionArguments::take_background_file()
     for (Row& row : rows_)
         if (row.info.key == CLEFT_OPTION_BACKGROUND && row.given() && !is_one_of(row.info.choices, row.text)) {
             const std::string path = row.text;
+            // The row goes back to its default, so that make() does not see the path.
             row.text = choice_name(row.info.choices, std::llround(row.info.value));
             if (!CLI::ExistingFile(path).empty())
                 throw usage_failure("--background: '" + path + "' is none of " + row.info.choices +
@@ -179,7 +200,9 @@ Options OptionArguments::make() const
         throw std::bad_alloc();
     Options options(handle);
     for (const Row& row : rows_) {
+        // A flag has no text of its own: that it was given is its value.
         const std::string value = row.info.type == CLEFT_OPTION_TYPE_FLAG ? "true" : row.text;
+        // What is not given keeps the default of the library.
         if (row.given() && cleft_options_set_text(handle, row.info.name, value.c_str()) != CLEFT_OK)
             throw usage_failure(flag_name(row.info) + ": '" + row.text + "' is not " +
                                 (row.info.type == CLEFT_OPTION_TYPE_CHOICE
@@ -197,6 +220,7 @@ Options OptionArguments::make() const
 
 nlohmann::json OptionArguments::as_json(const cleft_options* options) const
 {
+    // All options with the values that the run used, so that a report is enough to repeat it.
     nlohmann::json json = nlohmann::json::object();
     for (const Row& row : rows_) {
         int64_t integer = 0;
@@ -226,6 +250,7 @@ bool OptionArguments::leaves_out(int32_t label) const
     const auto holds = [label](const std::vector<int32_t>& list) {
         return std::find(list.begin(), list.end(), label) != list.end();
     };
+    // An empty list of --only keeps everything.
     return holds(strip_) || (!only_.empty() && !holds(only_));
 }
 

@@ -19,12 +19,15 @@ class Option;
 namespace cleft_cli
 {
 
+// It must outlive the CLI::App, which writes into it while it parses.
 class OptionArguments
 {
 public:
     // The options that any of these calls reads: see cleft_option_description.
     void add_to(CLI::App& app, const std::vector<std::string>& calls);
+    // --label-size L=H, which the table cannot hold, as it belongs to a label.
     void add_label_sizes_to(CLI::App& app);
+    // --strip and --only.
     void add_label_lists_to(CLI::App& app);
 
     // If the value of --background is no choice of the table, it is the path of a mesh: it is taken out and returned.
@@ -32,6 +35,7 @@ public:
 
     // Throws a usage failure that names the option.
     Options make() const;
+    // The value of each option as `options` has it, with choices by name.
     nlohmann::json as_json(const cleft_options* options) const;
 
     // Do the strip and only lists leave this label out?
@@ -43,6 +47,7 @@ private:
         CLI::Option* option;
         std::string text;
         bool flag;
+        // Does it stand on the command line?
         bool given() const;
     };
     std::deque<Row> rows_;  // a deque: CLI11 keeps the addresses of the values

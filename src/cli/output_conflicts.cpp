@@ -18,6 +18,7 @@ namespace
 namespace fs = std::filesystem;
 
 // Nothing is written after it, nor a report of it: that may be what is in the way.
+// A report would be written to the very path that is refused.
 Failure refused(const std::string& sentence)
 {
     Failure failure = usage_failure(sentence);
@@ -38,7 +39,11 @@ Place place_of(const std::string& path)
     Place place;
     place.path = path;
     place.target = link_target(path);
+    // By device and inode below: two paths may be one file through links, "..", mounts or hard
+    // links.
     place.exists = stat(place.target.c_str(), &place.file) == 0;
+    // A folder that does not exist leaves zeros. checked_mesh_output() refuses it later, in words
+    // of its own.
     (void)stat(folder_of(place.target).c_str(), &place.folder);
     return place;
 }
@@ -49,10 +54,12 @@ bool same_file(const Place& a, const Place& b)
 {
     if (a.exists && b.exists)
         return same(a.file, b.file);
+    // Files that do not exist yet are one if they will have one name in one folder.
     return same(a.folder, b.folder) && a.target.filename() == b.target.filename();
 }
 
 // TetGen's meshes are three files of one name.
+// Of other formats of two files, as .hdr and .img, none is written.
 std::vector<Place> files_of(const std::string& path)
 {
     const fs::path as_path(path);
@@ -70,6 +77,7 @@ std::vector<Place> files_of(const std::string& path)
 }
 
 // A pattern of slices as one of the shell: "%03d" matches whatever stands for it.
+// fnmatch() answers whether the output is one of the slices, without listing the folder.
 std::string shell_pattern(const std::string& name)
 {
     std::string pattern;
@@ -80,6 +88,7 @@ std::string shell_pattern(const std::string& name)
         const bool is_number = name[i] == '%' && end < name.size() && name[end] == 'd';
         if (is_number)
             i = end;
+        // The readers take only "*" and "?" as wildcards; fnmatch() knows more.
         else if (name[i] == '[' || name[i] == '\\')
             pattern += '\\';
         pattern += is_number ? '*' : name[i];
@@ -94,14 +103,19 @@ bool is_input(const Place& output, const std::string& input)
             return true;
     const Place place = place_of(input);
     const std::string name = fs::path(input).filename().string();
+    // An output beside the slices that fits their pattern would be read as a slice by the next run,
+    // and replaces one now.
     return output.exists && same(output.folder, place.folder) &&
            fnmatch(shell_pattern(name).c_str(), output.target.filename().c_str(), 0) == 0;
 }
 
+// A report is replaced without a question, as runs are repeated. A mistyped path must not cost a
+// volume or a mesh.
 bool is_report(const std::string& path)
 {
     std::ifstream file(path, std::ios::binary);
     char first = 0;
+    // An empty file may be replaced, too.
     return !(file >> first) || first == '{';
 }
 
@@ -110,6 +124,7 @@ bool is_report(const std::string& path)
 void refuse_conflicts(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
                       const std::string& json)
 {
+    // The report is an output as the others are.
     std::vector<std::string> all = outputs;
     if (!json.empty() && json != "-")
         all.push_back(json);
@@ -120,6 +135,7 @@ void refuse_conflicts(const std::vector<std::string>& inputs, const std::vector<
             for (const std::string& input : inputs)
                 if (!input.empty() && is_input(file, input))
                     throw refused("the output '" + path + "' is the input '" + input + "', or a file of it");
+            // Two outputs of one name would leave the one that is written last, without a word.
             for (const Place& other : taken)
                 if (same_file(file, other))
                     throw refused("the outputs '" + other.path + "' and '" + path + "' are one file");

@@ -1,3 +1,5 @@
+// Looks at the places of outputs before the work begins, and writes meshes to them. A mistake in a
+// path costs no run.
 #include "output_files.hpp"
 
 #include "interrupt.hpp"
@@ -17,6 +19,7 @@ namespace cleft_cli
 namespace
 {
 
+// Exit code 4, as for a failure while writing: scripts need not know when it was noticed.
 Failure cannot_write(const std::string& sentence) { return {EXIT_CANNOT_WRITE, CLEFT_ERROR_FILE, sentence}; }
 
 std::vector<cleft_io_format_description> formats(int32_t direction)
@@ -31,6 +34,7 @@ std::vector<cleft_io_format_description> formats(int32_t direction)
     return rows;
 }
 
+// Longer than its extension: ".msh" alone is a hidden file without an extension.
 bool ends_with_nocase(const std::string& text, const std::string& end)
 {
     return text.size() > end.size() && strcasecmp(text.c_str() + text.size() - end.size(), end.c_str()) == 0;
@@ -51,6 +55,7 @@ std::string extensions_text(int32_t direction)
     for (const auto& row : formats(direction)) {
         std::istringstream extensions(row.extensions);
         for (std::string extension; extensions >> extension;)
+            // MSH has two rows with one extension.
             if ((" " + text + " ").find(" " + extension + " ") == std::string::npos)
                 text += (text.empty() ? "" : " ") + extension;
     }
@@ -71,12 +76,17 @@ void check_place(const std::string& path)
 {
     struct stat status = {};
     const bool is_there = stat(path.c_str(), &status) == 0;
+    // Any other error is about the folder, and the probe below says it better.
     if (!is_there && (errno == ENAMETOOLONG || errno == ELOOP))
         throw cannot_write("'" + path + "' cannot be written: " + std::strerror(errno));
+    // A rename would replace a device or a pipe by a plain file.
     if (is_there && !S_ISREG(status.st_mode))
         throw cannot_write("'" + path + "' is " + (S_ISDIR(status.st_mode) ? "a folder" : "no regular file"));
     const std::string folder = folder_of(link_target(path)).string();
+    // Otherwise a signal between mkstemp() and unlink() would leave the probe behind.
     const SignalsLater later;
+    // access() answers for the real user and knows nothing of full quotas, read-only mounts or
+    // access lists of NFS.
     std::string probe = folder + "/.cleft-XXXXXX";
     const int file = mkstemp(probe.data());
     if (file < 0)
@@ -92,6 +102,8 @@ OutputFile checked_mesh_output(const std::string& path, const std::string& msh_v
 {
     check_extension(path, CLEFT_IO_WRITES_MESH);
     check_place(path);
+    // --msh-version changes nothing for other extensions, so that it may stand in a script for
+    // several outputs.
     const bool old = msh_version == "2.2" && ends_with_nocase(path, ".msh");
     return {path, old ? CLEFT_FORMAT_MSH22 : CLEFT_FORMAT_BY_NAME};
 }
@@ -105,6 +117,7 @@ void check_sizing_output(const std::string& path)
 void check_json_output(const std::string& path)
 {
     struct stat status = {};
+    // Devices and pipes are written to as they are; see write_json().
     const bool device = stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
     if (!path.empty() && path != "-" && !device)
         check_place(path);
@@ -114,6 +127,7 @@ void write_mesh(Session& session, const cleft_mesh* mesh, const std::vector<Outp
 {
     for (const OutputFile& output : outputs)
         staged.write(output.path, [&](const std::string& to) {
+            // The library checks the extension of `to`, which is staged under its final name.
             session.check(cleft_io_write_mesh(session.context(), mesh, to.c_str(), output.format), EXIT_CANNOT_WRITE);
         });
 }

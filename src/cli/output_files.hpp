@@ -12,6 +12,7 @@
 namespace cleft_cli
 {
 
+// A place that was checked.
 struct OutputFile {
     std::string path;
     cleft_io_format format = CLEFT_FORMAT_BY_NAME;
@@ -20,6 +21,7 @@ struct OutputFile {
 // Refuses a path whose extension no writer has, or whose folder cannot be written to. ".msh" becomes version 2.2 if
 // `msh_version` says so.
 OutputFile checked_mesh_output(const std::string& path, const std::string& msh_version);
+// Likewise for a sizing field.
 void check_sizing_output(const std::string& path);
 // Nothing to check for "" and "-".
 void check_json_output(const std::string& path);

@@ -1,3 +1,4 @@
+// Draws the progress bar on standard error, so that standard output stays free for results.
 #include "progress_bar.hpp"
 
 #include "text.hpp"
@@ -11,10 +12,12 @@ namespace cleft_cli
 void ProgressBar::show(double fraction, const std::string& stage)
 {
     const auto now = Clock::now();
+    // The first line is drawn at once; a stage of seconds should show its name.
     if (!enabled_ || (visible_ && now - drawn_ < std::chrono::milliseconds(100)))
         return;
     drawn_ = now;
     visible_ = true;
+    // With numbers and the name of a stage the line stays below 80 columns.
     const int width = 30;
     const double part = std::clamp(fraction, 0.0, 1.0);
     const auto filled = static_cast<std::size_t>(part * width);

@@ -10,12 +10,14 @@ namespace cleft_cli
 class ProgressBar
 {
 public:
+    // Disabled, it draws nothing: --quiet, or standard error is no terminal.
     explicit ProgressBar(bool enabled) : enabled_(enabled) {}
     ~ProgressBar() { clear(); }
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
     // Draws at most ten times a second.
+    // `fraction` is in [0, 1]; `stage` is what the line says.
     void show(double fraction, const std::string& stage);
     // Takes the line off the terminal, so that something else can be printed.
     void clear();

@@ -1,3 +1,5 @@
+// One run of the command: makes the context, shows progress and warnings, turns statuses into
+// failures, and measures stages.
 #include "session.hpp"
 
 #include <CLI/CLI.hpp>
@@ -20,10 +22,13 @@ Context make_context(int threads)
         throw std::bad_alloc();
     Context owner(context);
     if (cleft_context_set_threads(context, threads) != CLEFT_OK)
+        // The library's limits; its own sentence does not know the name of the argument.
         throw usage_failure("--threads: " + std::to_string(threads) + " is not in 0 .. 1024");
     return owner;
 }
 
+// These statuses mean the same wherever they come from. For others the caller knows whether it
+// read, meshed or wrote.
 int exit_code_of(cleft_status status, int otherwise)
 {
     switch (status) {
@@ -73,6 +78,7 @@ StageFigures process_figures()
     StageFigures figures;
     figures.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
     figures.cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+    // ru_maxrss is in kilobytes on Linux.
     figures.peak_bytes = 1024.0 * static_cast<double>(usage.ru_maxrss);
     return figures;
 }
@@ -80,10 +86,12 @@ StageFigures process_figures()
 Session::Session(const RunArguments& arguments)
     : quiet_(arguments.quiet),
       verbose_(arguments.verbose),
+      // In a log file the control characters of the bar would be noise.
       bar_(!arguments.quiet && isatty(STDERR_FILENO) == 1),
       context_(make_context(arguments.threads)),
       interrupts_(context_.get())
 {
+    // Callbacks get this object as `user`, so it can be neither copied nor moved.
     check(cleft_context_set_progress(context(), on_progress, this), EXIT_MESHING_FAILED);
     check(cleft_context_set_log(context(), on_log, this), EXIT_MESHING_FAILED);
 }
@@ -92,6 +100,7 @@ void Session::check(cleft_status status, int otherwise) const
 {
     // A signal that arrived between two calls of the library was forgotten there.
     if (const int signal = interrupt_signal())
+        // The convention of shells for a program that was ended by a signal.
         throw Failure(128 + signal, CLEFT_ERROR_CANCELLED, "stopped by a signal; nothing was written");
     if (status == CLEFT_OK)
         return;
@@ -117,6 +126,7 @@ double Session::elapsed_seconds() const { return process_figures().seconds - sta
 
 void Session::warn(const std::string& sentence)
 {
+    // Kept with --quiet, too: the JSON report has all warnings.
     warnings_.push_back(sentence);
     if (!quiet_) {
         bar_.clear();
@@ -133,6 +143,8 @@ void Session::note_stages(const char* name, const StageFigures& before, int64_t 
                 return value;
         return 0.0;
     };
+    // The library notes three metrics for each stage; this one comes once a stage, so it stands for
+    // all.
     const std::string end = ".cpu_seconds";
     for (std::size_t i = static_cast<std::size_t>(metrics_before); i < all.size(); ++i) {
         const std::string& metric = all[i].first;
@@ -148,6 +160,7 @@ void Session::note_stages(const char* name, const StageFigures& before, int64_t 
 int Session::on_progress(double fraction, const char* stage, void* user)
 {
     static_cast<Session*>(user)->bar_.show(fraction, stage);
+    // A second way to cancel, for a signal that came before the library's call began.
     return interrupt_signal() != 0;
 }
 

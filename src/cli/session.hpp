@@ -39,6 +39,7 @@ struct StageFigures {
 // Of the process so far, seconds by the clock; the name is left empty.
 StageFigures process_figures();
 
+// One object a run. It must stay where it is, as the library and the signal handlers point to it.
 class Session
 {
 public:
@@ -75,9 +76,12 @@ public:
     }
 
     const std::vector<StageFigures>& stages() const { return stages_; }
+    // All figures of the library, in the order in which they were noted.
     std::vector<std::pair<std::string, double>> metrics() const;
     const std::vector<std::string>& warnings() const { return warnings_; }
+    // Prints a sentence, and keeps it for the report.
     void warn(const std::string& sentence);
+    // Since the session began, by a clock that is never set.
     double elapsed_seconds() const;
     // To be called before anything is printed.
     void clear_progress() { bar_.clear(); }
@@ -87,6 +91,8 @@ private:
     static int on_progress(double fraction, const char* stage, void* user);
     static void on_log(int32_t level, const char* sentence, void* user);
 
+    // The order of these members is the order of their making: the context must live longer than
+    // the guard.
     double start_ = process_figures().seconds;
     bool quiet_, verbose_;
     ProgressBar bar_;

@@ -36,7 +36,9 @@ struct FieldFigures {
 FieldFigures look_at_field(const cleft_sizing* sizing, const VolumeFindings& volume)
 {
     const float* values = cleft_sizing_values(sizing);
+    // A copy: the field itself must keep its order.
     std::vector<float> sorted(values, values + volume.voxel_count());
+    // nth_element() and not sort(): a field has as many values as the volume has voxels.
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
     std::nth_element(sorted.begin(), middle, sorted.end());
     const auto [least, greatest] = std::minmax_element(sorted.begin(), sorted.end());
@@ -66,6 +68,7 @@ int run_sizing(const SizingArguments& arguments)
                 EXIT_CANNOT_WRITE);
         });
     });
+    // After writing: the figures are for the summary, and the file does not wait for them.
     const VolumeFindings found = look_at_volume(session, volume.get());
     const FieldFigures field = look_at_field(sizing.get(), found);
     session.clear_progress();
@@ -88,6 +91,7 @@ int run_sizing(const SizingArguments& arguments)
                            significant(field.greatest) + ", median " + significant(field.median) + "\n" +
                            left("Estimate", 11) + rounded(field.tets) + " tetrahedra\n" + left("Written", 11) +
                            arguments.output + " (" + bytes_text(staged.bytes(arguments.output)) + ")\n");
+    // Last of all: whatever fails before leaves no output.
     staged.commit();
     return EXIT_OK;
 }
@@ -103,6 +107,7 @@ Command add_sizing_command(CLI::App& app)
     parser.add_option("-o,--output", arguments->output, "The field, as a volume of float")
         ->required()
         ->type_name("FIELD");
+    // The calls that this command makes. Options of meshing would have no effect here.
     arguments->options.add_to(parser, {"volume", "sizing"});
     arguments->options.add_label_sizes_to(parser);
     arguments->input.add_reading_to(parser);

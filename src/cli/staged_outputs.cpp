@@ -22,8 +22,10 @@ namespace
 
 namespace fs = std::filesystem;
 
+// Linux follows at most 40 symbolic links in one path (path_resolution(7)).
 const int most_links = 40;
 
+// Want of memory keeps its own exit code, wherever it is met.
 Failure cannot_write(const fs::path& path, int error)
 {
     if (error == ENOMEM)
@@ -42,15 +44,20 @@ struct Move {
 void keep_old(Move& move, const fs::path& as)
 {
     struct stat status = {};
+    // lstat(): links were followed before, so what is at the target now is the file itself.
     if (lstat(move.target.c_str(), &status) != 0)
         return;
     move.was_there = true;
     if (S_ISREG(status.st_mode))
+        // The old file's permissions, so that sharing with a group survives a new run.
         (void)chmod(move.staged.c_str(), status.st_mode & 07777);  // not on every file system
+    // Without hard links (FAT, some network file systems) the old contents cannot be put back. The
+    // new ones are complete all the same.
     if (link(move.target.c_str(), as.c_str()) == 0)
         move.old = as;
 }
 
+// Failures are ignored: nothing better can be done, and the first error is the one to tell.
 void undo(const Move& move)
 {
     if (!move.done)
@@ -68,6 +75,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text;
 }
 
+// Makes the rename itself last over a power failure. The files were flushed by their writers.
 void flush_folder(const fs::path& folder)
 {
     const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -85,6 +93,7 @@ fs::path link_target(const std::string& path)
 {
     std::error_code error;
     fs::path target = path;
+    // A circle of links ends at the limit. Writing then fails with the system's own error.
     for (int links = 0; links < most_links && fs::is_symlink(fs::symlink_status(target, error)); ++links) {
         const fs::path next = fs::read_symlink(target, error);
         if (error)
@@ -96,17 +105,22 @@ fs::path link_target(const std::string& path)
 
 StagedOutputs::Stage::Stage(const fs::path& folder, const std::string& output)
 {
+    // A handler must not see a folder that is made but not in the list yet.
     const SignalsLater later;
+    // In the folder of the target: rename() works within one file system only.
     std::string name = (folder / ".cleft-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr)
         throw cannot_write(output, errno);
     path_ = std::move(name);
+    // Opened now, since opendir() asks for memory and remove() may run where there is none, or in a
+    // signal handler.
     listing_ = opendir(path_.c_str());
     if (listing_ == nullptr) {
         const int error = errno;
         rmdir(path_.c_str());
         throw cannot_write(output, error);
     }
+    // A list through the objects themselves: adding to it and walking it need no memory.
     next = newest;
     newest = this;
 }
@@ -126,6 +140,7 @@ void StagedOutputs::Stage::remove() noexcept
 {
     rewinddir(listing_);
     while (const dirent* entry = readdir(listing_))
+        // "." and ".." fail with an error that nobody looks at.
         unlinkat(dirfd(listing_), entry->d_name, 0);
     rmdir(path_.c_str());
 }
@@ -134,6 +149,8 @@ StagedOutputs::Stage* StagedOutputs::Stage::newest = nullptr;
 
 void StagedOutputs::remove_all() noexcept
 {
+    // POSIX does not list readdir() for handlers. glibc's takes a lock of the stream alone, and
+    // signals are blocked wherever else the stream is read.
     for (Stage* stage = Stage::newest; stage != nullptr; stage = stage->next)
         stage->remove();
 }
@@ -145,6 +162,7 @@ std::vector<std::string> StagedOutputs::Stage::names() const
     while (const dirent* entry = readdir(listing_))
         if (std::strcmp(entry->d_name, ".") != 0 && std::strcmp(entry->d_name, "..") != 0)
             names.emplace_back(entry->d_name);
+    // The order of moves must not depend on the file system.
     std::sort(names.begin(), names.end());
     return names;
 }
@@ -155,6 +173,8 @@ const StagedOutputs::Output& StagedOutputs::add(const std::string& path)
 {
     const fs::path folder = folder_of(link_target(path));
     auto stage = std::make_unique<Stage>(folder, path);
+    // The final name in a folder of its own: writers choose the format by the extension, and
+    // TetGen's put two files beside.
     const fs::path staged = stage->path() / fs::path(path).filename();
     outputs_.push_back({path, folder, std::move(stage), staged});
     return outputs_.back();
@@ -167,6 +187,7 @@ void StagedOutputs::write(const std::string& path, const std::function<void(cons
         write(output.staged.string());
     } catch (const Failure& failure) {
         const fs::path parent = fs::path(path).parent_path();
+        // The user knows the path that was asked for, and not the staging folder.
         Failure told(failure.exit_code, failure.status,
                      replaced(failure.what(), (output.stage->path() / "").string(),
                               parent.empty() ? std::string() : (parent / "").string()));
@@ -191,6 +212,7 @@ void StagedOutputs::commit()
     const SignalsLater later;
     std::vector<Move> moves;
     for (const Output& output : outputs_) {
+        // All files of the folder go, as a format may have several.
         for (const std::string& name : output.stage->names()) {
             moves.push_back(
                 {output.stage->path() / name, link_target((fs::path(output.path).parent_path() / name).string()), {}});
@@ -200,6 +222,8 @@ void StagedOutputs::commit()
     for (Move& move : moves) {
         if (std::rename(move.staged.c_str(), move.target.c_str()) != 0) {
             const int error = errno;
+            // Files that have their names already are taken back, so that all outputs are of one
+            // run.
             std::for_each(moves.begin(), moves.end(), undo);
             throw cannot_write(move.target, error);
         }

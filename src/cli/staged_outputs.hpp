@@ -26,6 +26,7 @@ public:
     // which go along. The sentence of a Failure that it throws tells the paths that the user knows.
     void write(const std::string& path, const std::function<void(const std::string& place)>& write);
     // Of the file that was written for `path`.
+    // 0 where it cannot be looked at.
     double bytes(const std::string& path) const;
     // Gives the files their names. All or none: if one fails, what was there before is put back.
     void commit();
@@ -65,6 +66,7 @@ private:
 
 // The file that a path stands for: symbolic links are followed, also where nothing is behind.
 std::filesystem::path link_target(const std::string& path);
+// "." for a name without a folder.
 std::filesystem::path folder_of(const std::filesystem::path& path);
 
 }  // namespace cleft_cli

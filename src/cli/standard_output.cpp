@@ -21,12 +21,14 @@ void fail_if(int error, bool is_report)
         return;
     Failure failure(EXIT_CANNOT_WRITE, CLEFT_ERROR_FILE,
                     std::string("standard output cannot be written: ") + std::strerror(error));
+    // A report that cannot be printed cannot be told of in a report.
     failure.is_reported = !is_report;
     throw failure;
 }
 
 }  // namespace
 
+// By write() and not printf(): a buffer that is flushed by exit() loses its error.
 int write_all(int descriptor, const std::string& text)
 {
     for (std::size_t written = 0; written < text.size();) {
@@ -41,6 +43,7 @@ int write_all(int descriptor, const std::string& text)
 void print_summary_text(const std::string& text)
 {
     const int error = write_all(STDOUT_FILENO, text);
+    // `cleft info FILE | head` is no failure.
     fail_if(error == EPIPE ? 0 : error, false);
 }
 
@@ -49,8 +52,11 @@ void print_report(const std::string& text) { fail_if(write_all(STDOUT_FILENO, te
 void make_streams_safe()
 {
     for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream)
+        // Some batch systems and cron jobs start programs with closed streams. A mesh that is
+        // opened as descriptor 2 would get the warnings.
         if (fcntl(stream, F_GETFD) < 0)
             (void)open("/dev/null", O_RDONLY);  // takes the lowest number that is free
+    // write() then fails with EFBIG or EPIPE, which has a sentence and an exit code.
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
 }

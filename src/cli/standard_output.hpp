@@ -13,6 +13,7 @@ void print_summary_text(const std::string& text);
 void print_report(const std::string& text);
 
 // All of a text to any descriptor; the answer is 0 or the error number.
+// Interrupted writes go on.
 int write_all(int descriptor, const std::string& text);
 
 // To be called first: a closed standard stream must not become the next file that is opened, and a write that cannot

@@ -1,3 +1,5 @@
+// Lays out what a person reads: lines and tables of fixed width. Numbers are rounded here and
+// nowhere else; the JSON report has all digits.
 #include "summary.hpp"
 
 #include "text.hpp"
@@ -11,6 +13,7 @@ namespace cleft_cli
 namespace
 {
 
+// The longest heading, "Estimate" or "Memory", and a gap.
 const std::size_t first_column = 11;
 
 std::string line(const std::string& name, const std::string& text) { return left(name, first_column) + text + "\n"; }
@@ -39,6 +42,7 @@ std::string named(const std::string& row, const std::string& name)
     return name.empty() ? row : row.substr(0, row.size() - 1) + "  " + name + "\n";
 }
 
+// "-" where there is no whole, such as an empty mesh.
 std::string share_text(double part, double whole) { return whole > 0 ? decimals(100 * part / whole, 2) + " %" : "-"; }
 
 }  // namespace
@@ -56,6 +60,8 @@ std::string volume_line(const VolumeFindings& volume)
 
 std::string labels_table(const VolumeFindings& volume)
 {
+    // A label of 32 bits has at most 11 characters. Thirteen hold billions with commas, or six
+    // digits with an exponent.
     const std::vector<std::size_t> widths = {11, 13, 13, 9};
     std::string table = row_of({"label", "voxels", "volume", "share"}, widths);
     for (const auto& [label, voxels] : volume.voxels)
@@ -87,6 +93,7 @@ std::string mesh_lines(const MeshFindings& mesh)
     if (mesh.interface_triangles)
         counts += ", " + grouped(*mesh.interface_triangles) + " interface triangles";
     std::string text = line("Mesh", counts);
+    // Angles and edges of no tetrahedra have no meaning.
     if (mesh.tets == 0)
         return text;
     text += line("Box", box_text(mesh.low, mesh.high));
@@ -105,18 +112,22 @@ std::string mesh_lines(const MeshFindings& mesh)
 std::string dihedral_histogram(const cleft_quality& quality)
 {
     const int64_t* counts = quality.dihedral_histogram;
+    // 36 bins of 5 degrees, as cleft_quality has them. 1 guards the division for an empty mesh.
     const int64_t most = std::max<int64_t>(1, *std::max_element(counts, counts + 36));
     int64_t total = 0;
     for (int bin = 0; bin < 36; ++bin)
         total += counts[bin];
     std::string text = "Dihedral angles, six a tetrahedron\n";
     for (int bin = 0; bin < 36; ++bin) {
+        // Meshes have no angles near 0 and 180 degrees; empty bins would only push the table off
+        // the screen.
         if (counts[bin] == 0)
             continue;
         const double share = static_cast<double>(counts[bin]) / static_cast<double>(most);
         text += right(std::to_string(5 * bin), 5) + " -" + right(std::to_string(5 * bin + 5), 4) +
                 right(grouped(counts[bin]), 14) +
                 right(share_text(static_cast<double>(counts[bin]), static_cast<double>(total)), 10) + "  " +
+                // Rounded up, so that a bin with one angle has a mark.
                 std::string(static_cast<std::size_t>(std::ceil(40 * share)), '#') + "\n";
     }
     return text;
@@ -135,6 +146,7 @@ std::string pieces_line(const std::vector<LabelFindings>& rows)
         broken += row.large_components_broken;
         joined += row.large_components_joined;
     }
+    // The usual case needs no line.
     if (lost + broken + joined == 0)
         return "";
     return "of " + grouped(all) + " pieces of more than 30 voxels " + grouped(lost) + " are lost, " + grouped(broken) +
@@ -150,11 +162,14 @@ std::string label_report_table(const std::vector<LabelFindings>& rows, const std
     for (const LabelFindings& row : rows)
         if (!left_out(row.label))
             kept.push_back(row);
+    // Before the table is cut: it counts all labels that are kept.
     const std::string pieces_of_all = pieces_line(kept);
     std::string text = "Labels";
     if (rows.size() > kept.size())
         text += ", " + grouped(static_cast<int64_t>(rows.size() - kept.size())) + " left out as asked";
     if (kept.size() > limit) {
+        // Of many labels those that differ most are of interest. Equal ones stay in the order of
+        // their numbers.
         std::stable_sort(kept.begin(), kept.end(), [](const auto& a, const auto& b) {
             return std::fabs(difference_percent(a)) > std::fabs(difference_percent(b));
         });
@@ -180,6 +195,7 @@ std::string time_line(const Session& session, int64_t tets)
 {
     const StageFigures process = process_figures();
     std::string text = seconds_text(session.elapsed_seconds()) + ", " + seconds_text(process.cpu_seconds) + " of CPU";
+    // A rate for each CPU second compares machines with different numbers of cores.
     if (process.cpu_seconds > 0)
         text +=
             ", " + grouped(std::llround(static_cast<double>(tets) / process.cpu_seconds)) + " tetrahedra a CPU second";
@@ -200,6 +216,7 @@ std::string validation_lines(const cleft_validation& validation, const std::stri
     if (validation.valid != 0)
         return line("Valid", "yes");
     std::string text = line("Valid", "NO: " + first_fault);
+    // Only kinds of faults that were found are listed.
     const std::pair<const char*, int64_t> counts[] = {
         {"tetrahedra turned inside out", validation.negative_tets},
         {"flat tetrahedra", validation.flat_tets},

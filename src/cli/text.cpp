@@ -1,3 +1,5 @@
+// Writes numbers, sizes and times for people. Points and commas do not follow the locale, so that
+// output is the same everywhere.
 #include "text.hpp"
 
 #include <cmath>
@@ -20,6 +22,7 @@ std::string grouped(int64_t number)
 
 std::string rounded(double number)
 {
+    // Above it a number has more digits than anybody reads, and soon more than int64 holds.
     constexpr double readable = 1e15;
     return number < readable ? grouped(static_cast<int64_t>(std::llround(number))) : significant(number);
 }
@@ -28,6 +31,7 @@ std::string decimals(double number, int digits)
 {
     char buffer[64];
     std::snprintf(buffer, sizeof buffer, "%.*f", digits, number);
+    // "%.2f" of 1e300 has 300 digits; the buffer holds the first of them.
     return std::fabs(number) < 1e15 ? buffer : significant(number);
 }
 
@@ -42,6 +46,7 @@ std::string bytes_text(double bytes)
 {
     const char* units[] = {"B", "kB", "MB", "GB", "TB"};
     std::size_t unit = 0;
+    // 999.5 and 99.95 are what would be rounded to 1000 and 100.0.
     for (; bytes >= 999.5 && unit < 4; ++unit)
         bytes /= 1000;
     return decimals(bytes, unit == 0 || bytes >= 99.95 ? 0 : 1) + " " + units[unit];
@@ -51,6 +56,7 @@ std::string seconds_text(double seconds)
 {
     if (seconds < 60)
         return decimals(seconds, seconds < 10 ? 2 : 1) + " s";
+    // Rounded before it is split, so that no "1 min 60 s" comes out.
     const auto whole = static_cast<int64_t>(std::llround(seconds));
     return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
 }

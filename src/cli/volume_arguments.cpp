@@ -1,3 +1,5 @@
+// The arguments by which `mesh`, `sizing` and `info` read a volume, and the one place where they
+// read it.
 #include "volume_arguments.hpp"
 
 #include <CLI/CLI.hpp>
@@ -12,6 +14,7 @@ namespace cleft_cli
 namespace
 {
 
+// The types of cleft_type under the names that NumPy uses.
 const std::map<std::string, cleft_type> voxel_types = {
     {"uint8", CLEFT_TYPE_UINT8},     {"uint16", CLEFT_TYPE_UINT16}, {"int16", CLEFT_TYPE_INT16},
     {"uint32", CLEFT_TYPE_UINT32},   {"int32", CLEFT_TYPE_INT32},   {"float32", CLEFT_TYPE_FLOAT32},
@@ -46,6 +49,7 @@ cleft_io_raw raw_layout(const VolumeArguments& arguments)
     raw.kind = arguments.kind_number();
     raw.skip = arguments.skip;
     std::copy(arguments.dims.begin(), arguments.dims.end(), raw.dims);
+    // CLI11 has checked that there are three numbers, or none.
     std::copy(arguments.spacing.begin(), arguments.spacing.end(), raw.spacing);
     return raw;
 }
@@ -96,6 +100,7 @@ void VolumeArguments::add_reading_to(CLI::App& app)
         ->delimiter(',')
         ->check(CLI::PositiveNumber.description(""))
         ->type_name("N")
+        // Raw voxels have no unit of a file that a scale could change.
         ->excludes(unit)
         ->group(group);
     app.add_option("--type", type,
@@ -135,6 +140,7 @@ Volume VolumeArguments::read(Session& session, const cleft_options* options) con
         paths.push_back(input.c_str());
     const auto count = static_cast<int64_t>(paths.size());
     return session.make<Volume>(EXIT_CANNOT_READ, [&](cleft_volume** out) {
+        // The dimensions make a file raw; nothing else tells it.
         if (dims.empty()) {
             const cleft_io_reading how = reading();
             return cleft_io_read_volume(session.context(), options, paths.data(), count, &how, out);

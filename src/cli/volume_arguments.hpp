@@ -26,9 +26,11 @@ struct VolumeArguments {
     // The options without the files themselves.
     void add_reading_to(CLI::App& app);
 
+    // For cleft_io_read_volume(): struct_size is set, and zeros stand for the defaults.
     cleft_io_reading reading() const;
     cleft_io_kind kind_number() const;
     cleft_io_world world_number() const { return world == "ras" ? CLEFT_IO_WORLD_RAS : CLEFT_IO_WORLD_LPS; }
+    // Throws Failure with EXIT_CANNOT_READ. `options` may be null.
     Volume read(Session& session, const cleft_options* options) const;
 };
 
