@@ -17,11 +17,13 @@
 %include "kinds.i"
 
 CLEFT_STRUCT(cleft_io_format_description, NativeFormatDescription)
+// Pointers into the library's table: an assignment would free memory that is not SWIG's.
 %immutable cleft_io_format_description::name;
 %immutable cleft_io_format_description::extensions;
 %immutable cleft_io_format_description::text;
 CLEFT_STRUCT(cleft_io_reading, NativeReading)
 CLEFT_STRUCT(cleft_io_raw, NativeRaw)
+// Arrays in structs are set number by number: SWIG would want an array type of its own for each.
 %ignore cleft_io_reading::spacing;
 %extend cleft_io_reading {
     void set_spacing(int32_t axis, double length) { $self->spacing[axis] = length; }
@@ -36,6 +38,8 @@ CLEFT_STRUCT(cleft_io_raw, NativeRaw)
     }
 }
 
+// cleft_io.h includes cleft.h, which SWIG does not follow. What it takes from there is repeated
+// here.
 #define CLEFT_NOEXCEPT
 #define CLEFT_NODISCARD
 typedef int32_t cleft_status;

@@ -4,7 +4,9 @@
 %pragma(csharp) moduleclassmodifiers="internal class"
 %pragma(csharp) imclassclassmodifiers="internal class"
 %typemap(csclassmodifiers) SWIGTYPE "internal class"
+// Constants become constants of C#, so that enumerations can be made of them at compile time.
 %csconst(1);
+// SWIG takes int64_t for `long` of C, which it maps to `int` of C#: the upper half would be lost.
 %apply long long { int64_t };
 
 // CLEFT_CSHARP_TYPES(TYPE IN C#, HOW IT IS GIVEN, KIND OF PARAMETER...)
@@ -28,6 +30,8 @@ CLEFT_CSHARP_TYPES(byte[], $csinput, const char* PATH)
 CLEFT_CSHARP_TYPES(long[], $csinput, int64_t* ARRAY_OUT)
 CLEFT_CSHARP_TYPES(int[], $csinput, int32_t* ARRAY_OUT)
 CLEFT_CSHARP_TYPES(double[], $csinput, double* ARRAY_OUT)
+// The runtime may copy an array instead of pinning it, and by default towards C alone. The library
+// writes into these.
 %typemap(imtype, inattributes="[global::System.Runtime.InteropServices.In, global::System.Runtime.InteropServices.Out]")
     int64_t* ARRAY_OUT "long[]"
 %typemap(imtype, inattributes="[global::System.Runtime.InteropServices.In, global::System.Runtime.InteropServices.Out]")
@@ -40,6 +44,7 @@ CLEFT_CSHARP_TYPES(out global::System.IntPtr, out $csinput, const char** OUT_NAM
 CLEFT_CSHARP_TYPES(global::System.IntPtr[], $csinput, const void* const* fields)
 CLEFT_CSHARP_TYPES(global::System.IntPtr[], $csinput, const char* const* paths)
 
+// A borrowed array stays in the library's memory. A view over its address keeps the owner alive.
 %typemap(ctype) const void* ADDRESS "void *"
 %typemap(imtype) const void* ADDRESS "global::System.IntPtr"
 %typemap(cstype) const void* ADDRESS "global::System.IntPtr"
@@ -48,6 +53,8 @@ CLEFT_CSHARP_TYPES(global::System.IntPtr[], $csinput, const char* const* paths)
 
 // Texts are UTF-8. One that is returned is copied, for its owner may be collected before it is read: Utf8.Take() frees it.
 %{
+// malloc(), as Utf8.Take() gives the copy back by cleft_text_free(), which calls free() of the same
+// C library.
 static void* cleft_csharp_text(const char* text)
 {
     const size_t size = text ? strlen(text) + 1 : 0;
@@ -73,6 +80,8 @@ static void* cleft_csharp_text(const char* text)
     get { return Utf8.Take($imcall); } %}
 
 #ifndef CLEFT_IO_MODULE
+// A delegate passes as a pointer to a function. The class on top keeps it, as the collector sees no
+// use of it in C.
 CLEFT_CSHARP_TYPES(NativeProgress, $csinput, cleft_progress_callback callback)
 CLEFT_CSHARP_TYPES(NativeLog, $csinput, cleft_log_callback callback)
 CLEFT_CSHARP_TYPES(global::System.IntPtr, $csinput, void* user, void* address)
@@ -93,6 +102,8 @@ CLEFT_CSHARP_TYPES(global::System.IntPtr, $csinput, void* user, void* address)
 %rename(cleft_mesh_destroy) destroy_mesh;
 %rename(cleft_surface_destroy) destroy_surface;
 %rename(cleft_report_destroy) destroy_report;
+// Each takes an address, since a SafeHandle calls them while it is being released and cannot pass
+// itself.
 %inline %{
 static void free_text(void* address) { free(address); }
 static void destroy_context(void* address) { cleft_context_destroy((cleft_context*)address); }

@@ -5,7 +5,9 @@
 %pragma(java) jniclassclassmodifiers="final class"
 %typemap(javaclassmodifiers) SWIGTYPE "final class"
 %typemap(javafinalize) SWIGTYPE ""  // the classes on top close what they make
+// Constants become `static final` numbers of Java and need no call to load them.
 %javaconst(1);
+// SWIG takes int64_t for `long` of C, which it maps to `int` of Java: the upper half would be lost.
 %apply long long { int64_t };
 
 %{
@@ -15,6 +17,8 @@ static void cleft_throw_no_memory(JNIEnv* env)
 {
     (*env)->ThrowNew(env, (*env)->FindClass(env, "java/lang/OutOfMemoryError"), "there is not enough native memory");
 }
+// An exception of Java waits until the native function returns, so each way that throws returns at
+// once.
 #define CLEFT_NO_MEMORY          \
     cleft_throw_no_memory(jenv); \
     return 0;
@@ -26,6 +30,8 @@ typedef struct CleftArray {
     char kind;  // of the elements, as in the Java virtual machine; 0 for a buffer
 } CleftArray;
 
+// Local references are given back here: a call with many arrays would otherwise use up the table of
+// the virtual machine.
 static int cleft_is(JNIEnv* env, jobject object, const char* name)
 {
     const jclass wanted = (*env)->FindClass(env, name);
@@ -42,8 +48,11 @@ static int cleft_array_open(JNIEnv* env, jobject object, CleftArray* array)
     array->kind = 0;
     if (!object)
         return 1;
+    // NULL for a buffer on Java's heap, which has no fixed address. It is refused below.
     if (cleft_is(env, object, "java/nio/Buffer"))
         array->data = (*env)->GetDirectBufferAddress(env, object);
+// GetArrayElements may copy. GetPrimitiveArrayCritical would not, but the library may run for hours
+// and call back into Java, which a critical region forbids.
 #define CLEFT_ELEMENTS(KIND, Type)                                                    \
     else if (cleft_is(env, object, "[" #KIND))                                        \
     {                                                                                 \
@@ -79,6 +88,8 @@ static void cleft_array_close(JNIEnv* env, CleftArray* array, jint mode)
 }
 
 // The bytes of a text, UTF-8 as the library has it: JNI's own strings have another encoding.
+// NewStringUTF() takes modified UTF-8, in which signs beyond 16 bits and zeros are written in
+// another way. Text.java decodes the bytes.
 static jbyteArray cleft_java_text(JNIEnv* env, const char* text)
 {
     const jsize size = (jsize)strlen(text);
@@ -121,11 +132,13 @@ CLEFT_JAVA_TYPES(jobject, Object, pattern)
 %typemap(argout) pattern ""
 %typemap(freearg) pattern { cleft_array_close(jenv, &array$argnum, mode); }
 %enddef
+// JNI_ABORT: what the library only reads need not be copied back.
 CLEFT_JAVA_ARRAY(JNI_ABORT, const void* ARRAY_IN)
 CLEFT_JAVA_ARRAY(JNI_ABORT, const int64_t* ARRAY_IN)
 CLEFT_JAVA_ARRAY(JNI_ABORT, const int32_t* ARRAY_IN)
 CLEFT_JAVA_ARRAY(JNI_ABORT, const double* ARRAY_IN)
 CLEFT_JAVA_ARRAY(JNI_ABORT, const char* PATH)
+// 0: the numbers that the library wrote are copied back, and the copy is freed.
 CLEFT_JAVA_ARRAY(0, int32_t* ARRAY_OUT)
 CLEFT_JAVA_ARRAY(0, int64_t* ARRAY_OUT)
 CLEFT_JAVA_ARRAY(0, double* ARRAY_OUT)
@@ -210,6 +223,8 @@ CLEFT_JAVA_TYPES(jlong, long, const void* ADDRESS)
 %{
 // The functions of the user wait in the class Callbacks, by the thread: the library calls on the thread that called it.
 static JavaVM* cleft_vm;
+// Looked up once, when the module is loaded: FindClass() in a callback might see another class
+// loader.
 static jclass cleft_callbacks;
 static jmethodID cleft_callback_progress, cleft_callback_log;
 
@@ -223,6 +238,7 @@ JNIEXPORT jint JNICALL JNI_OnLoad(JavaVM* vm, void* reserved)
     const jclass local = (*env)->FindClass(env, "org/cleft/Callbacks");
     if (!local)
         return JNI_ERR;
+    // A local reference ends with this call.
     cleft_callbacks = (jclass)(*env)->NewGlobalRef(env, local);
     cleft_callback_progress = (*env)->GetStaticMethodID(env, local, "progress", "(D[B)Z");
     cleft_callback_log = (*env)->GetStaticMethodID(env, local, "log", "(I[B)V");
@@ -238,6 +254,8 @@ static JNIEnv* cleft_environment(void)
     return env;
 }
 
+// 1 cancels. It is also the answer where the virtual machine cannot be asked or an exception waits,
+// so that the call ends and the exception comes out.
 static int cleft_java_progress(double fraction, const char* stage, void* user)
 {
     (void)user;
@@ -292,6 +310,7 @@ typedef struct CleftMemory {
     jlong bytes;
 } CleftMemory;
 
+// The buffer knows nothing of the memory's owner. The class that asked for it keeps both.
 static CleftMemory memory_at(int64_t address, int64_t bytes)
 {
     const CleftMemory memory = {(void*)(intptr_t)address, bytes};

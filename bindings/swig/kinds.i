@@ -16,9 +16,13 @@
 
 %include "stdint.i"
 
+// Paths pass as one array of bytes, since arrays of strings differ in each language. C# passes
+// addresses instead.
 #if defined(CLEFT_IO_MODULE) && !defined(SWIGCSHARP)
 %{
 // Splits texts that are each closed by a zero. `pointers` must have room for one pointer a text.
+// `size` is the number of bytes with all zeros. Every text ends within it, as the callers put a
+// zero behind each.
 static int64_t cleft_split_texts(const char* bytes, size_t size, const char** pointers)
 {
     int64_t count = 0;
@@ -40,6 +44,8 @@ static int64_t cleft_split_texts(const char* bytes, size_t size, const char** po
 
 // Structs of plain numbers: made with their size in them, all else zero. CLEFT_NO_MEMORY, of each language, leaves the
 // function with the exception for want of memory.
+// struct_size is that of the header which this module was compiled with, and is hidden, so that no
+// caller sets a wrong one. Nothing in these structs owns memory.
 %define CLEFT_STRUCT(type, name)
 #if defined(SWIGCSHARP)
 %exception type::type() {
@@ -67,6 +73,7 @@ static int64_t cleft_split_texts(const char* bytes, size_t size, const char** po
 }
 %enddef
 
+// One kind for all handles: classes of each language keep them apart.
 %define CLEFT_HANDLE(type)
 %apply void* HANDLE { type*, const type* };
 %apply void** OUT_HANDLE { type** out };
@@ -108,6 +115,8 @@ CLEFT_HANDLE(cleft_report)
 
 // Sentences for the context come from components written in C.
 %ignore cleft_context_set_error;
+// They belong to components written in C, such as libcleft_io. Another language would have to pair
+// begin and end on all ways out.
 %ignore cleft_context_begin;
 %ignore cleft_context_end;
 %ignore cleft_context_log;

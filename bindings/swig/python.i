@@ -2,6 +2,8 @@
 // offers a contiguous buffer. The interpreter's lock is let go around the calls that may take long.
 
 %nothread;
+// Only these let go of the lock. For short calls it would cost more than the call, and handles are
+// not safe to be read while another thread destroys them.
 %thread cleft_volume_create_labels;
 %thread cleft_volume_create_indicators;
 %thread cleft_volume_sample;
@@ -41,12 +43,14 @@ static int cleft_handle_address(PyObject* handle, void** address)
     PyObject* number = PyObject_GetAttrString(handle, "address");
     if (!number)
         return 0;
+    // NULL is also a valid answer, so an error is looked for by PyErr_Occurred().
     *address = PyLong_AsVoidPtr(number);
     Py_DECREF(number);
     return !PyErr_Occurred();
 }
 
 // A buffer with data == NULL stands for None. 0 on failure.
+// The buffer is held until PyBuffer_Release(): meanwhile NumPy refuses to resize the array.
 static int cleft_buffer_open(PyObject* array, Py_buffer* buffer, int flags)
 {
     memset(buffer, 0, sizeof *buffer);
@@ -149,6 +153,7 @@ static int cleft_python_progress(double fraction, const char* stage, void* user)
     return cancel;
 }
 
+// An exception that waits stays the first one: no Python code runs after it.
 static void cleft_python_log(int32_t level, const char* sentence, void* user)
 {
     const PyGILState_STATE state = PyGILState_Ensure();
