@@ -13,13 +13,20 @@ import volumes
 
 # Sizes at interfaces; the graded backgrounds are coarser away from them.
 SIZES = (6, 4, 3, 2, 1.5)
-COLUMNS = ("input", "edge length", "tetrahedra", "volume error", "from true surface: mean, greatest", "least angle",
-           "CPU s")
+COLUMNS = (
+    "input",
+    "edge length",
+    "tetrahedra",
+    "volume error",
+    "from true surface: mean, greatest",
+    "least angle",
+    "CPU s",
+)
 INPUTS = {"labels": "kissing spheres, labels", "distances": "kissing spheres, distances"}
 
 
 def volume_errors(report):
-    exact = [4 / 3 * math.pi * radius ** 3 for _, radius in volumes.KISSING]
+    exact = [4 / 3 * math.pi * radius**3 for _, radius in volumes.KISSING]
     return ["%+.2f %%" % (100 * (row["mesh_volume"] / v - 1)) for row, v in zip(report["labels"][1:], exact)]
 
 
@@ -33,9 +40,17 @@ def table(cleft, written):
                 report, surface = quality.mesh(cleft, files, options, pathlib.Path(folder))
                 if not report:
                     raise SystemExit(surface)
-                text += quality.line([kind, str(size), "{:,}".format(report["mesh"]["tets"]),
-                                      ", ".join(volume_errors(report)), quality.distance_to_spheres(surface, spheres),
-                                      "%.1f" % report["quality"]["min_dihedral"], "%.1f" % report["cpu_seconds"]])
+                text += quality.line(
+                    [
+                        kind,
+                        str(size),
+                        "{:,}".format(report["mesh"]["tets"]),
+                        ", ".join(volume_errors(report)),
+                        quality.distance_to_spheres(surface, spheres),
+                        "%.1f" % report["quality"]["min_dihedral"],
+                        "%.1f" % report["cpu_seconds"],
+                    ]
+                )
             print(text.splitlines()[-1], flush=True)
     return text
 

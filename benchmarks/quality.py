@@ -19,16 +19,37 @@ import volumes
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LARGE = 20000  # voxels
-COLUMNS = ("tetrahedra", "least angle", "greatest angle", "below 10, 15, 20", "radius ratio 95 %",
-           "volume error of labels above 1,000 / 100 voxels", "pieces above 30 voxels lost", "from true surface",
-           "CPU s", "estimate: tetrahedra, memory")
+COLUMNS = (
+    "tetrahedra",
+    "least angle",
+    "greatest angle",
+    "below 10, 15, 20",
+    "radius ratio 95 %",
+    "volume error of labels above 1,000 / 100 voxels",
+    "pieces above 30 voxels lost",
+    "from true surface",
+    "CPU s",
+    "estimate: tetrahedra, memory",
+)
 
 
 def mesh(cleft, files, options, folder):
     """The report of the command and its surface, or None and what it said."""
     report, surface = folder / "report.json", folder / "surface.ply"
-    command = [cleft, "mesh", *files, "-o", surface, "--json", report, "--quiet", "--check", "--threads", "1",
-               *map(str, options)]
+    command = [
+        cleft,
+        "mesh",
+        *files,
+        "-o",
+        surface,
+        "--json",
+        report,
+        "--quiet",
+        "--check",
+        "--threads",
+        "1",
+        *map(str, options),
+    ]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode != 0:
         return None, (done.stderr.strip() or "ended by %d" % done.returncode).splitlines()[-1]
@@ -78,8 +99,12 @@ def distance_to_spheres(surface, spheres):
 def angles(report):
     """Four cells: tetrahedra, least and greatest angle, tetrahedra below 10, 15 and 20 degrees."""
     q = report["quality"]
-    return ["{:,}".format(report["mesh"]["tets"]), "%.1f" % q["min_dihedral"], "%.1f" % q["max_dihedral"],
-            "%d, %d, %d" % (q["tets_below_10"], q["tets_below_15"], q["tets_below_20"])]
+    return [
+        "{:,}".format(report["mesh"]["tets"]),
+        "%.1f" % q["min_dihedral"],
+        "%.1f" % q["max_dihedral"],
+        "%d, %d, %d" % (q["tets_below_10"], q["tets_below_15"], q["tets_below_20"]),
+    ]
 
 
 def volume_errors(report):
@@ -90,14 +115,24 @@ def estimate(report):
     """The estimated number over the true one, and the estimated memory over the peak when the mesh was there."""
     peak = next(stage["peak_bytes"] for stage in report["stages"] if stage["name"] == "result_check")
     bound = "up to " if report["estimate"]["is_bound"] else ""
-    return "%s%+.0f %%, %.2f" % (bound, 100 * report["estimate"]["tets"] / report["mesh"]["tets"] - 100,
-                                 report["estimate"]["peak_bytes"] / peak)
+    return "%s%+.0f %%, %.2f" % (
+        bound,
+        100 * report["estimate"]["tets"] / report["mesh"]["tets"] - 100,
+        report["estimate"]["peak_bytes"] / peak,
+    )
 
 
 def row(report, surface, spheres):
     lost = sum(r["large_components_lost"] for r in report["labels"])
-    return [*angles(report), "%.2f" % report["quality"]["radius_ratio_95"], volume_errors(report), str(lost),
-            distance_to_spheres(surface, spheres) if spheres else "", "%.1f" % report["cpu_seconds"], estimate(report)]
+    return [
+        *angles(report),
+        "%.2f" % report["quality"]["radius_ratio_95"],
+        volume_errors(report),
+        str(lost),
+        distance_to_spheres(surface, spheres) if spheres else "",
+        "%.1f" % report["cpu_seconds"],
+        estimate(report),
+    ]
 
 
 def line(cells):

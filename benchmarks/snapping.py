@@ -14,13 +14,27 @@ import volumes
 VOLUMES = ("kissing spheres, distances", "four indicators", "Voronoi grains", "CIT168", "noise, 5 labels")
 RULES = ("quality", "safe", "none")
 LEFT_OUT = ("noise, 5 labels", "fast", "none")  # a million slivers to mend: minutes
-COLUMNS = ("volume", "snap", "improve", "tetrahedra", "least angle", "greatest angle", "below 10, 15, 20",
-           "volume error of labels above 1,000 / 100 voxels", "from true surface", "CPU s")
+COLUMNS = (
+    "volume",
+    "snap",
+    "improve",
+    "tetrahedra",
+    "least angle",
+    "greatest angle",
+    "below 10, 15, 20",
+    "volume error of labels above 1,000 / 100 voxels",
+    "from true surface",
+    "CPU s",
+)
 
 
 def row(report, surface, spheres):
-    return [*quality.angles(report), quality.volume_errors(report),
-            quality.distance_to_spheres(surface, spheres) if spheres else "", "%.1f" % report["cpu_seconds"]]
+    return [
+        *quality.angles(report),
+        quality.volume_errors(report),
+        quality.distance_to_spheres(surface, spheres) if spheres else "",
+        "%.1f" % report["cpu_seconds"],
+    ]
 
 
 def table(cleft, work):

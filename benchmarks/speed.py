@@ -11,15 +11,38 @@ import subprocess
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-STAGES = ("volume", "sizing", "background.seed", "background.relax", "background.delaunay", "background.repair",
-          "cleaving", "improving", "fitting", "finish")
+STAGES = (
+    "volume",
+    "sizing",
+    "background.seed",
+    "background.relax",
+    "background.delaunay",
+    "background.repair",
+    "cleaving",
+    "improving",
+    "fitting",
+    "finish",
+)
 
 
 def run(cleft, volume):
     with tempfile.TemporaryDirectory() as folder:
         report = pathlib.Path(folder) / "report.json"
-        subprocess.run([cleft, "mesh", volume, "-o", pathlib.Path(folder) / "mesh.vtu", "--threads", "1", "--quiet",
-                        "--json", report], check=True)
+        subprocess.run(
+            [
+                cleft,
+                "mesh",
+                volume,
+                "-o",
+                pathlib.Path(folder) / "mesh.vtu",
+                "--threads",
+                "1",
+                "--quiet",
+                "--json",
+                report,
+            ],
+            check=True,
+        )
         return json.loads(report.read_text())
 
 
@@ -30,9 +53,16 @@ def measure(cleft, volume, repeat):
     report = reports[0]
     total = sum(best.values())
     tetgen = best["background.delaunay"]
-    print("%s: %d tetrahedra, %.1f CPU s, %.0f tetrahedra a CPU second, peak %.0f bytes a tetrahedron" %
-          (volume, report["mesh"]["tets"], total, report["mesh"]["tets"] / total,
-           report["peak_bytes"] / report["mesh"]["tets"]))
+    print(
+        "%s: %d tetrahedra, %.1f CPU s, %.0f tetrahedra a CPU second, peak %.0f bytes a tetrahedron"
+        % (
+            volume,
+            report["mesh"]["tets"],
+            total,
+            report["mesh"]["tets"] / total,
+            report["peak_bytes"] / report["mesh"]["tets"],
+        )
+    )
     for stage in STAGES:
         print("  %-20s %7.2f s  %5.2f TetGens" % (stage, best[stage], best[stage] / tetgen if tetgen else 0))
 

@@ -92,9 +92,11 @@ def write_nrrd(path, values, spacing):
     directions = " ".join("(%s)" % ",".join(str(spacing[a] if a == b else 0) for b in range(3)) for a in range(3))
     # The box begins at 0: the first voxel's centre is half a spacing from it.
     origin = ",".join(str(s / 2) for s in spacing)
-    header = ("NRRD0004\ntype: %s\ndimension: 3\nspace: left-posterior-superior\nsizes: %s\nspace directions: %s\n"
-              "kinds: domain domain domain\nendian: little\nencoding: raw\nspace origin: (%s)\n\n"
-              % (kind, sizes, directions, origin))
+    header = (
+        "NRRD0004\ntype: %s\ndimension: 3\nspace: left-posterior-superior\nsizes: %s\nspace directions: %s\n"
+        "kinds: domain domain domain\nendian: little\nencoding: raw\nspace origin: (%s)\n\n"
+        % (kind, sizes, directions, origin)
+    )
     path.write_bytes(header.encode() + np.ascontiguousarray(values).tobytes())
 
 
@@ -113,8 +115,11 @@ def write_generated(folder):
 
 def kept():
     """Volumes in the repository, and the atlases of mricron-data if it is installed, as write_generated answers."""
-    found = {"mickey": ([DATA / "mickey.nrrd"], None), "CIT168": ([DATA / "CIT168.nrrd"], None),
-             "four indicators": ([DATA / ("spheres%d.nrrd" % i) for i in range(1, 5)], None)}
+    found = {
+        "mickey": ([DATA / "mickey.nrrd"], None),
+        "CIT168": ([DATA / "CIT168.nrrd"], None),
+        "four indicators": ([DATA / ("spheres%d.nrrd" % i) for i in range(1, 5)], None),
+    }
     for name, file in (("AAL", "aal.nii.gz"), ("JHU, 1 mm", "JHU-WhiteMatter-labels-1mm.nii.gz")):
         if (ATLASES / file).exists():
             found[name] = ([ATLASES / file], None)

@@ -44,7 +44,7 @@ def kept_cells(grid, options):
     centers.SetInputData(grid)
     centers.Update()
     along = vtk_to_numpy(centers.GetOutput().GetPoints().GetData())[:, AXES[options.cut]]
-    low, high = grid.GetBounds()[2 * AXES[options.cut]:][:2]
+    low, high = grid.GetBounds()[2 * AXES[options.cut] :][:2]
     # The eye looks at the side that the cut opens.
     sign = 1 if options.view[AXES[options.cut]] < 0 else -1
     keep = sign * along > sign * (low + options.at * (high - low))

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Checks that the prose of Markdown files is made of short sentences: 90 % of them under 30 words, and none over 45.
 
-check_prose.py [--list N] FILE... prints, for each file, the number of its sentences, the share of short ones and the longest one.
-It prints the sentences that are too long, and with --list also those of N words or more. It ends with 1 if a file is beyond a limit.
-Code blocks, tables, headings, comments and pictures are left out; a piece of code within a sentence counts as one word.
+check_prose.py [--list N] FILE... prints, for each file, the number of its sentences, the share of short ones and the
+longest one. It prints the sentences that are too long, and with --list also those of N words or more. It ends with 1 if
+a file is beyond a limit. Code blocks, tables, headings, comments and pictures are left out; a piece of code within a
+sentence counts as one word.
 """
 import argparse
 import pathlib
@@ -48,7 +49,7 @@ def paragraphs(text):
                 in_list = False
             if not gathered:
                 first = number
-            gathered.append(line[item.end():] if item else line.strip().removeprefix("> "))
+            gathered.append(line[item.end() :] if item else line.strip().removeprefix("> "))
         after_blank = blank
     yield from flush()
 
@@ -74,8 +75,12 @@ def word_count(sentence):
 
 def measure(path):
     """Rows of a sentence's words, its line and its text."""
-    return [(word_count(sentence), line, sentence)
-            for line, paragraph in paragraphs(path.read_text()) for sentence in sentences(paragraph) if word_count(sentence)]
+    return [
+        (word_count(sentence), line, sentence)
+        for line, paragraph in paragraphs(path.read_text())
+        for sentence in sentences(paragraph)
+        if word_count(sentence)
+    ]
 
 
 def main():
@@ -90,7 +95,10 @@ def main():
         longest = max((words for words, _, _ in rows), default=0)
         fails = share < LEAST_SHARE or longest > LONGEST
         failed = failed or fails
-        print(f"{path}: {len(rows)} sentences, {100 * share:.1f} % under {SHORT} words, longest {longest}{', FAILS' if fails else ''}")
+        print(
+            f"{path}: {len(rows)} sentences, {100 * share:.1f} % under {SHORT} words, longest {longest}"
+            f"{', FAILS' if fails else ''}"
+        )
         least = min(arguments.list or LONGEST + 1, SHORT if fails else LONGEST + 1)
         for words, line, sentence in rows:
             if words >= least:

@@ -1,11 +1,12 @@
 #!/usr/bin/python3
-"""Makes what would be transcription: from src/capi/options.toml and the C headers, the files below and the regions in them.
+"""Makes what would be transcription: from src/capi/options.toml and the C headers, the files below and the regions in
+them.
 
     tools/generate.py            writes what changed, and names it
     tools/generate.py --check    writes nothing, and fails if anything would change
 
-Made files say so at their head, made regions in files written by hand lie between the marks <name> and </name>. They are
-committed: whoever builds needs no generator. A new kind of output is a module in tools/generator with a function
+Made files say so at their head, made regions in files written by hand lie between the marks <name> and </name>. They
+are committed: whoever builds needs no generator. A new kind of output is a module in tools/generator with a function
 files(tree, table), which gives the contents of files by their paths.
 """
 import pathlib

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""What an installed Python package tells of itself (its .dist-info folder): for the wheel, and for `cmake --install`."""
+"""What an installed Python package tells of itself (its .dist-info folder): for the wheel, and for `cmake --install`.
+"""
 import argparse
 import base64
 import hashlib
@@ -52,13 +53,19 @@ def add_licence_to(parser):
 
 def files(options):
     """The files of the folder, but for RECORD and what the way of installing adds: {name: contents}."""
-    licences = "".join(f"Classifier: License :: OSI Approved :: {name}\n" for word, name in CLASSIFIERS.items()
-                       if word in options.licence.split())
+    licences = "".join(
+        f"Classifier: License :: OSI Approved :: {name}\n"
+        for word, name in CLASSIFIERS.items()
+        if word in options.licence.split()
+    )
     description = (SOURCE / "docs/python.md").read_text(encoding="utf-8")
-    return {"METADATA": METADATA.format(version=options.version, licence=options.licence, licences=licences,
-                                        description=description).encode(),
-            "NOTICE": options.notice.read_bytes(),
-            "LICENSE": (SOURCE / "LICENSE").read_bytes()}
+    return {
+        "METADATA": METADATA.format(
+            version=options.version, licence=options.licence, licences=licences, description=description
+        ).encode(),
+        "NOTICE": options.notice.read_bytes(),
+        "LICENSE": (SOURCE / "LICENSE").read_bytes(),
+    }
 
 
 def record(contents, version):

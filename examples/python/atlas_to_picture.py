@@ -23,7 +23,7 @@ if len(sys.argv) > 1:
     volume = cleft.read_volume(sys.argv[1], world="RAS")
 else:
     i, j, k = np.ogrid[:32, :32, :32]
-    labels = ((i - 16)**2 + (j - 16)**2 + (k - 16)**2 < 140).astype(np.uint8)  # labels[i, j, k], i along x
+    labels = ((i - 16) ** 2 + (j - 16) ** 2 + (k - 16) ** 2 < 140).astype(np.uint8)  # labels[i, j, k], i along x
     labels[(labels == 1) & (i > 16)] = 2
     volume = cleft.Volume(labels, spacing=(1, 1, 1))
 print(volume)
@@ -38,6 +38,7 @@ figure, axes = pyplot.subplots()
 drawn = axes.imshow(sizing.values[:, :, middle].T, origin="lower")  # imshow wants rows first
 figure.colorbar(drawn, label="edge length")
 figure.savefig(folder / "sizing.png")
+
 
 # %% The mesh, with a line of progress
 def progress(fraction, stage):
@@ -58,8 +59,14 @@ for row in mesh.report(volume):
 
 # %% The arrays are numpy's: the share of each label, by hand
 corners = mesh.points[mesh.tets]
-volumes = np.einsum("ij,ij->i", np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]),
-                    corners[:, 3] - corners[:, 0]) / 6
+volumes = (
+    np.einsum(
+        "ij,ij->i",
+        np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]),
+        corners[:, 3] - corners[:, 0],
+    )
+    / 6
+)
 for label in mesh.different_labels:
     print(f"  label {label}: {100 * volumes[mesh.labels == label].sum() / volumes.sum():.1f} % of the box")
 

@@ -1,7 +1,7 @@
 """The volume of the solver examples: an eighth of a ball of two materials, as three indicator functions on a grid.
 
-Label 2 is the core (radius 0.5), label 1 the shell around it (radius 1), label 0 the rest of the box. The sides of the box
-through the centre are planes of symmetry.
+Label 2 is the core (radius 0.5), label 1 the shell around it (radius 1), label 0 the rest of the box. The sides of the
+box through the centre are planes of symmetry.
 """
 import array
 import os
@@ -30,7 +30,24 @@ def write_volume(folder):
 
 def make_mesh(folder, output, size):
     """Meshes core and shell with the command; without label 0, so that the ball has a free surface."""
-    subprocess.run([
-        os.environ.get("CLEFT", "cleft"), "mesh", *write_volume(folder), "--type", "float32",
-        "--dims", *[str(VOXELS)] * 3, "--spacing", *[str(SPACING)] * 3,
-        "--size", str(size), "--strip", "0", "--quiet", "--output", output], check=True)
+    subprocess.run(
+        [
+            os.environ.get("CLEFT", "cleft"),
+            "mesh",
+            *write_volume(folder),
+            "--type",
+            "float32",
+            "--dims",
+            *[str(VOXELS)] * 3,
+            "--spacing",
+            *[str(SPACING)] * 3,
+            "--size",
+            str(size),
+            "--strip",
+            "0",
+            "--quiet",
+            "--output",
+            output,
+        ],
+        check=True,
+    )

@@ -1,7 +1,8 @@
 """CalculiX: a pressure between the two materials of a ball, against the exact solution.
 
-The mesh comes from `cleft mesh -o ball.inp`. The job takes the materials by their ELSET, the planes of symmetry by the NSET
-of the box's sides, and the load by the SURFACE of the interface: a fluid film between core and shell would press like this.
+The mesh comes from `cleft mesh -o ball.inp`. The job takes the materials by their ELSET, the planes of symmetry by the
+NSET of the box's sides, and the load by the SURFACE of the interface: a fluid film between core and shell would press
+like this.
 
     python3 calculix.py            with `cleft` and `ccx` in the PATH
 """
@@ -42,15 +43,16 @@ U
 
 
 def exact():
-    """Radial displacements of the interface and of the surface: Lame's solution, u = A r in the core, B r + C / r^2 in the
-    shell; continuous, without traction at the surface, with a jump of the traction by the pressure at the interface."""
+    """Radial displacements of the interface and of the surface: Lame's solution, u = A r in the core, B r + C / r^2 in
+    the shell; continuous, without traction at the surface, with a jump of the traction by the pressure at the
+    interface."""
     a, b = CORE_RADIUS, RADIUS
     bulk = {part: young / (1 - 2 * POISSON) for part, young in YOUNG.items()}  # three times the bulk modulus
     shear = YOUNG["shell"] / (2 * (1 + POISSON))
     # With C = bulk b^3 B / (4 shear) and A = B + C / a^3, what is left is one equation for B.
-    c = bulk["shell"] * b ** 3 / (4 * shear)
-    B = PRESSURE / (bulk["core"] * (1 + c / a ** 3) - bulk["shell"] + 4 * shear * c / a ** 3)
-    return B * a + B * c / a ** 2, B * b + B * c / b ** 2
+    c = bulk["shell"] * b**3 / (4 * shear)
+    B = PRESSURE / (bulk["core"] * (1 + c / a**3) - bulk["shell"] + 4 * shear * c / a**3)
+    return B * a + B * c / a**2, B * b + B * c / b**2
 
 
 def read_nodes(path):

@@ -20,8 +20,8 @@ def main():
         surface = re.search(r"^#\s*(\d+) = hull_1$", mesh.read_text(), re.M).group(1)
         script = pathlib.Path(__file__).with_name("heat.edp")
         output = subprocess.run(
-            ["FreeFem++-nw", "-v", "0", script, mesh, surface],
-            cwd=name, check=True, capture_output=True, text=True).stdout
+            ["FreeFem++-nw", "-v", "0", script, mesh, surface], cwd=name, check=True, capture_output=True, text=True
+        ).stdout
     print(output.strip())
     core, shell, error = (float(re.search(rf"{what}: (\S+)", output).group(1)) for what in ("core", "shell", "error"))
     # An eighth of the volumes of core and shell, and the temperature in the L2 norm.

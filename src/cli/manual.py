@@ -1,7 +1,9 @@
-"""Writes the manual pages of the command from its own help: manual.py CLEFT VERSION FOLDER makes cleft.1, cleft-mesh.1 ...
+"""Writes the manual pages of the command from its own help: manual.py CLEFT VERSION FOLDER makes cleft.1, cleft-mesh.1
+...
 
 The help is made of a line that says what the command does, the usage, paragraphs, and sections: a heading at the margin
-that ends with a colon, followed by indented lines, an item and (after two blanks or more, or on further lines) its text.
+that ends with a colon, followed by indented lines, an item and (after two blanks or more, or on further lines) its
+text.
 """
 import pathlib
 import re
@@ -50,9 +52,13 @@ def items(lines):
 def page(name, help_text, version):
     summary, usage, *lines = help_text.splitlines()
     purpose = summary[0].lower() + summary[1:].rstrip(".")
-    out = [f'.TH {name.upper()} 1 "" "Cleft {version}" "User Commands"',
-           ".SH NAME", f"{escaped(name)} \\- {escaped(purpose)}",
-           ".SH SYNOPSIS", rf"\fB{escaped(usage.removeprefix('Usage: '))}\fR"]
+    out = [
+        f'.TH {name.upper()} 1 "" "Cleft {version}" "User Commands"',
+        ".SH NAME",
+        f"{escaped(name)} \\- {escaped(purpose)}",
+        ".SH SYNOPSIS",
+        rf"\fB{escaped(usage.removeprefix('Usage: '))}\fR",
+    ]
     for heading, body in sections(lines).items():
         out.append(f'.SH "{heading.upper()}"')
         if heading in VERBATIM:

@@ -18,13 +18,23 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 
 from generator import c_header  # noqa: E402
 
-ABIDW = ["abidw", "--no-corpus-path", "--no-comp-dir-path", "--no-show-locs", "--no-elf-needed", "--type-id-style", "hash"]
+ABIDW = [
+    "abidw",
+    "--no-corpus-path",
+    "--no-comp-dir-path",
+    "--no-show-locs",
+    "--no-elf-needed",
+    "--type-id-style",
+    "hash",
+]
 
 
 def stub(header):
     """The source of a library of empty functions."""
-    bodies = [function.prototype + (" {}" if function.result == "void" else " { return 0; }")
-              for function in c_header.Header(header).functions]
+    bodies = [
+        function.prototype + (" {}" if function.result == "void" else " { return 0; }")
+        for function in c_header.Header(header).functions
+    ]
     return header + "\n" + "\n".join(bodies) + "\n"
 
 
@@ -33,9 +43,25 @@ def dump(compiler, header, include, version_script, output):
         source, library = pathlib.Path(folder, "stub.c"), pathlib.Path(folder, "stub.so")
         source.write_text(stub(header))
         # Relative to the folder, so that no path of this machine is in the description.
-        subprocess.run([compiler, "-std=c99", "-g", "-O0", "-shared", "-fPIC", "-fvisibility=hidden", f"-I{include}",
-                        f"-Wl,--version-script={version_script}", "-Wl,--undefined-version", "stub.c", "-o", library.name],
-                       cwd=folder, check=True)
+        subprocess.run(
+            [
+                compiler,
+                "-std=c99",
+                "-g",
+                "-O0",
+                "-shared",
+                "-fPIC",
+                "-fvisibility=hidden",
+                f"-I{include}",
+                f"-Wl,--version-script={version_script}",
+                "-Wl,--undefined-version",
+                "stub.c",
+                "-o",
+                library.name,
+            ],
+            cwd=folder,
+            check=True,
+        )
         text = subprocess.run([*ABIDW, library.name], cwd=folder, check=True, capture_output=True, text=True).stdout
     pathlib.Path(output).write_text(text)
 
@@ -46,12 +72,17 @@ GROWTH = "[suppress_type]\n type_kind = struct\n has_data_member_inserted_at = e
 
 def breaks(baseline, compiler, header, include, version_script):
     """What abidiff has to say of an interface; "" if programs of the baseline go on to work."""
-    with tempfile.NamedTemporaryFile(suffix=".abi") as now, tempfile.NamedTemporaryFile("w", suffix=".abignore") as growth:
+    with tempfile.NamedTemporaryFile(suffix=".abi") as now, tempfile.NamedTemporaryFile(
+        "w", suffix=".abignore"
+    ) as growth:
         dump(compiler, header, include, version_script, now.name)
         growth.write(GROWTH)
         growth.flush()
-        result = subprocess.run(["abidiff", "--no-added-syms", "--suppressions", growth.name, baseline, now.name],
-                                capture_output=True, text=True)
+        result = subprocess.run(
+            ["abidiff", "--no-added-syms", "--suppressions", growth.name, baseline, now.name],
+            capture_output=True,
+            text=True,
+        )
     return result.stdout + result.stderr if result.returncode else ""
 
 
@@ -66,14 +97,23 @@ def check_faults(baseline, compiler, header, include, version_script):
     functions = c_header.Header(header).functions
     first, last = functions[0], functions[-1].prototype
     added = header.replace(first.text, first.text + "\nCLEFT_API int cleft_added(void) CLEFT_NOEXCEPT;")
-    harmless = {"nothing": header, "an added function": added, "a comment": header + "/* */",
-                "a field at the end": changed(header, r"(\n} cleft_\w+;)", r"\n    double added;\1")}
+    harmless = {
+        "nothing": header,
+        "an added function": added,
+        "a comment": header + "/* */",
+        "a field at the end": changed(header, r"(\n} cleft_\w+;)", r"\n    double added;\1"),
+    }
     breaking = {
         "a removed function": changed(header, re.escape(first.text), ""),
         "another type of an argument": changed(header, r"\bint64_t (\w+)(,\s[^;]*\) CLEFT_NOEXCEPT)", r"int32_t \1\2"),
         "another result": changed(header, re.escape(last), "double " + re.search(r"cleft_\w+\(.*", last, re.S).group()),
-        "an added argument": changed(header, re.escape(last), last[:-1].replace("(void", "(") + ", int added)"
-                                     if "(void" not in last else last.replace("(void)", "(int added)")),
+        "an added argument": changed(
+            header,
+            re.escape(last),
+            last[:-1].replace("(void", "(") + ", int added)"
+            if "(void" not in last
+            else last.replace("(void)", "(int added)"),
+        ),
         "a field that moved": changed(header, r"(uint32_t struct_size;)", r"\1 double moved;"),
     }
     for what, text in harmless.items():

@@ -1,4 +1,5 @@
-"""Does a shared library show the reviewed functions, and nothing else? check_exports.py LIBRARY VERSION_SCRIPT HEADER NEEDED...
+"""Does a shared library show the reviewed functions, and nothing else? check_exports.py LIBRARY VERSION_SCRIPT HEADER
+NEEDED...
 
 The version script is the reviewed list. It, the prototypes of the header and the symbols of the library must name the
 same functions; a function that the header has since 0.1 must be in the node ..._0.1. If NEEDED (names without version)
@@ -45,8 +46,11 @@ def main():
     reviewed, prototypes, symbols = listed(script), declared(header), exported(library)
     faults = []
     if symbols != reviewed:
-        faults += [f"{name}: {reviewed.get(name, 'not')} in the version script, {symbols.get(name, 'not')} in the library"
-                   for name in sorted(set(symbols) | set(reviewed)) if symbols.get(name) != reviewed.get(name)]
+        faults += [
+            f"{name}: {reviewed.get(name, 'not')} in the version script, {symbols.get(name, 'not')} in the library"
+            for name in sorted(set(symbols) | set(reviewed))
+            if symbols.get(name) != reviewed.get(name)
+        ]
     for name in sorted(set(prototypes) ^ set(reviewed)):
         faults.append(f"{name} is in {'the version script' if name in reviewed else 'the header'} alone")
     for name in sorted(set(prototypes) & set(reviewed)):

@@ -1,5 +1,5 @@
-"""No two headers may define a class of the same name: where they are not inlined, the linker takes the functions of the one for
-those of the other, and says nothing.
+"""No two headers may define a class of the same name: where they are not inlined, the linker takes the functions of the
+one for those of the other, and says nothing.
 
 check_names.py FOLDER
 """

@@ -25,13 +25,19 @@ def declared():
 
 def fields():
     """{struct: its fields}, but for those that the lowest level fills in."""
-    return {struct.name: {field.name for field in struct.fields} - {"struct_size", "reserved"}
-            for header in HEADERS for struct in header.structs}
+    return {
+        struct.name: {field.name for field in struct.fields} - {"struct_size", "reserved"}
+        for header in HEADERS
+        for struct in header.structs
+    }
 
 
 # Where a class or a function begins in the sources of a language, to look for fields there alone.
-BEGINNINGS = {"python": r"^(?=@|class |def )", "java": r"^(?=package )",
-              "csharp": r"^(?=    (?:public |internal )?(?:sealed |static |partial )*class )"}
+BEGINNINGS = {
+    "python": r"^(?=@|class |def )",
+    "java": r"^(?=package )",
+    "csharp": r"^(?=    (?:public |internal )?(?:sealed |static |partial )*class )",
+}
 
 
 def sources(language):
@@ -41,7 +47,9 @@ def sources(language):
 
 
 def words_about(struct, language):
-    """The words of the classes and functions that use a struct, or are called as it; getters and setters by the field's name."""
+    """The words of the classes and functions that use a struct, or are called as it; getters and setters by the field's
+    name.
+    """
     name = "".join(part.capitalize() for part in re.sub(r"^cleft_(io_)?", "", struct).split("_"))
     parts = re.split(BEGINNINGS[language], sources(language), flags=re.MULTILINE)
     about = "".join(part for part in parts if re.search(rf"\bNative{name}\b|\bclass {name}\b", part))
@@ -77,7 +85,9 @@ class Reach(unittest.TestCase):
             with self.subTest(language):
                 self.assertEqual(declared() - reached - set(reasons), set(), "not reachable")
                 self.assertEqual(set(reasons) & reached, set(), "reachable, but excused in unreached.txt")
-                self.assertLessEqual({name for name in reasons if "." not in name}, declared(), "excused, but no function")
+                self.assertLessEqual(
+                    {name for name in reasons if "." not in name}, declared(), "excused, but no function"
+                )
 
     def test_every_field(self):
         structs = fields()

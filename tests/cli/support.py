@@ -24,9 +24,11 @@ def write_nrrd(path, dims, labels, kind="uint8", spacing=(1, 1, 1), origin=(0, 0
     """Writes a volume, x fastest, as an uncompressed NRRD."""
     code = {"uint8": "B", "int16": "h", "int32": "i", "float": "f"}[kind]
     directions = " ".join("(%s)" % ",".join(str(spacing[a] if a == b else 0) for b in range(3)) for a in range(3))
-    header = ("NRRD0004\ntype: %s\ndimension: 3\nspace: left-posterior-superior\nsizes: %s\n"
-              "space directions: %s\nkinds: domain domain domain\nendian: little\nencoding: raw\n"
-              "space origin: (%s)\n\n" % (kind, " ".join(map(str, dims)), directions, ",".join(map(str, origin))))
+    header = (
+        "NRRD0004\ntype: %s\ndimension: 3\nspace: left-posterior-superior\nsizes: %s\n"
+        "space directions: %s\nkinds: domain domain domain\nendian: little\nencoding: raw\n"
+        "space origin: (%s)\n\n" % (kind, " ".join(map(str, dims)), directions, ",".join(map(str, origin)))
+    )
     with open(path, "wb") as file:
         file.write(header.encode())
         file.write(array.array(code, labels).tobytes())
@@ -34,10 +36,13 @@ def write_nrrd(path, dims, labels, kind="uint8", spacing=(1, 1, 1), origin=(0, 0
 
 def balls(n=16):
     """Two touching balls of labels 3 and 7 in label 0."""
+
     def label(x, y, z):
         def inside(cx):
             return (x - cx) ** 2 + (y - n / 2) ** 2 + (z - n / 2) ** 2 < (0.22 * n) ** 2
+
         return 3 if inside(0.28 * n) else 7 if inside(0.72 * n) else 0
+
     return [label(x + 0.5, y + 0.5, z + 0.5) for z in range(n) for y in range(n) for x in range(n)]
 
 

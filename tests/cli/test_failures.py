@@ -22,7 +22,7 @@ class Failures(CommandTest):
 
     def test_inputs_on_different_grids(self):
         for name, n in (("a.nrrd", 4), ("b.nrrd", 5)):
-            write_nrrd(self.path(name), (n, n, n), [0.5] * n ** 3, "float")
+            write_nrrd(self.path(name), (n, n, n), [0.5] * n**3, "float")
         done = cleft("mesh", self.path("a.nrrd"), self.path("b.nrrd"), "-o", self.path("out.vtu"))
         self.assert_fails(CANNOT_READ, done)
 
@@ -52,10 +52,22 @@ class Failures(CommandTest):
     def test_out_of_memory(self):
         def little_memory():
             resource.setrlimit(resource.RLIMIT_AS, (600_000_000, 600_000_000))
+
         with open(self.path("large.raw"), "wb") as file:
-            file.truncate(1000 ** 3)
-        done = cleft("mesh", self.path("large.raw"), "--dims", 1000, 1000, 1000, "-o", self.path("out.vtu"),
-                     "--threads", 1, preexec_fn=little_memory)
+            file.truncate(1000**3)
+        done = cleft(
+            "mesh",
+            self.path("large.raw"),
+            "--dims",
+            1000,
+            1000,
+            1000,
+            "-o",
+            self.path("out.vtu"),
+            "--threads",
+            1,
+            preexec_fn=little_memory,
+        )
         self.assert_fails(OUT_OF_MEMORY, done, "memory")
         self.assertFalse(self.path("out.vtu").exists())
 

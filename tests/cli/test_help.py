@@ -19,9 +19,33 @@ class Help(CommandTest):
 
     def test_mesh_tells_the_table_of_options_with_ranges_and_defaults(self):
         help_text = self.run_ok("mesh", "--help").stdout
-        for option in ("background", "size", "size-min", "size-max", "feature-scale", "gradation", "interface-size",
-                       "label-size", "tets", "smooth", "snap", "improve", "seed", "strict", "strip", "only", "threads",
-                       "json", "quiet", "sizing", "world", "dims", "type", "spacing", "estimate"):
+        for option in (
+            "background",
+            "size",
+            "size-min",
+            "size-max",
+            "feature-scale",
+            "gradation",
+            "interface-size",
+            "label-size",
+            "tets",
+            "smooth",
+            "snap",
+            "improve",
+            "seed",
+            "strict",
+            "strip",
+            "only",
+            "threads",
+            "json",
+            "quiet",
+            "sizing",
+            "world",
+            "dims",
+            "type",
+            "spacing",
+            "estimate",
+        ):
             self.assertIn("--" + option, help_text)
         self.assertIn("default 0.3", help_text)
         self.assertIn(".vtu", help_text)
@@ -36,9 +60,13 @@ class Help(CommandTest):
         self.assertEqual(sizes[:2], ["--size", "--size-min"])
         self.assertIn("--max-tets", sizes)
         self.assertNotIn("--max-tets", self.options_of("mesh", "Meshing"))
-        self.assertEqual(self.options_of("sizing", "Sizes"), [name for name in sizes if name not in ("--sizing", "--combine")])
-        self.assertEqual(self.options_of("sizing", "Meshing"),
-                         ["--background", "--smooth", "--snap", "--improve", "--steps", "--seed"])
+        self.assertEqual(
+            self.options_of("sizing", "Sizes"), [name for name in sizes if name not in ("--sizing", "--combine")]
+        )
+        self.assertEqual(
+            self.options_of("sizing", "Meshing"),
+            ["--background", "--smooth", "--snap", "--improve", "--steps", "--seed"],
+        )
 
     def test_lines_fit_a_wide_terminal(self):
         for command in ((), ("mesh",), ("info",), ("check",), ("convert",), ("sizing",)):

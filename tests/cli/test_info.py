@@ -10,7 +10,7 @@ class Info(CommandTest):
         report = json.loads(self.run_ok("info", DATA / "mickey.nrrd", "--json", "-").stdout)
         self.assertEqual(report["volume"]["dims"], [63, 63, 63])
         self.assertEqual(len(report["volume"]["labels"]), 5)
-        self.assertEqual(sum(row["voxels"] for row in report["volume"]["labels"]), 63 ** 3)
+        self.assertEqual(sum(row["voxels"] for row in report["volume"]["labels"]), 63**3)
 
     def test_volume_as_text(self):
         text = self.run_ok("info", self.volume).stdout

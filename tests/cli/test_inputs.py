@@ -8,8 +8,9 @@ from support import CANNOT_READ, DATA, USAGE, CommandTest, balls, cleft, write_n
 class Inputs(CommandTest):
     def test_raw_voxels(self):
         self.path("balls.raw").write_bytes(b"header" + bytes(balls()))
-        raw = self.mesh(self.path("balls.raw"), "--dims", 16, 16, 16, "--type", "uint8", "--skip", 6,
-                        "--spacing", 0.5, 0.5, 2)
+        raw = self.mesh(
+            self.path("balls.raw"), "--dims", 16, 16, 16, "--type", "uint8", "--skip", 6, "--spacing", 0.5, 0.5, 2
+        )
         self.assertEqual(raw["volume"]["dims"], [16, 16, 16])
         self.assertEqual(raw["volume"]["spacing"], [0.5, 0.5, 2])
         self.assertEqual([row["label"] for row in raw["labels"]], [0, 3, 7])
@@ -27,8 +28,12 @@ class Inputs(CommandTest):
 
     def test_one_float_input_is_a_signed_function(self):
         n = 16
-        values = [5.0 - ((x - 7.5) ** 2 + (y - 7.5) ** 2 + (z - 7.5) ** 2) ** 0.5
-                  for z in range(n) for y in range(n) for x in range(n)]
+        values = [
+            5.0 - ((x - 7.5) ** 2 + (y - 7.5) ** 2 + (z - 7.5) ** 2) ** 0.5
+            for z in range(n)
+            for y in range(n)
+            for x in range(n)
+        ]
         write_nrrd(self.path("ball.nrrd"), (n, n, n), values, "float")
         report = self.mesh(self.path("ball.nrrd"), "--size", 1)
         inside = [row for row in report["mesh"]["labels"] if row["label"] == 1][0]
@@ -36,7 +41,7 @@ class Inputs(CommandTest):
 
     def test_spacing_replaces_that_of_the_file(self):
         report = self.mesh(self.volume, "--spacing", "2,2,2")
-        self.assertAlmostEqual(report["quality"]["total_volume"], 32 ** 3, places=6)
+        self.assertAlmostEqual(report["quality"]["total_volume"], 32**3, places=6)
 
     def test_scale_takes_spacing_and_origin(self):
         write_nrrd(self.path("mm.nrrd"), (16, 16, 16), balls(), spacing=(1, 2, 1), origin=(40, -30, 20))

@@ -13,9 +13,23 @@ class Interrupt(CommandTest):
         """Starts a run of minutes with its stderr on a terminal, and waits until the progress bar has moved."""
         terminal, stderr = pty.openpty()
         self.addCleanup(os.close, terminal)
-        run = subprocess.Popen([CLEFT, "mesh", DATA / "mickey.nrrd", "-o", self.path("out.vtu"), "--json",
-                                self.path("r.json"), "--tets", "20000000", "--threads", "1"],
-                               stdout=subprocess.PIPE, stderr=stderr)
+        run = subprocess.Popen(
+            [
+                CLEFT,
+                "mesh",
+                DATA / "mickey.nrrd",
+                "-o",
+                self.path("out.vtu"),
+                "--json",
+                self.path("r.json"),
+                "--tets",
+                "20000000",
+                "--threads",
+                "1",
+            ],
+            stdout=subprocess.PIPE,
+            stderr=stderr,
+        )
         self.addCleanup(run.stdout.close)
         self.addCleanup(run.kill)
         os.close(stderr)

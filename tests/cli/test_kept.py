@@ -9,10 +9,12 @@ BACKGROUNDS = ("particles", "lattice", "octree")
 
 
 def socket(n=24):
-    """A ball 1 in a socket 2, a gap of a voxel between them that opens to the outside, 0; they touch at corners alone."""
+    """A ball 1 in a socket 2, between them a gap of a voxel that opens to the outside, 0; they touch at corners."""
+
     def label(x, y, z):
         square = (x - n / 2) ** 2 + (y - n / 2) ** 2 + (z - n / 2) ** 2
-        return 1 if square < 6.2 ** 2 else 2 if 7.4 ** 2 < square < 10.5 ** 2 and z - n / 2 < 2 else 0
+        return 1 if square < 6.2**2 else 2 if 7.4**2 < square < 10.5**2 and z - n / 2 < 2 else 0
+
     return [label(x + 0.5, y + 0.5, z + 0.5) for z in range(n) for y in range(n) for x in range(n)]
 
 
@@ -65,6 +67,7 @@ class Counted(CommandTest):
         def estimate(*arguments):
             self.run_ok("mesh", self.volume, "--estimate", "--quiet", "--json", self.path("e.json"), *arguments)
             return json.loads(self.path("e.json").read_text())["estimate"]
+
         whole, parts = estimate(), [estimate(option, 0) for option in ("--strip", "--only")]
         self.assertAlmostEqual(parts[0]["tets"] + parts[1]["tets"], whole["tets"], delta=1e-6 * whole["tets"])
         for part in parts:
@@ -86,8 +89,9 @@ class Contacts(CommandTest):
         write_nrrd(self.path("socket.nrrd"), (24, 24, 24), socket())
 
     def report_of(self, *arguments):
-        done = self.run_ok("mesh", self.path("socket.nrrd"), "-o", self.path("s.vtu"), "--json", self.path("s.json"),
-                           *arguments)
+        done = self.run_ok(
+            "mesh", self.path("socket.nrrd"), "-o", self.path("s.vtu"), "--json", self.path("s.json"), *arguments
+        )
         return json.loads(self.path("s.json").read_text()), done.stderr
 
     def test_are_told_and_with_strict_refused(self):
@@ -100,8 +104,9 @@ class Contacts(CommandTest):
         self.assertIn(warning, told)
         quiet, told = self.report_of("--size", 3.5, "--quiet")
         self.assertEqual((quiet["warnings"], told), (report["warnings"], ""))
-        done = cleft("mesh", self.path("socket.nrrd"), "--size", 3.5, "--strict", "--strip", 0, "-o",
-                     self.path("strict.vtu"))
+        done = cleft(
+            "mesh", self.path("socket.nrrd"), "--size", 3.5, "--strict", "--strip", 0, "-o", self.path("strict.vtu")
+        )
         self.assert_fails(LABEL_LOST, done, "label 1 and label 2 share")
         self.assertFalse(self.path("strict.vtu").exists())
 
@@ -118,7 +123,7 @@ class Contacts(CommandTest):
 class Told(CommandTest):
     def test_volumes_that_differ(self):
         """Two sheets of a voxel among large tetrahedra: one sentence, on standard error and in the report."""
-        values = [1 if v // 576 == 7 else 2 if v // 576 == 16 else 0 for v in range(24 ** 3)]
+        values = [1 if v // 576 == 7 else 2 if v // 576 == 16 else 0 for v in range(24**3)]
         write_nrrd(self.path("sheets.nrrd"), (24, 24, 24), values)
         arguments = ["mesh", self.path("sheets.nrrd"), "--size", 6, "-o", self.path("o.vtu"), "--json"]
         done = self.run_ok(*arguments, self.path("r.json"))

@@ -41,7 +41,7 @@ class Labels(CommandTest):
         self.assertEqual(labels_of(self.mesh(self.path("wide.nrrd"), "--strip", "-30000")), [12, 30000])
 
     def make_speck(self):
-        values = [0] * 24 ** 3
+        values = [0] * 24**3
         values[12 * 24 * 24 + 12 * 24 + 12] = 5
         write_nrrd(self.path("speck.nrrd"), (24, 24, 24), values)
         return self.path("speck.nrrd")

@@ -1,4 +1,5 @@
-"""What the voxels mean: labels, masks or functions. What is not certain is refused or told, never guessed in silence."""
+"""What the voxels mean: labels, masks or functions. What is not certain is refused or told, never guessed in silence.
+"""
 import json
 import math
 import unittest
@@ -42,17 +43,17 @@ class Masks(MeaningTest):
         self.left = self.write("left.nrrd", LEFT, "uint8")
         self.right = self.write("right.nrrd", [255 * v for v in RIGHT], "uint8")
         self.outside = self.write("outside.nrrd", OUTSIDE)
-        self.empty = self.write("empty.nrrd", [0] * N ** 3, "uint8")
+        self.empty = self.write("empty.nrrd", [0] * N**3, "uint8")
 
     def test_masks_that_fill_the_volume_are_labels_in_their_order(self):
         labels, warnings = self.info(self.outside, self.left, self.right)
-        self.assertEqual(labels, {0: N ** 3 - 2 * HALF, 1: HALF, 2: HALF})
+        self.assertEqual(labels, {0: N**3 - 2 * HALF, 1: HALF, 2: HALF})
         self.assertEqual(warnings, [])
 
     def test_voxels_of_nobody_get_a_label_of_their_own(self):
         labels, warnings = self.info(self.left, self.right)
-        self.assertEqual(labels, {0: HALF, 1: HALF, 2: N ** 3 - 2 * HALF})
-        self.assert_told(warnings, "%s voxels" % format(N ** 3 - 2 * HALF, ","), "in no mask", "label 2")
+        self.assertEqual(labels, {0: HALF, 1: HALF, 2: N**3 - 2 * HALF})
+        self.assert_told(warnings, "%s voxels" % format(N**3 - 2 * HALF, ","), "in no mask", "label 2")
 
     def test_the_mesh_of_masks_is_that_of_the_label_map(self):
         label_map = self.write("map.nrrd", [2 if v == 0 else v - 1 for v in LABELS], "uint8")
@@ -65,7 +66,7 @@ class Masks(MeaningTest):
 
     def test_an_empty_mask_is_told_and_has_no_label(self):
         labels, warnings = self.info(self.left, self.empty, self.right, self.outside)
-        self.assertEqual(labels, {0: HALF, 2: HALF, 3: N ** 3 - 2 * HALF})
+        self.assertEqual(labels, {0: HALF, 2: HALF, 3: N**3 - 2 * HALF})
         self.assert_told(warnings, "empty.nrrd", "no voxel", "no label 1")
         self.assert_refused(self.empty, self.empty, words=["no mask holds a voxel"])
 
@@ -73,7 +74,7 @@ class Masks(MeaningTest):
         core = self.write("core.nrrd", [int(r < 3) for r in RADII], "int16")
         inner = sum(r < 3 for r in RADII)
         labels, warnings = self.info(core, self.left, self.right, self.outside)
-        self.assertEqual(labels, {0: inner, 1: HALF - inner // 2, 2: HALF - inner // 2, 3: N ** 3 - 2 * HALF})
+        self.assertEqual(labels, {0: inner, 1: HALF - inner // 2, 2: HALF - inner // 2, 3: N**3 - 2 * HALF})
         self.assertEqual(len(warnings), 2)
         for warning, name in zip(sorted(warnings), ("left", "right")):
             for word in ("%d voxels" % (inner // 2), "core.nrrd", name, "the first takes"):
@@ -83,16 +84,16 @@ class Masks(MeaningTest):
         self.assertTrue(any("no label 2" in told and "core.nrrd" in told for told in warnings), warnings)
 
     def test_a_mask_of_everything_behind_the_others_is_the_outside(self):
-        full = self.write("full.nrrd", [1] * N ** 3, "uint8")
+        full = self.write("full.nrrd", [1] * N**3, "uint8")
         labels, warnings = self.info(self.left, self.right, full)
-        self.assertEqual(labels, {0: HALF, 1: HALF, 2: N ** 3 - 2 * HALF})
+        self.assertEqual(labels, {0: HALF, 1: HALF, 2: N**3 - 2 * HALF})
         self.assertEqual(len(warnings), 2)
 
     def test_frames_of_one_file_are_masks_too(self):
         header = ("NRRD0004\ntype: uint8\ndimension: 4\nsizes: %d %d %d 2\nencoding: raw\n\n" % (N, N, N)).encode()
         self.path("four.nrrd").write_bytes(header + bytes(LEFT) + bytes(RIGHT))
         labels, warnings = self.info(self.path("four.nrrd"))
-        self.assertEqual(labels, {0: HALF, 1: HALF, 2: N ** 3 - 2 * HALF})
+        self.assertEqual(labels, {0: HALF, 1: HALF, 2: N**3 - 2 * HALF})
         self.assert_told(warnings, "in no mask")
 
     def test_raw_masks(self):
@@ -100,14 +101,14 @@ class Masks(MeaningTest):
             self.path(name).write_bytes(bytes(values))
         raw = ("--dims", N, N, N)
         labels, _ = self.info(self.path("a.raw"), self.path("b.raw"), *raw)
-        self.assertEqual(labels, {0: HALF, 1: HALF, 2: N ** 3 - 2 * HALF})
+        self.assertEqual(labels, {0: HALF, 1: HALF, 2: N**3 - 2 * HALF})
 
     def test_one_file_of_0_and_255_is_a_label_map(self):
-        self.assertEqual(self.info(self.right), ({0: N ** 3 - HALF, 255: HALF}, []))
+        self.assertEqual(self.info(self.right), ({0: N**3 - HALF, 255: HALF}, []))
 
 
 class Labels(MeaningTest):
-    COUNTS = {0: N ** 3 - 2 * HALF, 1: HALF, 2: HALF}
+    COUNTS = {0: N**3 - 2 * HALF, 1: HALF, 2: HALF}
 
     def test_labels_that_are_not_quite_whole_are_rounded_and_told(self):
         file = self.write("near.nrrd", [0.988 if v == 1 else v for v in LABELS])
@@ -115,7 +116,7 @@ class Labels(MeaningTest):
         self.assertEqual(labels, self.COUNTS)
         self.assert_told(warnings, "near.nrrd", "%d voxels" % HALF, "0.012")
         file = self.write("large.nrrd", [7014.9999 if v == 1 else v for v in LABELS])
-        self.assertEqual(self.info(file)[0], {0: N ** 3 - 2 * HALF, 2: HALF, 7015: HALF})
+        self.assertEqual(self.info(file)[0], {0: N**3 - 2 * HALF, 2: HALF, 7015: HALF})
 
     def test_whole_floats_with_negatives_are_labels(self):
         file = self.write("negative.nrrd", [v - 1 for v in LABELS])
@@ -125,7 +126,7 @@ class Labels(MeaningTest):
         for factor, shift in ((0.1, 0), (0.3, -0.3)):
             file = self.write("fractions.nrrd", [factor * v + shift for v in LABELS])
             self.assert_refused(file, words=["fractions.nrrd", "--as indicators", "--as labels"])
-        self.assertEqual(self.info(file, "--as", "indicators")[0], {0: N ** 3 - HALF, 1: HALF})
+        self.assertEqual(self.info(file, "--as", "indicators")[0], {0: N**3 - HALF, 1: HALF})
         labels, warnings = self.info(self.write("half.nrrd", [0.8 * v for v in LABELS]), "--as", "labels")
         self.assertEqual(labels, self.COUNTS)
         self.assert_told(warnings, "%s voxels" % format(2 * HALF, ","), "0.4", "rounded")
@@ -139,29 +140,36 @@ class Labels(MeaningTest):
             swinging = [factor * v + shift + 0.09 * math.sin(1.7 * i) - 5 * (i == 0) for i, v in enumerate(LABELS)]
             self.assert_refused(self.write("spline.nrrd", swinging), words=["interpolated", "--as labels"])
         labels, _ = self.info(self.path("spline.nrrd"), "--as", "labels")
-        self.assertEqual({v: n for v, n in labels.items() if n > 1}, {4: N ** 3 - 2 * HALF - 1, 7: HALF, 10: HALF})
+        self.assertEqual({v: n for v, n in labels.items() if n > 1}, {4: N**3 - 2 * HALF - 1, 7: HALF, 10: HALF})
 
     def test_small_pieces_with_a_negative_label_are_labels(self):
-        pieces = [(-1, 1, 3, 5, 7)[(37 * (i // 2 % 10) + 11 * (i // 40 % 10) + 17 * (i // 800)) % 23 % 5]
-                  for i in range(N ** 3)]
+        pieces = [
+            (-1, 1, 3, 5, 7)[(37 * (i // 2 % 10) + 11 * (i // 40 % 10) + 17 * (i // 800)) % 23 % 5]
+            for i in range(N**3)
+        ]
         for values in (pieces, [min(v, 3) for v in pieces]):
             counts = {v: values.count(v) for v in set(values)}
             self.assertEqual(self.info(self.write("pieces.nrrd", values, "int16")), (counts, []))
 
     def test_constants(self):
-        self.assertEqual(self.info(self.write("five.nrrd", [5] * N ** 3))[0], {5: N ** 3})
-        self.assertEqual(self.info(self.write("zero.nrrd", [0] * N ** 3, "uint8"))[0], {0: N ** 3})
-        self.assert_refused(self.write("half.nrrd", [0.5] * N ** 3), words=["fractions"])
+        self.assertEqual(self.info(self.write("five.nrrd", [5] * N**3))[0], {5: N**3})
+        self.assertEqual(self.info(self.write("zero.nrrd", [0] * N**3, "uint8"))[0], {0: N**3})
+        self.assert_refused(self.write("half.nrrd", [0.5] * N**3), words=["fractions"])
 
     def test_a_voxel_that_is_no_number_is_named(self):
         for value, word in ((float("nan"), "NaN"), (float("inf"), "infinite")):
             values = [float(v) for v in LABELS]
             values[1 + N * (2 + N * 3)] = value
             for kind in ("auto", "labels", "indicators"):
-                self.assert_refused(self.write("bad.nrrd", values), "--as", kind, words=["bad.nrrd", "2nd along x, the 3rd along y and the 4th along z", word])
+                self.assert_refused(
+                    self.write("bad.nrrd", values),
+                    "--as",
+                    kind,
+                    words=["bad.nrrd", "2nd along x, the 3rd along y and the 4th along z", word],
+                )
 
     def test_what_looks_like_an_image_is_told_or_refused(self):
-        grey = [(7919 * i * i) % 251 for i in range(N ** 3)]
+        grey = [(7919 * i * i) % 251 for i in range(N**3)]
         self.assert_told(self.info(self.write("grey.nrrd", grey, "uint8"))[1], "grey.nrrd", "126 different", "image")
         self.assert_refused(self.write("ct.nrrd", [10 * v - 1000 for v in grey], "int16"), words=["--as labels"])
         distances = self.write("distances.nrrd", [round(2 * (6 - r)) for r in RADII], "int16")
@@ -171,13 +179,15 @@ class Labels(MeaningTest):
 
     def test_labels_beyond_32_bits_are_to_be_renumbered(self):
         header = "NRRD0004\ntype: %s\ndimension: 3\nsizes: 2 2 2\nendian: little\nencoding: raw\n\n"
-        for kind, value in (("int64", 2 ** 33), ("int64", -2 ** 40), ("uint32", 2 ** 31), ("uint64", 2 ** 63)):
+        for kind, value in (("int64", 2**33), ("int64", -(2**40)), ("uint32", 2**31), ("uint64", 2**63)):
             size = 4 if kind == "uint32" else 8
             voxel = value.to_bytes(size, "little", signed=value < 0)
             self.path("big.nrrd").write_bytes((header % kind).encode() + bytes(7 * size) + voxel)
             self.assert_refused(self.path("big.nrrd"), words=["32 bits", "renumber", "numpy.unique"])
-        self.path("fits.nrrd").write_bytes((header % "int64").encode() + bytes(56) + (2 ** 31 - 1).to_bytes(8, "little"))
-        self.assertEqual(self.info(self.path("fits.nrrd"))[0], {0: 7, 2 ** 31 - 1: 1})
+        self.path("fits.nrrd").write_bytes(
+            (header % "int64").encode() + bytes(56) + (2**31 - 1).to_bytes(8, "little")
+        )
+        self.assertEqual(self.info(self.path("fits.nrrd"))[0], {0: 7, 2**31 - 1: 1})
 
 
 class Functions(MeaningTest):
@@ -186,13 +196,13 @@ class Functions(MeaningTest):
         for scale in (1, 1e-3, 1e3):
             for most in (100, 4):
                 cut = [scale * max(-most, min(most, 6 - r)) for r in RADII]
-                self.assertEqual(self.info(self.write("distance.nrrd", cut)), ({0: N ** 3 - inside, 1: inside}, []))
+                self.assertEqual(self.info(self.write("distance.nrrd", cut)), ({0: N**3 - inside, 1: inside}, []))
 
     def test_a_probability_alone_is_refused(self):
         file = self.write("probability.nrrd", [1 / (1 + r) for r in RADII])
         self.assert_refused(file, words=["probability.nrrd", "above 0", "--as indicators"])
         labels, warnings = self.info(file, "--as", "indicators")
-        self.assertEqual(labels, {0: 0, 1: N ** 3})
+        self.assertEqual(labels, {0: 0, 1: N**3})
         self.assert_told(warnings, "above 0 everywhere")
 
     def test_voxels_that_are_equal_in_all_functions_are_told(self):
@@ -201,8 +211,8 @@ class Functions(MeaningTest):
         ties = sum(a == b for a, b in zip(soft, other))
         files = self.write("a.nrrd", soft), self.write("b.nrrd", other)
         _, warnings = self.info(*files)
-        self.assert_told(warnings, "%d of %d voxels" % (ties, N ** 3), "background")
-        background = self.write("c.nrrd", [0.01] * N ** 3)
+        self.assert_told(warnings, "%d of %d voxels" % (ties, N**3), "background")
+        background = self.write("c.nrrd", [0.01] * N**3)
         labels, warnings = self.info(*files, background)
         self.assertEqual(set(labels), {0, 1, 2})
         self.assertEqual(warnings, [])
@@ -210,10 +220,10 @@ class Functions(MeaningTest):
     def test_label_maps_among_several_files_are_refused(self):
         files = self.write("a.nrrd", LABELS, "uint8"), self.write("b.nrrd", LEFT, "uint8")
         self.assert_refused(*files, words=["a.nrrd", "0 to 2", "--as indicators"])
-        self.assertEqual(sum(self.info(*files, "--as", "indicators")[0].values()), N ** 3)
+        self.assertEqual(sum(self.info(*files, "--as", "indicators")[0].values()), N**3)
 
     def test_frames_of_a_label_map_are_refused(self):
-        header = ("NRRD0004\ntype: uint8\ndimension: 4\nsizes: %d %d %d %d\nencoding: raw\n\n")
+        header = "NRRD0004\ntype: uint8\ndimension: 4\nsizes: %d %d %d %d\nencoding: raw\n\n"
         self.path("four.nrrd").write_bytes((header % (N, N, N, 2)).encode() + 2 * bytes(LABELS))
         self.assert_refused(self.path("four.nrrd"), words=["the 1st frame of", "four.nrrd", "labels", "one frame"])
         self.assert_refused(self.path("four.nrrd"), "--as", "labels", words=["one frame"])
@@ -224,14 +234,15 @@ class Functions(MeaningTest):
         self.path("a.raw").write_bytes(bytes(LABELS))
         raw = (self.path("a.raw"), "--dims", N, N, N)
         self.assertEqual(self.info(*raw)[0], Labels.COUNTS)
-        self.assertEqual(self.info(*raw, "--as", "indicators")[0], {0: N ** 3 - 2 * HALF, 1: 2 * HALF})
+        self.assertEqual(self.info(*raw, "--as", "indicators")[0], {0: N**3 - 2 * HALF, 1: 2 * HALF})
 
 
 class Spacing(MeaningTest):
     def test_an_origin_that_stays_is_told(self):
         write_nrrd(self.path("mm.nrrd"), (N, N, N), LABELS, origin=(40, -30, 20))
-        self.assert_told(self.info(self.path("mm.nrrd"), "--spacing", "0.001,0.001,0.001")[1], "origin (40, -30, 20)",
-                         "--scale")
+        self.assert_told(
+            self.info(self.path("mm.nrrd"), "--spacing", "0.001,0.001,0.001")[1], "origin (40, -30, 20)", "--scale"
+        )
         self.assertEqual(self.info(self.path("mm.nrrd"), "--spacing", "1,1,1")[1], [])
         self.assertEqual(self.info(self.path("mm.nrrd"), "--scale", "0.001", "--spacing", "0.002,0.001,0.001")[1], [])
         self.assert_told(self.info(self.path("mm.nrrd"), "--scale", "0.001", "--spacing", "1,1,1")[1], "0.001", "1000")

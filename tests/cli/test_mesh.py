@@ -26,14 +26,15 @@ class Mesh(CommandTest):
     def test_report_figures_agree_with_each_other(self):
         report = self.mesh(self.volume)
         quality, labels = report["quality"], report["labels"]
-        self.assertEqual(quality["tet_count"] if "tet_count" in quality else report["mesh"]["tets"],
-                         report["mesh"]["tets"])
+        self.assertEqual(
+            quality["tet_count"] if "tet_count" in quality else report["mesh"]["tets"], report["mesh"]["tets"]
+        )
         self.assertEqual(sum(quality["dihedral_histogram"]), 6 * report["mesh"]["tets"])
         self.assertEqual(sum(row["tets"] for row in labels), report["mesh"]["tets"])
         self.assertEqual([row["label"] for row in labels], [0, 3, 7])
-        self.assertEqual(sum(row["voxels"] for row in labels), 16 ** 3)
-        self.assertAlmostEqual(sum(row["mesh_volume"] for row in labels), 16 ** 3, places=6)
-        self.assertAlmostEqual(quality["total_volume"], 16 ** 3, places=6)
+        self.assertEqual(sum(row["voxels"] for row in labels), 16**3)
+        self.assertAlmostEqual(sum(row["mesh_volume"] for row in labels), 16**3, places=6)
+        self.assertAlmostEqual(quality["total_volume"], 16**3, places=6)
         self.assertGreater(quality["min_dihedral"], 0)
 
     def test_every_stage_is_measured(self):
@@ -93,6 +94,7 @@ class Mesh(CommandTest):
         def told(volume, *arguments):
             report = self.mesh(volume, *arguments)
             return report, [warning for warning in report["warnings"] if "lattice" in warning]
+
         mickey = DATA / "mickey.nrrd"
         report, sentences = told(mickey, "--background", "lattice", "--tets", 9000)
         self.assertEqual(len(sentences), 1)
@@ -117,14 +119,14 @@ class Mesh(CommandTest):
         self.mesh(self.volume, "--size", 2, output="background.vtu")
         report = self.mesh(self.volume, "--background", self.path("background.vtu"))
         self.assertEqual(report["options"]["background"], str(self.path("background.vtu")))
-        self.assertAlmostEqual(report["quality"]["total_volume"], 16 ** 3, places=6)
+        self.assertAlmostEqual(report["quality"]["total_volume"], 16**3, places=6)
 
     def test_estimate_writes_no_mesh(self):
         report = json.loads(self.run_ok("mesh", self.volume, "--estimate", "--json", "-").stdout)
         tets = self.mesh(self.volume)["mesh"]["tets"]
         self.assertGreater(report["estimate"]["tets"], tets / 4)
         self.assertLess(report["estimate"]["tets"], tets * 4)
-        self.assertGreater(report["estimate"]["peak_bytes"], 12 * 16 ** 3)
+        self.assertGreater(report["estimate"]["peak_bytes"], 12 * 16**3)
         self.assertIn("tetrahedra", self.run_ok("mesh", self.volume, "--estimate").stdout)
 
     def test_checked_before_it_is_written(self):

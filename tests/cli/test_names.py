@@ -16,7 +16,8 @@ class Names(CommandTest):
         self.name_in_vtu("material_3 " + NAME)
 
     def name_in_vtu(self, title):
-        field = '<FieldData>\n<DataArray type="Int32" Name=%s NumberOfTuples="1" format="ascii">3</DataArray>\n</FieldData>\n'
+        array = '<DataArray type="Int32" Name=%s NumberOfTuples="1" format="ascii">3</DataArray>'
+        field = f"<FieldData>\n{array}\n</FieldData>\n"
         plain = self.path("plain.vtu").read_bytes()
         self.path("named.vtu").write_bytes(plain.replace(b"<Piece", (field % quoteattr(title)).encode() + b"<Piece", 1))
 

@@ -15,6 +15,7 @@ def limit_of_files(size):
     def limit():
         signal.signal(signal.SIGXFSZ, signal.SIG_DFL)  # Python ignores it, and children would, too
         resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+
     return limit
 
 
@@ -52,8 +53,9 @@ class Outputs(CommandTest):
         done = cleft("mesh", self.volume, "-q", "-o", small, "-o", large, preexec_fn=limit_of_files(20000))
         self.assert_fails(CANNOT_WRITE, done)
         self.assertEqual(small.read_text(), "precious")
-        self.run_ok("mesh", self.volume, "-o", small, "-o", large, "-o", self.path("t.ele"),
-                    "--json", self.path("r.json"))
+        self.run_ok(
+            "mesh", self.volume, "-o", small, "-o", large, "-o", self.path("t.ele"), "--json", self.path("r.json")
+        )
         self.assert_only("small.vtu", "large.mesh", "r.json", *("t" + extension for extension in TETGEN))
         self.assertEqual(small.stat().st_mode & 0o777, 0o640)
         for name in ("small.vtu", "large.mesh", "t.node"):
@@ -64,16 +66,26 @@ class Outputs(CommandTest):
             output = self.path({"mesh": "a.vtu", "sizing": "h.nrrd"}[command])
             for report in ("/dev/full", "-"):
                 with open("/dev/full", "w") as full:
-                    done = subprocess.run([CLEFT, command, self.volume, "-o", output, "--json", report], stdout=full,
-                                          stderr=subprocess.PIPE, text=True)
+                    done = subprocess.run(
+                        [CLEFT, command, self.volume, "-o", output, "--json", report],
+                        stdout=full,
+                        stderr=subprocess.PIPE,
+                        text=True,
+                    )
                 self.assertEqual(done.returncode, CANNOT_WRITE)
                 self.assertIn("No space left", done.stderr)
                 self.assertEqual(done.stderr.count("\n"), 1)
                 self.assert_only()
 
     def test_standard_output_that_is_full_or_closed(self):
-        commands = (["mesh", self.volume, "-o", self.path("a.vtu")], ["info", self.volume], ["--help"],
-                    ["mesh", "--help"], ["--version"], ["sizing", self.volume, "-o", self.path("h.nrrd")])
+        commands = (
+            ["mesh", self.volume, "-o", self.path("a.vtu")],
+            ["info", self.volume],
+            ["--help"],
+            ["mesh", "--help"],
+            ["--version"],
+            ["sizing", self.volume, "-o", self.path("h.nrrd")],
+        )
         for command in commands:
             with open("/dev/full", "w") as full:
                 done = subprocess.run([CLEFT, *command], stdout=full, stderr=subprocess.PIPE, text=True)
@@ -83,8 +95,9 @@ class Outputs(CommandTest):
             self.assertEqual(done.returncode, CANNOT_WRITE, command)
             self.assert_only()
         # the file must not be opened as standard output
-        done = subprocess.run([CLEFT, "mesh", self.volume, "-q", "-o", self.path("a.vtu")],
-                              preexec_fn=lambda: os.closerange(0, 3))
+        done = subprocess.run(
+            [CLEFT, "mesh", self.volume, "-q", "-o", self.path("a.vtu")], preexec_fn=lambda: os.closerange(0, 3)
+        )
         self.assertEqual(done.returncode, OK)
         self.run_ok("check", self.path("a.vtu"))
 
@@ -105,25 +118,36 @@ class Outputs(CommandTest):
         os.symlink("..", self.path("d/up"))
         for name in ("s1.nrrd", "s2.nrrd"):
             os.link(v, self.path(name))
-        for arguments in (("sizing", v, "-o", v), ("sizing", v, "-o", self.path("link.nrrd")),
-                          ("sizing", self.path("link.nrrd"), "-o", v), ("sizing", v, "-o", self.path("d/up/balls.nrrd")),
-                          ("sizing", self.path("s*.nrrd"), "-o", self.path("s2.nrrd")),
-                          ("sizing", self.path("s%02d.nrrd"), "-o", self.path("s1.nrrd")),
-                          ("mesh", self.path("h.vtk"), "--as", "indicators", "-o", self.path("h.vtk")),
-                          ("mesh", v, "--sizing", self.path("h.vtk"), "-o", self.path("h.vtk")),
-                          ("mesh", v, "--background", mesh, "-o", self.path("m.face")),
-                          ("convert", mesh, self.path("m.ele")), ("convert", self.path("m.vtu"), self.path("m.vtu")),
-                          ("mesh", v, "-o", self.path("a.vtu"), "--json", v), ("info", v, "--json", v),
-                          ("check", self.path("m.vtu"), "--json", self.path("m.vtu")),
-                          ("check", self.path("m.vtu"), "--json", self.path("m.face"))):
+        for arguments in (
+            ("sizing", v, "-o", v),
+            ("sizing", v, "-o", self.path("link.nrrd")),
+            ("sizing", self.path("link.nrrd"), "-o", v),
+            ("sizing", v, "-o", self.path("d/up/balls.nrrd")),
+            ("sizing", self.path("s*.nrrd"), "-o", self.path("s2.nrrd")),
+            ("sizing", self.path("s%02d.nrrd"), "-o", self.path("s1.nrrd")),
+            ("mesh", self.path("h.vtk"), "--as", "indicators", "-o", self.path("h.vtk")),
+            ("mesh", v, "--sizing", self.path("h.vtk"), "-o", self.path("h.vtk")),
+            ("mesh", v, "--background", mesh, "-o", self.path("m.face")),
+            ("convert", mesh, self.path("m.ele")),
+            ("convert", self.path("m.vtu"), self.path("m.vtu")),
+            ("mesh", v, "-o", self.path("a.vtu"), "--json", v),
+            ("info", v, "--json", v),
+            ("check", self.path("m.vtu"), "--json", self.path("m.vtu")),
+            ("check", self.path("m.vtu"), "--json", self.path("m.face")),
+        ):
             self.assert_refused(*arguments)
 
     def test_two_outputs_that_are_one_file(self):
         os.mkdir(self.path("d"))
         os.symlink("e.vtu", self.path("one.vtu"))
         os.symlink("e.vtu", self.path("two.vtu"))
-        for first, second in (("a.vtu", "a.vtu"), ("a.vtu", "d/../a.vtu"), ("a.node", "a.face"), ("one.vtu", "two.vtu"),
-                              ("one.vtu", "e.vtu")):
+        for first, second in (
+            ("a.vtu", "a.vtu"),
+            ("a.vtu", "d/../a.vtu"),
+            ("a.node", "a.face"),
+            ("one.vtu", "two.vtu"),
+            ("one.vtu", "e.vtu"),
+        ):
             self.assert_refused("mesh", self.volume, "-o", self.path(first), "-o", self.path(second))
         self.assert_refused("mesh", self.volume, "-o", self.path("a.vtu"), "--json", self.path("a.vtu"))
 
@@ -144,7 +168,12 @@ class Outputs(CommandTest):
 
     def test_links_stay_links(self):
         os.mkdir(self.path("d"))
-        for link, target in (("o.vtu", "target.vtu"), ("p.vtu", "d/p.vtu"), ("q.vtu", "o.vtu"), ("t.ele", "d/other.ele")):
+        for link, target in (
+            ("o.vtu", "target.vtu"),
+            ("p.vtu", "d/p.vtu"),
+            ("q.vtu", "o.vtu"),
+            ("t.ele", "d/other.ele"),
+        ):
             os.symlink(target, self.path(link))
             self.run_ok("mesh", self.volume, "-o", self.path(link))
             self.assertEqual(os.readlink(self.path(link)), target)

@@ -25,14 +25,16 @@ class Sizing(CommandTest):
 
     def test_written_field_lies_on_the_grid_of_the_volume(self):
         self.field(DATA / "CIT168.nrrd")
-        volumes = [json.loads(self.run_ok("info", path, "--as", kind, "--json", "-").stdout)["volume"]
-                   for path, kind in ((DATA / "CIT168.nrrd", "labels"), (self.path("h.nrrd"), "indicators"))]
+        volumes = [
+            json.loads(self.run_ok("info", path, "--as", kind, "--json", "-").stdout)["volume"]
+            for path, kind in ((DATA / "CIT168.nrrd", "labels"), (self.path("h.nrrd"), "indicators"))
+        ]
         self.assertEqual(volumes[0]["dims"], volumes[1]["dims"])
         for a, b in zip(volumes[0]["affine"], volumes[1]["affine"]):
             self.assertAlmostEqual(a, b, places=4)
 
     def test_a_field_of_ones_own(self):
-        write_nrrd(self.path("mine.nrrd"), (16, 16, 16), [3.0 if i % 16 > 8 else 1.0 for i in range(16 ** 3)], "float")
+        write_nrrd(self.path("mine.nrrd"), (16, 16, 16), [3.0 if i % 16 > 8 else 1.0 for i in range(16**3)], "float")
         mine = self.mesh(self.volume, "--sizing", self.path("mine.nrrd"))
         coarse = self.mesh(self.volume, "--size", 3)
         fine = self.mesh(self.volume, "--size", 1)
@@ -41,7 +43,7 @@ class Sizing(CommandTest):
         self.assertEqual(mine["options"]["sizing"], str(self.path("mine.nrrd")))
 
     def test_combined_field_is_no_coarser_than_either(self):
-        write_nrrd(self.path("mine.nrrd"), (16, 16, 16), [4.0] * 16 ** 3, "float")
+        write_nrrd(self.path("mine.nrrd"), (16, 16, 16), [4.0] * 16**3, "float")
         alone = self.mesh(self.volume, "--sizing", self.path("mine.nrrd"))["mesh"]["tets"]
         combined = self.mesh(self.volume, "--sizing", self.path("mine.nrrd"), "--combine")["mesh"]["tets"]
         self.assertGreater(combined, alone)

@@ -1,7 +1,8 @@
 """Runs the commands of docs/guide.md, and the programs that its section on solvers names.
 
-check_guide.py WHAT PREFIX LIBDIR [--write], where WHAT is `commands` or one of the programs. --write puts what the commands print
-today into the guide. Parts of programs are completed here. A program that is not installed is skipped (code 77).
+check_guide.py WHAT PREFIX LIBDIR [--write], where WHAT is `commands` or one of the programs. --write puts what the
+commands print today into the guide. Parts of programs are completed here. A program that is not installed is skipped
+(code 77).
 """
 import difflib
 import importlib.util
@@ -16,10 +17,21 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WHAT, PREFIX, LIBDIR = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3]
 GUIDE = (ROOT / "docs/guide.md").read_text()
-ENVIRONMENT = {**os.environ, "PATH": f"{PREFIX}/bin:{os.environ['PATH']}", "WM_PROJECT_DIR": "/usr/share/openfoam",
-               "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "HOME": os.getcwd()}
-PACKAGES = {"calculix": "calculix-ccx", "dolfinx": "python3-dolfinx-real python3-gmsh", "openfoam": "openfoam", "getdp": "getdp",
-            "meshio": "python3-meshio"}
+ENVIRONMENT = {
+    **os.environ,
+    "PATH": f"{PREFIX}/bin:{os.environ['PATH']}",
+    "WM_PROJECT_DIR": "/usr/share/openfoam",
+    "OMPI_ALLOW_RUN_AS_ROOT": "1",
+    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+    "HOME": os.getcwd(),
+}
+PACKAGES = {
+    "calculix": "calculix-ccx",
+    "dolfinx": "python3-dolfinx-real python3-gmsh",
+    "openfoam": "openfoam",
+    "getdp": "getdp",
+    "meshio": "python3-meshio",
+}
 CONTROL = """FoamFile { version 2.0; format ascii; class dictionary; object controlDict; }
 startFrom startTime; startTime 0; stopAt endTime; endTime 1; deltaT 1; writeInterval 1; writeFormat ascii;
 """
@@ -36,7 +48,8 @@ Resolution { { Name R; System { { Name A; NameOfFormulation F; } }
 PostProcessing { { Name P; NameOfFormulation F;
     Quantity { { Name V; Value { Integral { [{T}]; In Region[{Bone, Marrow}]; Jacobian J; Integration I; } } } } } }
 PostOperation { { Name P; NameOfPostProcessing P; Operation {
-    Print[V[Bone], OnGlobal, Format Table, File "bone.txt"]; Print[V[Marrow], OnGlobal, Format Table, File "marrow.txt"]; } } }
+    Print[V[Bone], OnGlobal, Format Table, File "bone.txt"];
+    Print[V[Marrow], OnGlobal, Format Table, File "marrow.txt"]; } } }
 """
 
 
@@ -48,13 +61,15 @@ def need(program="", *modules):
 
 def block(language):
     """The one fenced block of a language."""
-    text, = re.findall(rf"^```{language}\n(.*?)^```$", GUIDE, re.DOTALL | re.MULTILINE)
+    (text,) = re.findall(rf"^```{language}\n(.*?)^```$", GUIDE, re.DOTALL | re.MULTILINE)
     return text
 
 
 def run(line):
     print("$", line, flush=True)
-    done = subprocess.run(line, shell=True, env=ENVIRONMENT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    done = subprocess.run(
+        line, shell=True, env=ENVIRONMENT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+    )
     if done.returncode:
         sys.exit(f"it failed:\n{done.stdout}")
     return done.stdout
@@ -68,9 +83,11 @@ def check(holds, what):
 def write_part():
     """part.nrrd: bone (1) around marrow (2) in air (0)."""
     n, middle = 14, 6.5
+
     def label(x, y, z):
         square = (x - middle) ** 2 + (y - middle) ** 2 + (z - middle) ** 2
         return 2 if square < 9 else 1 if square < 30 else 0
+
     voxels = bytes(label(x, y, z) for z in range(n) for y in range(n) for x in range(n))
     header = f"NRRD0004\ntype: uint8\ndimension: 3\nsizes: {n} {n} {n}\nspacings: 1 1 1\nencoding: raw\n\n"
     pathlib.Path("part.nrrd").write_bytes(header.encode() + voxels)
@@ -88,17 +105,23 @@ def is_measured(line):
 
 
 def remade(wanted, printed):
-    """The lines of the guide as they are printed today. A line `...` stands for those between the lines before and after it."""
+    """The lines of the guide as they are printed today. A line `...` stands for those between the lines before and
+    after it.
+    """
     gaps = [i for i, line in enumerate(wanted) if line.strip() == "..."]
     if not gaps:
-        check(len(printed) == len(wanted), "more or fewer lines were printed than the guide has:\n" + "\n".join(printed))
+        check(
+            len(printed) == len(wanted), "more or fewer lines were printed than the guide has:\n" + "\n".join(printed)
+        )
         return [old if is_measured(old) else new for old, new in zip(wanted, printed)]
-    head, tail = wanted[:gaps[0]], wanted[gaps[0] + 1:]
-    return remade(head, printed[:len(head)]) + [wanted[gaps[0]]] + remade(tail, printed[len(printed) - len(tail):])
+    head, tail = wanted[: gaps[0]], wanted[gaps[0] + 1 :]
+    return remade(head, printed[: len(head)]) + [wanted[gaps[0]]] + remade(tail, printed[len(printed) - len(tail) :])
 
 
 def check_commands():
-    """Each command behind a `$` runs and prints the lines below it, but for times and memory. With --write the guide gets them."""
+    """Each command behind a `$` runs and prints the lines below it, but for times and memory. With --write the guide
+    gets them.
+    """
     shutil.copytree(ROOT / "tests/data", "tests/data")
     transcript = re.compile(r"^    \$ (.*)\n((?:    .*\n|\n(?=    ))*)", re.MULTILINE)
     check(len(transcript.findall(GUIDE)) >= 2, "the guide has fewer commands than it had")
@@ -110,10 +133,12 @@ def check_commands():
 
     def numbers_of_today(row):
         """Of the row above the pictures: `| default: 1,000 tetrahedra | `OPTION`: 2,000 | ... |`."""
+
         def cell(match):
             options = "" if match.group(1).startswith("default") else match.group(1).strip("`")
             printed = run(f"cleft mesh tests/data/mickey.nrrd {options} -o picture.vtu")
             return f"{match.group(1)}: {re.search(r'([0-9,]+) tetrahedra', printed).group(1)}"
+
         return re.sub(r"(default|`--[^`]+`): [0-9,]+", cell, row.group(0))
 
     today = transcript.sub(lines_of_today, GUIDE)
@@ -121,13 +146,19 @@ def check_commands():
     if "--write" in sys.argv:
         (ROOT / "docs/guide.md").write_text(today)
     else:
-        check(today == GUIDE, "the guide is not as the commands print it; --write mends that:\n" + "\n".join(
-            difflib.unified_diff(GUIDE.splitlines(), today.splitlines(), "guide.md", "today", n=0, lineterm="")))
+        check(
+            today == GUIDE,
+            "the guide is not as the commands print it; --write mends that:\n"
+            + "\n".join(
+                difflib.unified_diff(GUIDE.splitlines(), today.splitlines(), "guide.md", "today", n=0, lineterm="")
+            ),
+        )
 
 
 def check_meshio():
     need("", "meshio")
     import meshio
+
     run("cleft mesh part.nrrd -q -o part.vtu")
     line = re.search(r"`(meshio\.read\(.*?)`", GUIDE).group(1)
     labels = eval(line, {"meshio": meshio})
@@ -146,7 +177,8 @@ def check_dolfinx():
     for options in ("", "--msh-version 2.2"):
         run(f"cleft mesh part.nrrd -q {options} -o part.msh")
         pathlib.Path("program.py").write_text(
-            block("python") + "print(sorted(set(cells.values)), len(set(facets.values)), len(cells.values))\n")
+            block("python") + "print(sorted(set(cells.values)), len(set(facets.values)), len(cells.values))\n"
+        )
         volumes = run("cleft info part.msh")
         printed = run(f"{sys.executable} program.py").splitlines()[-1]
         labels, groups, count = re.match(r"(\[.*\]) (\d+) (\d+)", printed).groups()
@@ -163,7 +195,9 @@ def check_openfoam():
     for line in block("openfoam").splitlines():
         run(line)
     zones = pathlib.Path("constant/polyMesh/cellZones").read_text()
-    check(set(re.findall(r"^(\w+)\n\{", zones, re.MULTILINE)) >= {"material_0", "material_1", "material_2"}, zones[:2000])
+    check(
+        set(re.findall(r"^(\w+)\n\{", zones, re.MULTILINE)) >= {"material_0", "material_1", "material_2"}, zones[:2000]
+    )
 
 
 def check_getdp():

@@ -16,8 +16,12 @@ SOURCE_NAME = re.compile(r"(?<![\w./<\"])((?:[\w-]+/)*[\w-]+\.(?:hpp|cpp|h))\b(?
 def tracked_files():
     listed = subprocess.run(["git", "ls-files"], cwd=ROOT, stdout=subprocess.PIPE, text=True)
     if listed.returncode:  # an unpacked source archive
-        return [path.relative_to(ROOT).as_posix() for folder in FOLDERS for path in (ROOT / folder).rglob("*") if path.is_file()] + [
-            path.name for path in ROOT.glob("*.md")]
+        return [
+            path.relative_to(ROOT).as_posix()
+            for folder in FOLDERS
+            for path in (ROOT / folder).rglob("*")
+            if path.is_file()
+        ] + [path.name for path in ROOT.glob("*.md")]
     return [name for name in listed.stdout.splitlines() if (ROOT / name).exists()]
 
 

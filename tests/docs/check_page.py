@@ -1,7 +1,8 @@
-"""Builds and runs the programs in the page of a language, as a reader would copy them, with the installed library alone.
+"""Builds and runs the programs in the page of a language, as a reader would copy them, with the installed library
+alone.
 
-check_page.py LANGUAGE PREFIX LIBDIR. Every fenced block of the page is used: one more on it without a use here is a failure, so that
-no program can be on a page and never have run. Blocks that are parts of programs are completed here.
+check_page.py LANGUAGE PREFIX LIBDIR. Every fenced block of the page is used: one more on it without a use here is a
+failure, so that no program can be on a page and never have run. Blocks that are parts of programs are completed here.
 """
 import glob
 import os
@@ -44,7 +45,7 @@ def run(*lines, expect=""):
         if done.returncode:
             sys.exit(f"it failed: {line}")
     if not re.search(expect, done.stdout):
-        sys.exit(f"\"{expect}\" was not printed")
+        sys.exit(f'"{expect}" was not printed')
 
 
 def write(name, *texts):
@@ -52,18 +53,25 @@ def write(name, *texts):
 
 
 def build_by_cmake(language, source, block):
-    write("CMakeLists.txt", "cmake_minimum_required(VERSION 3.20)", f"project(app LANGUAGES {language})",
-          f"add_executable(app {source})", block)
+    write(
+        "CMakeLists.txt",
+        "cmake_minimum_required(VERSION 3.20)",
+        f"project(app LANGUAGES {language})",
+        f"add_executable(app {source})",
+        block,
+    )
     run(f"cmake -B build -DCMAKE_PREFIX_PATH={PREFIX} -Wno-dev", "cmake --build build", "build/app", expect=TETRAHEDRA)
 
 
 def check_libraries(page):
-    """The page names the Debian packages of all libraries that the installed ones use, but for those of the compiler."""
+    """The page names the Debian packages of all libraries that the installed ones use, but the compiler's."""
     if not shutil.which("dpkg-query"):
         return
     needed = set()
     for library in ("libcleft.so", "libcleft_io.so"):
-        listed = subprocess.run(["readelf", "-d", PREFIX / LIBDIR / library], stdout=subprocess.PIPE, text=True, check=True)
+        listed = subprocess.run(
+            ["readelf", "-d", PREFIX / LIBDIR / library], stdout=subprocess.PIPE, text=True, check=True
+        )
         needed |= set(re.findall(r"NEEDED.*\[(.*)\]", listed.stdout))
     packages = set()
     for name in needed - {"libcleft.so.0"}:
@@ -86,11 +94,20 @@ def check_c():
     run(*commands("docs/c.md", "c++ example.cpp"), "./a.out", expect=TETRAHEDRA)
     build_by_cmake("C", "ten.c", cmake)
 
-    (_, part), = blocks("README.md")
+    ((_, part),) = blocks("README.md")
     includes, part = part.split("\n\n", 1)
-    write("readme.c", includes, "#include <stdio.h>", "int main(void)", "{", "static unsigned char voxels[64 * 64 * 64];",
-          part, 'return printf("%lld tetrahedra of %d, at %g\\n", (long long)cleft_mesh_tet_count(mesh), labels[0],',
-          "points[3 * tets[0]]) < 0;", "}")
+    write(
+        "readme.c",
+        includes,
+        "#include <stdio.h>",
+        "int main(void)",
+        "{",
+        "static unsigned char voxels[64 * 64 * 64];",
+        part,
+        'return printf("%lld tetrahedra of %d, at %g\\n", (long long)cleft_mesh_tet_count(mesh), labels[0],',
+        "points[3 * tets[0]]) < 0;",
+        "}",
+    )
     run("cc -Wall -Werror readme.c $(pkg-config --cflags --libs cleft)", "./a.out", expect=TETRAHEDRA)
 
 
@@ -100,21 +117,40 @@ def check_fortran():
     run(*commands("docs/fortran.md", "gfortran ten.f90"), "./a.out", expect=TETRAHEDRA)
     build_by_cmake("Fortran", "ten.f90", cmake)
 
-    write("parts.f90", "module told", "use, intrinsic :: iso_c_binding", "implicit none", "contains", listen, "end module",
-          "program parts", "use cleft", "use told", "type(cleft_context) :: context", "type(cleft_options) :: options",
-          "type(cleft_volume) :: volume", "type(cleft_mesh) :: mesh", "integer :: stat, voxels(20, 20, 20)",
-          "character(len=200) :: errmsg", errors, "voxels = 0", "call volume%create(context, voxels)",
-          "call context%set_progress(listen)", "call mesh%create(context, volume, stat=stat)",
-          "if (stat /= CLEFT_ERROR_CANCELLED) error stop 'listen() has not cancelled the call'", "end program")
+    write(
+        "parts.f90",
+        "module told",
+        "use, intrinsic :: iso_c_binding",
+        "implicit none",
+        "contains",
+        listen,
+        "end module",
+        "program parts",
+        "use cleft",
+        "use told",
+        "type(cleft_context) :: context",
+        "type(cleft_options) :: options",
+        "type(cleft_volume) :: volume",
+        "type(cleft_mesh) :: mesh",
+        "integer :: stat, voxels(20, 20, 20)",
+        "character(len=200) :: errmsg",
+        errors,
+        "voxels = 0",
+        "call volume%create(context, voxels)",
+        "call context%set_progress(listen)",
+        "call mesh%create(context, volume, stat=stat)",
+        "if (stat /= CLEFT_ERROR_CANCELLED) error stop 'listen() has not cancelled the call'",
+        "end program",
+    )
     sentence = re.search(r"print .*! (.*)", errors).group(1)
     run("gfortran -Wall parts.f90 $(pkg-config --cflags --libs cleft-fortran)", "./a.out", expect=re.escape(sentence))
 
 
 def check_java():
-    (_, ten), = blocks("docs/java.md")
+    ((_, ten),) = blocks("docs/java.md")
     imports, body = ten.split("\n\n", 1)
     write("Program.java", imports, "class Program { public static void main(String[] arguments) {", body, "} }")
-    jar, = glob.glob(f"{PREFIX}/share/java/cleft-*.jar")
+    (jar,) = glob.glob(f"{PREFIX}/share/java/cleft-*.jar")
     shutil.copy(jar, ".")
     start = re.search(r"`(java -cp .* Program)`", (ROOT / "docs/java.md").read_text()).group(1)
     run(f"javac -cp {os.path.basename(jar)} Program.java", start, expect=TETRAHEDRA)
@@ -122,10 +158,10 @@ def check_java():
 
 
 def check_csharp():
-    (_, ten), = blocks("docs/csharp.md")
+    ((_, ten),) = blocks("docs/csharp.md")
     imports, body = ten.split("\n\n", 1)
     write("Program.cs", imports, "class Program { static void Main() {", body, "} }")
-    package, = glob.glob(f"{PREFIX}/share/cleft/Cleft.*.nupkg")
+    (package,) = glob.glob(f"{PREFIX}/share/cleft/Cleft.*.nupkg")
     shutil.copy(package, ".")
     run(*commands("docs/csharp.md", "unzip", "cp cleft/", "mcs"), expect=TETRAHEDRA)
     assert os.path.getsize("cube.vtu") > 0
@@ -135,8 +171,15 @@ def check_python():
     (_, ten), (_, masks), (_, missing) = blocks("docs/python.md")
     write("ten.py", ten)
     run(f"{sys.executable} ten.py", expect=TETRAHEDRA)
-    write("parts.py", ten, masks, "assert cleft.Volume(together).labels.tolist() == [0, 1, 2]",
-          "import importlib.metadata", "assert importlib.metadata.version('cleft') == cleft.__version__", missing)
+    write(
+        "parts.py",
+        ten,
+        masks,
+        "assert cleft.Volume(together).labels.tolist() == [0, 1, 2]",
+        "import importlib.metadata",
+        "assert importlib.metadata.version('cleft') == cleft.__version__",
+        missing,
+    )
     printed = re.search(r"print\(error.*# (.*)", missing).group(1)
     run(f"{sys.executable} parts.py", expect=re.escape(printed))
     assert os.path.getsize("cube.vtu") > 0 and os.path.getsize("cube.png") > 0

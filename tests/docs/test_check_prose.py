@@ -34,7 +34,15 @@ class CheckProse(unittest.TestCase):
         self.assertEqual(run(SHORT + items * 3)[0], 0)
 
     def test_what_is_no_prose_is_left_out(self):
-        for frame in ("```c\n%s\n```", "    %s", "| %s |", "# %s", "<!-- %s -->", "![%s](x.png)", "1. An item.\n\n## A heading\n\n    %s"):
+        for frame in (
+            "```c\n%s\n```",
+            "    %s",
+            "| %s |",
+            "# %s",
+            "<!-- %s -->",
+            "![%s](x.png)",
+            "1. An item.\n\n## A heading\n\n    %s",
+        ):
             self.assertEqual(run(SHORT + frame % LONG)[0], 0, frame)
 
     def test_a_piece_of_code_is_one_word(self):

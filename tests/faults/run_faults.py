@@ -5,6 +5,6 @@ import sys
 import tempfile
 
 with tempfile.TemporaryDirectory() as folder:
-    make_files = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'make_files.py')
-    subprocess.run([sys.executable, '-B', make_files, folder], check=True)
-    sys.exit(subprocess.run([sys.argv[1], '--files', folder, *sys.argv[2:]]).returncode)
+    make_files = os.path.join(os.path.dirname(os.path.abspath(__file__)), "make_files.py")
+    subprocess.run([sys.executable, "-B", make_files, folder], check=True)
+    sys.exit(subprocess.run([sys.argv[1], "--files", folder, *sys.argv[2:]]).returncode)

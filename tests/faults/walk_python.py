@@ -8,13 +8,13 @@ import cleft
 
 LABELS = np.zeros((5, 4, 6), np.uint8)
 LABELS[1:4, 1:3, 1:4] = 7
-PATH = os.path.join(os.environ['WALK_FOLDER'], 'a.vtu')
+PATH = os.path.join(os.environ["WALK_FOLDER"], "a.vtu")
 CALM = 20  # runs on end that do not fail
 
 
 def work(mesher):
     volume = cleft.Volume(LABELS, mesher=mesher)
-    mesh = cleft.mesh(volume, mesher=mesher, background='lattice', size=2.0)
+    mesh = cleft.mesh(volume, mesher=mesher, background="lattice", size=2.0)
     mesh.quality(mesher=mesher), mesh.validate(mesher=mesher), mesh.report(volume, mesher=mesher)
     mesh.surface(mesher=mesher)
     cleft.write_mesh(mesh, PATH, mesher=mesher)

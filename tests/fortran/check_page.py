@@ -39,8 +39,10 @@ def procedures(text):
     found = {}
     body = text.split("\ncontains\n", 1)[1]
     for kind, name, arguments, result, lines in re.findall(
-            r"^  (?:pure |impure |elemental )*(subroutine|function) (\w+)\((.*?)\)(?: result\((\w+)\))?\n(.*?)^  end \1", body,
-            re.M | re.S):
+        r"^  (?:pure |impure |elemental )*(subroutine|function) (\w+)\((.*?)\)(?: result\((\w+)\))?\n(.*?)^  end \1",
+        body,
+        re.M | re.S,
+    ):
         declared = {}
         for kinds, names in re.findall(r"^    ([a-z].*?) :: (.*)$", lines, re.M):
             for entity in split(names):
@@ -99,30 +101,54 @@ def of_types(folder):
         public = re.findall(r"\w+", " ".join(re.findall(r"^  public :: (.*)$", text, re.M)))
         for name, body in re.findall(r"^  type(?:, extends\(\w+\))? :: (\w+)\n(.*?)^  end type", text, re.M | re.S):
             if name in public:
-                types[name] = [signature(f"{name.removeprefix('cleft_')}%{entry}", known[target])
-                               for entry, target in bound(body.partition("contains")[2])]
-        generic = {name: split(targets) for name, targets in re.findall(
-            r"^  interface (\w+)\n +module procedure (.*)\n  end interface", text, re.M)}
-        free += [signature(name, known[target]) for name in public if is_offered(folder, module, name)
-                 for target in generic.get(name, [name]) if target in known]
+                types[name] = [
+                    signature(f"{name.removeprefix('cleft_')}%{entry}", known[target])
+                    for entry, target in bound(body.partition("contains")[2])
+                ]
+        generic = {
+            name: split(targets)
+            for name, targets in re.findall(r"^  interface (\w+)\n +module procedure (.*)\n  end interface", text, re.M)
+        }
+        free += [
+            signature(name, known[target])
+            for name in public
+            if is_offered(folder, module, name)
+            for target in generic.get(name, [name])
+            if target in known
+        ]
     return types, free
 
 
 def block(lines):
-    return ["```", *(textwrap.fill(line, 118, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
-                     for line in lines), "```"]
+    return [
+        "```",
+        *(
+            textwrap.fill(line, 118, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
+            for line in lines
+        ),
+        "```",
+    ]
 
 
 def part(folder):
     """The part of the page with the signatures."""
     types, free = of_types(folder)
-    lines = [HEAD, "", "Arguments in square brackets are optional. After a colon comes the type, its shape in round brackets;",
-             "`intent(in)` is left out. These arguments are the same everywhere:", ""]
+    lines = [
+        HEAD,
+        "",
+        "Arguments in square brackets are optional. After a colon comes the type, its shape in round brackets;",
+        "`intent(in)` is left out. These arguments are the same everywhere:",
+        "",
+    ]
     lines += block(f"{name}: {told}" for name, told in COMMON.items())
     for name, entries in types.items():
         lines += ["", f"### {name}", "", *block(entries)]
-    lines += ["", "### All types of objects but cleft_context and cleft_options", "",
-              *block(["call object%destroy()", "object%c_handle() -> type(c_ptr)"])]
+    lines += [
+        "",
+        "### All types of objects but cleft_context and cleft_options",
+        "",
+        *block(["call object%destroy()", "object%c_handle() -> type(c_ptr)"]),
+    ]
     lines += ["", "### Procedures", "", *block(free)]
     return "\n".join([*lines, ""])
 
@@ -137,8 +163,10 @@ def main():
         page.write_text(wanted)
     elif text != wanted:
         old, new = set(text.splitlines()), set(wanted.splitlines())
-        sys.exit("docs/fortran.md is not as the sources say; tests/fortran/check_page.py --write mends it:\n" +
-                 "\n".join([*(f"- {line}" for line in old - new), *(f"+ {line}" for line in new - old)]))
+        sys.exit(
+            "docs/fortran.md is not as the sources say; tests/fortran/check_page.py --write mends it:\n"
+            + "\n".join([*(f"- {line}" for line in old - new), *(f"+ {line}" for line in new - old)])
+        )
 
 
 main()

@@ -35,24 +35,34 @@ class OptionTable(unittest.TestCase):
 
     def test_what_is_not_sound_is_refused(self):
         for pattern, replacement, words in (
-                (r"number = 2\n", "number = 1\n", "twice"), (r'key = "SIZE"\n', 'key = "TETS"\n', "twice"),
-                (r'type = "real"', 'type = "number"', "no type"), (r"default = 0\n", "default = -1\n", "out of its range"),
-                (r'default = "particles"', 'default = "none_such"', "none of"), (r'calls = \["sizing', 'calls = ["sising', "no calls"),
-                (r"number = 2\n", "number = 2\nhelp = 1\n", "unknown fields"), (r'text = "one wanted', 'text = "One wanted', "phrase"),
-                (r'type = "flag"', 'type = "flag"\nleast = 0', "no range")):
+            (r"number = 2\n", "number = 1\n", "twice"),
+            (r'key = "SIZE"\n', 'key = "TETS"\n', "twice"),
+            (r'type = "real"', 'type = "number"', "no type"),
+            (r"default = 0\n", "default = -1\n", "out of its range"),
+            (r'default = "particles"', 'default = "none_such"', "none of"),
+            (r'calls = \["sizing', 'calls = ["sising', "no calls"),
+            (r"number = 2\n", "number = 2\nhelp = 1\n", "unknown fields"),
+            (r'text = "one wanted', 'text = "One wanted', "phrase"),
+            (r'type = "flag"', 'type = "flag"\nleast = 0', "no range"),
+        ):
             with self.subTest(replacement), self.assertRaisesRegex(ValueError, words):
                 self.changed(pattern, replacement)
 
 
 class Reader(unittest.TestCase):
     def test_what_is_not_understood_is_refused(self):
-        for declaration in ("CLEFT_API int\ncleft_new(void) CLEFT_NOEXCEPT;", "struct cleft_new { int field; };",
-                            "enum named { CLEFT_NEW };", "CLEFT_API int cleft_new(void) CLEFT_NOEXCEPT;"):
+        for declaration in (
+            "CLEFT_API int\ncleft_new(void) CLEFT_NOEXCEPT;",
+            "struct cleft_new { int field; };",
+            "enum named { CLEFT_NEW };",
+            "CLEFT_API int cleft_new(void) CLEFT_NOEXCEPT;",
+        ):
             with self.subTest(declaration), self.assertRaises(ValueError):
                 c_header.Header(declaration).check()
 
     def test_declarations_are_read_whole(self):
-        header = c_header.Header("""
+        header = c_header.Header(
+            """
             /** Adds. \\since 0.1 */
             CLEFT_NODISCARD CLEFT_API cleft_status cleft_add(const double a[3], cleft_mesh** out) CLEFT_NOEXCEPT;
             /** A pair. \\since 0.1 */
@@ -60,12 +70,23 @@ class Reader(unittest.TestCase):
                 uint32_t struct_size;
                 const char* name; /**< of the pair */
                 int64_t numbers[4];
-            } cleft_pair;""".replace("\n            ", "\n")).check()
+            } cleft_pair;""".replace(
+                "\n            ", "\n"
+            )
+        ).check()
         add, pair = header.functions[0], header.structs[0]
-        self.assertEqual([(a.name, a.type, a.length) for a in add.arguments], [("a", "const double", 3), ("out", "cleft_mesh**", 0)])
+        self.assertEqual(
+            [(a.name, a.type, a.length) for a in add.arguments], [("a", "const double", 3), ("out", "cleft_mesh**", 0)]
+        )
         self.assertEqual((add.result, add.since), ("cleft_status", "0.1"))
-        self.assertEqual([(f.name, f.type, f.length, f.comment) for f in pair.fields],
-                         [("struct_size", "uint32_t", 0, ""), ("name", "const char*", 0, "of the pair"), ("numbers", "int64_t", 4, "")])
+        self.assertEqual(
+            [(f.name, f.type, f.length, f.comment) for f in pair.fields],
+            [
+                ("struct_size", "uint32_t", 0, ""),
+                ("name", "const char*", 0, "of the pair"),
+                ("numbers", "int64_t", 4, ""),
+            ],
+        )
 
 
 class Tree:
@@ -92,15 +113,23 @@ class Layout(unittest.TestCase):
         self.assertIn(f"PLACE(cleft_contact, area, {size});\n", grown)
         self.assertIn(f"HOLDS(sizeof(cleft_contact) >= {size + 8});\n", grown)
         for pattern, replacement, lost in (
-                (r"(int64_t triangles;)", r"double area; \1", "PLACE.cleft_contact, triangles, 16."),
-                (r"CLEFT_SNAP_SAFE = 1", "CLEFT_SNAP_SAFE = 3", "HOLDS.CLEFT_SNAP_SAFE == 1."),
-                (r"    double total_volume;[^\n]*\n", "", "PLACE.cleft_quality, total_volume, 136.")):
+            (r"(int64_t triangles;)", r"double area; \1", "PLACE.cleft_contact, triangles, 16."),
+            (r"CLEFT_SNAP_SAFE = 1", "CLEFT_SNAP_SAFE = 3", "HOLDS.CLEFT_SNAP_SAFE == 1."),
+            (r"    double total_volume;[^\n]*\n", "", "PLACE.cleft_quality, total_volume, 136."),
+        ):
             with self.subTest(replacement), self.assertRaisesRegex(ValueError, lost):
                 self.made(pattern, replacement)
 
     def test_nullable_arguments_are_there(self):
         with self.assertRaisesRegex(ValueError, "cleft_mesh_create.labels"):
-            fortran.files(Tree(self.HEADER, r"const int32_t\* labels, int32_t index_base", "const int32_t* marks, int32_t index_base"), None)
+            fortran.files(
+                Tree(
+                    self.HEADER,
+                    r"const int32_t\* labels, int32_t index_base",
+                    "const int32_t* marks, int32_t index_base",
+                ),
+                None,
+            )
 
 
 class Text(unittest.TestCase):
@@ -111,7 +140,13 @@ class Text(unittest.TestCase):
             text.region(before, "f", "y", "new\n", ("//", ""))
 
     def test_numbers(self):
-        for value, words in ((0, "0"), (10000000, "10000000"), (0.3, "0.3"), (1e30, "1e30"), (2.0**53, "9007199254740992")):
+        for value, words in (
+            (0, "0"),
+            (10000000, "10000000"),
+            (0.3, "0.3"),
+            (1e30, "1e30"),
+            (2.0**53, "9007199254740992"),
+        ):
             self.assertEqual(text.number(float(value)), words)
 
 

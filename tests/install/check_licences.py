@@ -1,5 +1,5 @@
-"""Each package says what it is made of: the install tree, the jar, the wheel and the NuGet package of this build, and the notice
-of a build without TetGen. check_licences.py BUILD SOURCE PREFIX LICENCE."""
+"""Each package says what it is made of: the install tree, the jar, the wheel and the NuGet package of this build, and
+the notice of a build without TetGen. check_licences.py BUILD SOURCE PREFIX LICENCE."""
 import pathlib
 import subprocess
 import sys
@@ -29,14 +29,14 @@ def check_notice(text, tetgen, where):
 
 
 def member(package, pattern):
-    name, = [name for name in package.namelist() if pathlib.PurePath(name).match(pattern) and name.count("/") < 2]
+    (name,) = [name for name in package.namelist() if pathlib.PurePath(name).match(pattern) and name.count("/") < 2]
     return package.read(name).decode()
 
 
 def main():
     tetgen = "AGPL" in LICENCE
     own = (SOURCE / "LICENSE").read_text().split("\n\n")[2]
-    notice, = PREFIX.rglob("doc/cleft/NOTICE")
+    (notice,) = PREFIX.rglob("doc/cleft/NOTICE")
     check_notice(notice.read_text(), tetgen, notice)
     for pattern, (notice, licence, told_in, line) in PACKAGES.items():
         for path in BUILD.glob(pattern):
@@ -47,8 +47,23 @@ def main():
             print("ok", path)
 
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run(["cmake", "-S", SOURCE, "-B", folder, "-G", "Ninja", "-DCLEFT_WITH_TETGEN=OFF", "-DCLEFT_WITH_IO=OFF",
-                        "-DCLEFT_BUILD_TESTS=OFF", "-DCLEFT_BUILD_FORTRAN=OFF"], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(
+            [
+                "cmake",
+                "-S",
+                SOURCE,
+                "-B",
+                folder,
+                "-G",
+                "Ninja",
+                "-DCLEFT_WITH_TETGEN=OFF",
+                "-DCLEFT_WITH_IO=OFF",
+                "-DCLEFT_BUILD_TESTS=OFF",
+                "-DCLEFT_BUILD_FORTRAN=OFF",
+            ],
+            check=True,
+            stdout=subprocess.DEVNULL,
+        )
         text = (pathlib.Path(folder) / "install/NOTICE").read_text()
         check_notice(text, False, "the notice without TetGen")
         check("TetGen" not in text and "AGPL" not in text, "the notice without TetGen names it")

@@ -1,5 +1,5 @@
-"""DICOM: series, volumes of frames, segmentations; damaged files, and what holds no voxels. Files are written by pydicom:
-check_dicom.py DUMP_VOLUME."""
+"""DICOM: series, volumes of frames, segmentations; damaged files, and what holds no voxels. Files are written by
+pydicom: check_dicom.py DUMP_VOLUME."""
 import os
 import struct
 
@@ -8,19 +8,26 @@ import pydicom
 from pydicom.dataset import Dataset, FileMetaDataset
 from pydicom.encaps import encapsulate
 from pydicom.sequence import Sequence
-from pydicom.uid import (DeflatedExplicitVRLittleEndian, ExplicitVRBigEndian, ExplicitVRLittleEndian,
-                         ImplicitVRLittleEndian, JPEG2000Lossless, RLELossless, generate_uid)
+from pydicom.uid import (
+    DeflatedExplicitVRLittleEndian,
+    ExplicitVRBigEndian,
+    ExplicitVRLittleEndian,
+    ImplicitVRLittleEndian,
+    JPEG2000Lossless,
+    RLELossless,
+    generate_uid,
+)
 
 import volume_reading
 from volume_reading import FILE, FORMAT, LABELS, path, run_dump, run_tests
 
 UNSUPPORTED = -10
 
-CT = '1.2.840.10008.5.1.4.1.1.2'
-ENHANCED_CT = '1.2.840.10008.5.1.4.1.1.2.1'
-SEGMENTATION = '1.2.840.10008.5.1.4.1.1.66.4'
-LABEL_MAP = '1.2.840.10008.5.1.4.1.1.66.7'
-RT_STRUCTURES = '1.2.840.10008.5.1.4.1.1.481.3'
+CT = "1.2.840.10008.5.1.4.1.1.2"
+ENHANCED_CT = "1.2.840.10008.5.1.4.1.1.2.1"
+SEGMENTATION = "1.2.840.10008.5.1.4.1.1.66.4"
+LABEL_MAP = "1.2.840.10008.5.1.4.1.1.66.7"
+RT_STRUCTURES = "1.2.840.10008.5.1.4.1.1.481.3"
 TURNED = [0, 1, 0, 0, 0, -1]  # rows go to the back, columns to the feet
 
 
@@ -29,7 +36,7 @@ def check(voxels, affine, *paths, told=(), **options):
     volume_reading.check(voxels, affine, *paths, **options)
     output = run_dump(paths, **options)[0].stdout
     assert all(word in output for word in told), output
-    assert told or 'warning: ' not in output, output
+    assert told or "warning: " not in output, output
 
 
 def refused(status, words, name, **options):
@@ -66,23 +73,30 @@ def save(dataset, name, syntax=ExplicitVRLittleEndian):
 
 def set_pixels(dataset, frames, bits=16, signed=False):
     """`frames` as [frame, row, column]."""
-    dataset.SamplesPerPixel, dataset.PhotometricInterpretation = 1, 'MONOCHROME2'
+    dataset.SamplesPerPixel, dataset.PhotometricInterpretation = 1, "MONOCHROME2"
     dataset.Rows, dataset.Columns = frames.shape[1:]
     dataset.BitsAllocated = dataset.BitsStored = bits
     dataset.HighBit, dataset.PixelRepresentation = bits - 1, int(signed)
     if len(frames) > 1 or bits == 1:
         dataset.NumberOfFrames = len(frames)
     if bits == 1:
-        dataset.PixelData = np.packbits(frames.ravel() > 0, bitorder='little').tobytes()
+        dataset.PixelData = np.packbits(frames.ravel() > 0, bitorder="little").tobytes()
     else:
-        dataset.PixelData = frames.astype('<%s%d' % ('iu'[not signed], bits // 8)).tobytes()
-    dataset.PixelData += b'\0' * (len(dataset.PixelData) % 2)
+        dataset.PixelData = frames.astype("<%s%d" % ("iu"[not signed], bits // 8)).tobytes()
+    dataset.PixelData += b"\0" * (len(dataset.PixelData) % 2)
 
 
-def slice_of(pixels, position, series='1.2.5', storage=CT, orientation=(1, 0, 0, 0, 1, 0), **values):
+def slice_of(pixels, position, series="1.2.5", storage=CT, orientation=(1, 0, 0, 0, 1, 0), **values):
     """One slice; pixels as [column, row]."""
-    dataset = new(storage, SeriesInstanceUID=series, ImagePositionPatient=list(position),
-                  ImageOrientationPatient=list(orientation), PixelSpacing=[0.5, 0.25], SliceThickness=1, **values)
+    dataset = new(
+        storage,
+        SeriesInstanceUID=series,
+        ImagePositionPatient=list(position),
+        ImageOrientationPatient=list(orientation),
+        PixelSpacing=[0.5, 0.25],
+        SliceThickness=1,
+        **values,
+    )
     set_pixels(dataset, pixels.T[None])
     return dataset
 
@@ -97,89 +111,93 @@ AFFINE = np.array([[0.25, 0, 0, 10], [0, 0.5, 0, 20], [0, 0, 3, 30]])
 def write_series(folder, voxels, **values):
     os.makedirs(path(folder), exist_ok=True)
     for k in range(voxels.shape[2]):  # names in the other order than places
-        save(slice_of(voxels[:, :, k], (10, 20, 30 + 3 * k), InstanceNumber=k, **values), '%s/%d.dcm' % (folder, 99 - k))
+        save(
+            slice_of(voxels[:, :, k], (10, 20, 30 + 3 * k), InstanceNumber=k, **values), "%s/%d.dcm" % (folder, 99 - k)
+        )
     return path(folder)
 
 
 def test_series():
     voxels = random_labels((6, 4, 5), (0, 3, 900))
-    folder = write_series('series', voxels, SeriesDescription='Thorax')
-    open(path('series/notes.txt'), 'w').write('no DICOM')
-    open(path('series/junk'), 'wb').write(b'\x08\0\x05\0' + bytes(200))
+    folder = write_series("series", voxels, SeriesDescription="Thorax")
+    open(path("series/notes.txt"), "w").write("no DICOM")
+    open(path("series/junk"), "wb").write(b"\x08\0\x05\0" + bytes(200))
     check(voxels, AFFINE, folder)
     for k in (0, 4):
         alone = AFFINE.copy()
         alone[2] = [0, 0, 1, 30 + 3 * k]  # a single file knows its thickness only
-        check(voxels[:, :, k:k + 1], alone, path('series/%d.dcm' % (99 - k)))
+        check(voxels[:, :, k : k + 1], alone, path("series/%d.dcm" % (99 - k)))
     twice = slice_of(voxels[:, :, 0], (10, 20, 33), InstanceNumber=50)
-    save(twice, 'series/twice.dcm')
-    refused(FORMAT, ['same place', 'twice.dcm'], folder)
-    os.remove(path('series/twice.dcm'))
-    os.remove(path('series/97.dcm'))
-    refused(FORMAT, 'evenly spaced', folder)
-    save(slice_of(voxels[:, :, 2], (10, 20, 36), series='1.2.6', SeriesDescription='Lung'), 'series/97.dcm')
-    refused(FILE, ['2:', 'Thorax', '4 files', 'UID 1.2.5', 'Lung', '1 file of 6 x 4', 'UID 1.2.6'], folder)
-    os.mkdir(path('empty'))
-    refused(FILE, 'DICOM series', path('empty'))
+    save(twice, "series/twice.dcm")
+    refused(FORMAT, ["same place", "twice.dcm"], folder)
+    os.remove(path("series/twice.dcm"))
+    os.remove(path("series/97.dcm"))
+    refused(FORMAT, "evenly spaced", folder)
+    save(slice_of(voxels[:, :, 2], (10, 20, 36), series="1.2.6", SeriesDescription="Lung"), "series/97.dcm")
+    refused(FILE, ["2:", "Thorax", "4 files", "UID 1.2.5", "Lung", "1 file of 6 x 4", "UID 1.2.6"], folder)
+    os.mkdir(path("empty"))
+    refused(FILE, "DICOM series", path("empty"))
 
 
 def test_series_without_places():
     voxels = random_labels((6, 4, 3), (0, 3, 9))
-    os.makedirs(path('placeless'))
+    os.makedirs(path("placeless"))
     for k in range(3):
         dataset = slice_of(voxels[:, :, k], (0, 0, 0), InstanceNumber=9 + k)
         del dataset.ImagePositionPatient
-        save(dataset, 'placeless/%d.dcm' % (3 - k))
-    check(voxels, np.diag([0.25, 0.5, 1, 0])[:3], path('placeless'), told=['order of their numbers'])
+        save(dataset, "placeless/%d.dcm" % (3 - k))
+    check(voxels, np.diag([0.25, 0.5, 1, 0])[:3], path("placeless"), told=["order of their numbers"])
     dataset.InstanceNumber = 10
-    save(dataset, 'placeless/1.dcm')
-    refused(FORMAT, 'the same number', path('placeless'))
+    save(dataset, "placeless/1.dcm")
+    refused(FORMAT, "the same number", path("placeless"))
 
 
 def test_rescaled():
     stored = random_labels((6, 4, 3), (0, 1, 2))
-    check(2 * stored - 3, AFFINE, write_series('rescaled', stored, RescaleSlope=2, RescaleIntercept=-3))
+    check(2 * stored - 3, AFFINE, write_series("rescaled", stored, RescaleSlope=2, RescaleIntercept=-3))
 
 
 def test_folders():
     """The only series of a tree is read; of several, all are named."""
     voxels = random_labels((6, 4, 3), (0, 3, 900))
-    os.makedirs(path('tree/STUDY'))
-    save(new('1.2.840.10008.1.3.10', FileSetID='CD'), 'tree/DICOMDIR')
-    write_series('tree/STUDY/SERIES1', voxels)
-    for folder in 'tree', 'tree/', 'tree/STUDY':
+    os.makedirs(path("tree/STUDY"))
+    save(new("1.2.840.10008.1.3.10", FileSetID="CD"), "tree/DICOMDIR")
+    write_series("tree/STUDY/SERIES1", voxels)
+    for folder in "tree", "tree/", "tree/STUDY":
         check(voxels, AFFINE, path(folder))
-    write_series('tree/STUDY/SERIES2', voxels)
-    refused(FILE, ['STUDY/SERIES1', 'STUDY/SERIES2', '2 folders'], path('tree'))
-    check(voxels, AFFINE, path('tree/STUDY/SERIES1'))
-    os.makedirs(path('pictures'))
-    open(path('pictures/s1.TIF'), 'wb').write(b'II*')
-    refused(FILE, '*.TIF', path('pictures'))
+    write_series("tree/STUDY/SERIES2", voxels)
+    refused(FILE, ["STUDY/SERIES1", "STUDY/SERIES2", "2 folders"], path("tree"))
+    check(voxels, AFFINE, path("tree/STUDY/SERIES1"))
+    os.makedirs(path("pictures"))
+    open(path("pictures/s1.TIF"), "wb").write(b"II*")
+    refused(FILE, "*.TIF", path("pictures"))
 
 
 def test_rounded_orientation():
     """Numbers that differ by rounding alone do not part a series."""
     voxels = random_labels((6, 4, 3), (0, 3, 900))
-    folder = write_series('rounded', voxels)
-    save(slice_of(voxels[:, :, 1], (10, 20, 33), orientation=(1, '-1.2e-09', 0, '0.0', '0.99999999', 0)),
-         'rounded/98.dcm')
+    folder = write_series("rounded", voxels)
+    save(
+        slice_of(voxels[:, :, 1], (10, 20, 33), orientation=(1, "-1.2e-09", 0, "0.0", "0.99999999", 0)),
+        "rounded/98.dcm",
+    )
     check(voxels, AFFINE, folder)
 
 
 def test_doubts_are_told():
     voxels = random_labels((6, 4, 3), (0, 3, 900))
-    check(voxels, AFFINE, write_series('lossy', voxels, LossyImageCompression='01'), told=['changes values'])
+    check(voxels, AFFINE, write_series("lossy", voxels, LossyImageCompression="01"), told=["changes values"])
     for k in range(3):
         dataset = slice_of(voxels[:, :, k], (10, 20, 30 + 3 * k))
-        dataset.PhotometricInterpretation = 'MONOCHROME1'
+        dataset.PhotometricInterpretation = "MONOCHROME1"
         dataset.ImagerPixelSpacing = dataset.PixelSpacing
         del dataset.PixelSpacing
-        table = item(LUTDescriptor=[4, 0, 16], ModalityLUTType='US', LUTData=[0, 10, 20, 30])
-        table['LUTDescriptor'].VR = table['LUTData'].VR = 'US'
+        table = item(LUTDescriptor=[4, 0, 16], ModalityLUTType="US", LUTData=[0, 10, 20, 30])
+        table["LUTDescriptor"].VR = table["LUTData"].VR = "US"
         dataset.ModalityLUTSequence = Sequence([table])
-        os.makedirs(path('doubts'), exist_ok=True)
-        save(dataset, 'doubts/%d.dcm' % k)
-    check(voxels, AFFINE, path('doubts'), told=['MONOCHROME1', 'at the detector', 'Modality LUT'])
+        os.makedirs(path("doubts"), exist_ok=True)
+        save(dataset, "doubts/%d.dcm" % k)
+    check(voxels, AFFINE, path("doubts"), told=["MONOCHROME1", "at the detector", "Modality LUT"])
 
 
 def test_bits_in_the_middle():
@@ -189,16 +207,16 @@ def test_bits_in_the_middle():
     for high in (11, 13, 15):
         dataset = slice_of(voxels[:, :, 0], (10, 20, 30))
         dataset.BitsStored, dataset.HighBit = 12, high
-        dataset.PixelData = ((voxels[:, :, 0].T << (high - 11)) | (1 << (high - 11)) - 1).astype('<u2').tobytes()
-        check(voxels, alone, save(dataset, 'bits.dcm'), told=['HighBit'] if high != 11 else [])
+        dataset.PixelData = ((voxels[:, :, 0].T << (high - 11)) | (1 << (high - 11)) - 1).astype("<u2").tobytes()
+        check(voxels, alone, save(dataset, "bits.dcm"), told=["HighBit"] if high != 11 else [])
     dataset.HighBit = 16
-    refused(FORMAT, 'bit 16', save(dataset, 'bits.dcm'))
+    refused(FORMAT, "bit 16", save(dataset, "bits.dcm"))
     small = voxels % 256
     dataset = slice_of(small[:, :, 0], (10, 20, 30))
     set_pixels(dataset, small.transpose(2, 1, 0), bits=8)
-    dataset.PixelData = small[:, :, 0].T.astype('u1').reshape(-1, 2)[:, ::-1].tobytes()  # words, high byte first
-    dataset['PixelData'].VR = 'OW'
-    check(small, alone, save(dataset, 'words.dcm', ExplicitVRBigEndian))
+    dataset.PixelData = small[:, :, 0].T.astype("u1").reshape(-1, 2)[:, ::-1].tobytes()  # words, high byte first
+    dataset["PixelData"].VR = "OW"
+    check(small, alone, save(dataset, "words.dcm", ExplicitVRBigEndian))
 
 
 def test_encodings():
@@ -206,23 +224,26 @@ def test_encodings():
     alone = AFFINE.copy()
     alone[2, 2] = 1
     dataset = lambda: slice_of(voxels[:, :, 0], (10, 20, 30))
-    for name, syntax in (('implicit', ImplicitVRLittleEndian), ('explicit', ExplicitVRLittleEndian),
-                         ('deflated', DeflatedExplicitVRLittleEndian)):
-        check(voxels, alone, save(dataset(), name + '.dcm', syntax))
+    for name, syntax in (
+        ("implicit", ImplicitVRLittleEndian),
+        ("explicit", ExplicitVRLittleEndian),
+        ("deflated", DeflatedExplicitVRLittleEndian),
+    ):
+        check(voxels, alone, save(dataset(), name + ".dcm", syntax))
     big = dataset()
-    big.PixelData = voxels[:, :, 0].T.astype('>u2').tobytes()
-    check(voxels, alone, save(big, 'big.dcm', ExplicitVRBigEndian))
-    data = open(path('implicit.dcm'), 'rb').read()
-    body = data.index(b'\x08\0\x16\0')
-    open(path('bare.dcm'), 'wb').write(data[body:])  # as files before 1993
-    check(voxels, alone, path('bare.dcm'))
+    big.PixelData = voxels[:, :, 0].T.astype(">u2").tobytes()
+    check(voxels, alone, save(big, "big.dcm", ExplicitVRBigEndian))
+    data = open(path("implicit.dcm"), "rb").read()
+    body = data.index(b"\x08\0\x16\0")
+    open(path("bare.dcm"), "wb").write(data[body:])  # as files before 1993
+    check(voxels, alone, path("bare.dcm"))
 
 
 def packed_by_runs(frame):
     """One frame of 16 bits, high bytes first; runs of three or more as runs."""
     planes = []
     for plane in (frame >> 8, frame & 255):
-        row, out = plane.astype('u1').tobytes(), bytearray()
+        row, out = plane.astype("u1").tobytes(), bytearray()
         at = 0
         while at < len(row):
             end = at + 1
@@ -234,8 +255,8 @@ def packed_by_runs(frame):
                 end = at + 1
                 out += bytes([0, row[at]])
             at = end
-        planes.append(bytes(out) + b'\0' * (len(out) % 2))
-    head = struct.pack('<16I', 2, 64, 64 + len(planes[0]), *[0] * 13)
+        planes.append(bytes(out) + b"\0" * (len(out) % 2))
+    head = struct.pack("<16I", 2, 64, 64 + len(planes[0]), *[0] * 13)
     return head + planes[0] + planes[1]
 
 
@@ -245,30 +266,33 @@ def test_compressed():
     alone[2, 2] = 1
     dataset = slice_of(voxels[:, :, 0], (10, 20, 30))
     dataset.PixelData = encapsulate([packed_by_runs(voxels[:, :, 0].T)])
-    dataset['PixelData'].is_undefined_length = True
-    check(voxels, alone, save(dataset, 'runs.dcm', RLELossless))
+    dataset["PixelData"].is_undefined_length = True
+    check(voxels, alone, save(dataset, "runs.dcm", RLELossless))
     dataset.PixelData = encapsulate([packed_by_runs(voxels[:, :, 0].T)[:80]])
-    refused(FORMAT, 'damaged', save(dataset, 'short_runs.dcm', RLELossless))
+    refused(FORMAT, "damaged", save(dataset, "short_runs.dcm", RLELossless))
 
 
 def test_one_slice_in_all_encodings():
     """Files that come with pydicom: the same slice, plain and compressed in several ways."""
-    folder = os.path.join(os.path.dirname(pydicom.__file__), 'data', 'test_files')
-    plain = pydicom.dcmread(os.path.join(folder, 'MR_small.dcm'))
-    across, down = (np.array(plain.ImageOrientationPatient[i:i + 3], float) for i in (0, 3))
-    steps = [across * plain.PixelSpacing[1], down * plain.PixelSpacing[0],
-             np.cross(across, down) * float(plain.SliceThickness)]
+    folder = os.path.join(os.path.dirname(pydicom.__file__), "data", "test_files")
+    plain = pydicom.dcmread(os.path.join(folder, "MR_small.dcm"))
+    across, down = (np.array(plain.ImageOrientationPatient[i : i + 3], float) for i in (0, 3))
+    steps = [
+        across * plain.PixelSpacing[1],
+        down * plain.PixelSpacing[0],
+        np.cross(across, down) * float(plain.SliceThickness),
+    ]
     affine = np.column_stack([*steps, np.array(plain.ImagePositionPatient, float)])
-    for end in ('', '_RLE', '_bigendian', '_implicit', '_padded', '_jp2klossless', '_jpeg_ls_lossless'):
-        check(plain.pixel_array.T[:, :, None], affine, os.path.join(folder, 'MR_small%s.dcm' % end), kind=LABELS)
+    for end in ("", "_RLE", "_bigendian", "_implicit", "_padded", "_jp2klossless", "_jpeg_ls_lossless"):
+        check(plain.pixel_array.T[:, :, None], affine, os.path.join(folder, "MR_small%s.dcm" % end), kind=LABELS)
 
 
 def test_damaged_compression_does_not_end_the_process():
     dataset = slice_of(random_labels((6, 4), (0, 3)), (10, 20, 30))
-    for junk in (b'', b'\xff\x4f\xff\x51' + bytes(60), os.urandom(400)):
-        dataset.PixelData = encapsulate([junk or b'\0\0'])
-        dataset['PixelData'].is_undefined_length = True
-        refused(FORMAT, 'compressed pixels', save(dataset, 'junk2000.dcm', JPEG2000Lossless))
+    for junk in (b"", b"\xff\x4f\xff\x51" + bytes(60), os.urandom(400)):
+        dataset.PixelData = encapsulate([junk or b"\0\0"])
+        dataset["PixelData"].is_undefined_length = True
+        refused(FORMAT, "compressed pixels", save(dataset, "junk2000.dcm", JPEG2000Lossless))
 
 
 def frames_dataset(storage, frames, positions, orientation=(1, 0, 0, 0, 1, 0), bits=16, measures=(0.5, 0.25, 3)):
@@ -277,10 +301,12 @@ def frames_dataset(storage, frames, positions, orientation=(1, 0, 0, 0, 1, 0), b
     measure = group(PixelSpacing=list(measures[:2]))
     if measures[2]:
         measure[0].SpacingBetweenSlices = measures[2]
-    dataset.SharedFunctionalGroupsSequence = group(PlaneOrientationSequence=group(
-        ImageOrientationPatient=list(orientation)), PixelMeasuresSequence=measure)
+    dataset.SharedFunctionalGroupsSequence = group(
+        PlaneOrientationSequence=group(ImageOrientationPatient=list(orientation)), PixelMeasuresSequence=measure
+    )
     dataset.PerFrameFunctionalGroupsSequence = Sequence(
-        [item(PlanePositionSequence=group(ImagePositionPatient=[float(x) for x in p])) for p in positions])
+        [item(PlanePositionSequence=group(ImagePositionPatient=[float(x) for x in p])) for p in positions]
+    )
     return dataset
 
 
@@ -290,17 +316,21 @@ def test_volume_of_frames():
     frames = np.array([voxels[:, :, k].T for k in order])
     positions = [(10, 20, 30 + 3 * k) for k in order]
     for syntax in (ExplicitVRLittleEndian, ImplicitVRLittleEndian):
-        check(voxels, AFFINE, save(frames_dataset(ENHANCED_CT, frames, positions), 'frames.dcm', syntax))
+        check(voxels, AFFINE, save(frames_dataset(ENHANCED_CT, frames, positions), "frames.dcm", syntax))
     over_time = frames_dataset(ENHANCED_CT, frames, [(10, 20, 30 + 3 * (k % 3)) for k in range(5)])
-    refused(FORMAT, 'over time', save(over_time, 'time.dcm'))
+    refused(FORMAT, "over time", save(over_time, "time.dcm"))
     del over_time.PerFrameFunctionalGroupsSequence
-    refused(FORMAT, 'where they lie', save(over_time, 'cine.dcm'))
+    refused(FORMAT, "where they lie", save(over_time, "cine.dcm"))
 
 
-def segmentation(frames, segments, names=('Liver', 'Tumor'), kind='BINARY', **options):
+def segmentation(frames, segments, names=("Liver", "Tumor"), kind="BINARY", **options):
     """`frames`: (segment, position, pixels as [column, row])."""
-    dataset = frames_dataset(SEGMENTATION, np.array([pixels.T for _, _, pixels in frames]),
-                             [place for _, place, _ in frames], **{'bits': 1, **options})
+    dataset = frames_dataset(
+        SEGMENTATION,
+        np.array([pixels.T for _, _, pixels in frames]),
+        [place for _, place, _ in frames],
+        **{"bits": 1, **options},
+    )
     dataset.SegmentationType = kind
     dataset.SegmentSequence = Sequence([item(SegmentNumber=n, SegmentLabel=name) for n, name in zip(segments, names)])
     for row, (segment, _, _) in zip(dataset.PerFrameFunctionalGroupsSequence, frames):
@@ -309,8 +339,11 @@ def segmentation(frames, segments, names=('Liver', 'Tumor'), kind='BINARY', **op
 
 
 def segment_frames(voxels, label, places, keep_empty=False):
-    return [(label, places[k], voxels[:, :, k] == label) for k in range(voxels.shape[2])
-            if keep_empty or (voxels[:, :, k] == label).any()]
+    return [
+        (label, places[k], voxels[:, :, k] == label)
+        for k in range(voxels.shape[2])
+        if keep_empty or (voxels[:, :, k] == label).any()
+    ]
 
 
 def two_segments():
@@ -325,28 +358,28 @@ def test_segmentation():
     voxels, places = two_segments()
     frames = segment_frames(voxels, 1, places) + segment_frames(voxels, 5, places)
     for syntax in (ExplicitVRLittleEndian, ImplicitVRLittleEndian, DeflatedExplicitVRLittleEndian):
-        check(voxels, AFFINE, save(segmentation(frames, (1, 5)), 'seg.dcm', syntax))
-    for thickness, told in ((1, ['apart: 3 is taken', 'thickness of 1']), (3, []), (5, [])):
+        check(voxels, AFFINE, save(segmentation(frames, (1, 5)), "seg.dcm", syntax))
+    for thickness, told in ((1, ["apart: 3 is taken", "thickness of 1"]), (3, []), (5, [])):
         thick = segmentation(frames, (1, 5), measures=(0.5, 0.25, 0))
         thick.SharedFunctionalGroupsSequence[0].PixelMeasuresSequence[0].SliceThickness = thickness
-        check(voxels, AFFINE, save(thick, 'thick.dcm'), told=told)
+        check(voxels, AFFINE, save(thick, "thick.dcm"), told=told)
     spread = np.zeros((7, 5, 16), int)
     spread[:, :, ::3] = voxels
     thin = AFFINE.copy()
     thin[2, 2] = 1
-    check(spread, thin, save(segmentation(frames, (1, 5), measures=(0.5, 0.25, 1)), 'spread.dcm'), told=['no frame'])
+    check(spread, thin, save(segmentation(frames, (1, 5), measures=(0.5, 0.25, 1)), "spread.dcm"), told=["no frame"])
     mixed = [frames[i] for i in np.random.default_rng(1).permutation(len(frames))]
-    check(voxels, AFFINE, save(segmentation(mixed, (1, 5)), 'mixed.dcm'))
-    check(voxels, AFFINE, save(segmentation(mixed, (1, 5), measures=(0.5, 0.25, 0)), 'unspaced.dcm'))
+    check(voxels, AFFINE, save(segmentation(mixed, (1, 5)), "mixed.dcm"))
+    check(voxels, AFFINE, save(segmentation(mixed, (1, 5), measures=(0.5, 0.25, 0)), "unspaced.dcm"))
     full = segment_frames(voxels, 1, places, True) + segment_frames(voxels, 5, places, True)
-    check(voxels, AFFINE, save(segmentation(full, (1, 5)), 'full.dcm'))
-    for characters in ('ISO_IR 100', 'ISO_IR 192'):
-        named = segmentation(frames, (1, 5), ('S\u00e4ugerleber', 'Tumor'))
+    check(voxels, AFFINE, save(segmentation(full, (1, 5)), "full.dcm"))
+    for characters in ("ISO_IR 100", "ISO_IR 192"):
+        named = segmentation(frames, (1, 5), ("S\u00e4ugerleber", "Tumor"))
         named.SpecificCharacterSet = characters
-        output = run_dump([save(named, 'names.dcm')])[0].stdout
-        assert 'name: 1 S\u00e4ugerleber\n' in output and 'name: 5 Tumor\n' in output, output
-    os.makedirs(path('one'), exist_ok=True)
-    check(voxels, AFFINE, os.path.dirname(save(segmentation(full, (1, 5)), 'one/seg.dcm')))
+        output = run_dump([save(named, "names.dcm")])[0].stdout
+        assert "name: 1 S\u00e4ugerleber\n" in output and "name: 5 Tumor\n" in output, output
+    os.makedirs(path("one"), exist_ok=True)
+    check(voxels, AFFINE, os.path.dirname(save(segmentation(full, (1, 5)), "one/seg.dcm")))
 
 
 def test_turned_segmentation():
@@ -354,55 +387,60 @@ def test_turned_segmentation():
     places = [(10 - 3 * k, 20, 30) for k in range(6)]  # the normal of TURNED is -x
     frames = segment_frames(voxels, 1, places) + segment_frames(voxels, 5, places)
     affine = np.array([[0, 0, -3, 10], [0.25, 0, 0, 20], [0, -0.5, 0, 30.0]])
-    check(voxels, affine, save(segmentation(frames, (1, 5), orientation=TURNED), 'turned.dcm'))
+    check(voxels, affine, save(segmentation(frames, (1, 5), orientation=TURNED), "turned.dcm"))
 
 
 def test_overlapping_segments():
     voxels, places = two_segments()
     liver = [(1, places[k], np.isin(voxels[:, :, k], (1, 5))) for k in range(6)]
     for frames in (liver + segment_frames(voxels, 5, places), segment_frames(voxels, 5, places) + liver):
-        check(voxels, AFFINE, save(segmentation(frames, (1, 5)), 'overlap.dcm'),
-              told=['4 voxels are in segment 1 and in segment 5', 'the later one'])
+        check(
+            voxels,
+            AFFINE,
+            save(segmentation(frames, (1, 5)), "overlap.dcm"),
+            told=["4 voxels are in segment 1 and in segment 5", "the later one"],
+        )
 
 
 def test_fractional_segments():
     voxels, places = two_segments()
     frames = [(n, p, np.where(pixels, 200, 60)) for n, p, pixels in segment_frames(voxels, 1, places, True)]
-    dataset = segmentation(frames, (1, 5), kind='FRACTIONAL', bits=8)
+    dataset = segmentation(frames, (1, 5), kind="FRACTIONAL", bits=8)
     dataset.MaximumFractionalValue = 255
-    check((voxels == 1).astype(int), AFFINE, save(dataset, 'fractions.dcm'), told=['from a half on'])
+    check((voxels == 1).astype(int), AFFINE, save(dataset, "fractions.dcm"), told=["from a half on"])
 
 
 def test_label_map_segmentation():
     voxels, places = two_segments()
     dataset = frames_dataset(LABEL_MAP, np.array([voxels[:, :, k].T for k in range(6)]), places, bits=8)
-    dataset.SegmentationType = 'LABELMAP'
-    check(voxels, AFFINE, save(dataset, 'labelmap.dcm'))
+    dataset.SegmentationType = "LABELMAP"
+    check(voxels, AFFINE, save(dataset, "labelmap.dcm"))
 
 
 def test_strange_segmentations():
     voxels, places = two_segments()
     frames = segment_frames(voxels, 1, places)
-    refused(FORMAT, 'segment 1', save(segmentation(frames, (2, 5)), 'unlisted.dcm'))
+    refused(FORMAT, "segment 1", save(segmentation(frames, (2, 5)), "unlisted.dcm"))
     uneven = [(n, (10, 20, z), pixels) for (n, _, pixels), z in zip(frames, (30, 31.7, 35, 42))]
-    refused(FORMAT, 'evenly spaced', save(segmentation(uneven, (1, 5)), 'uneven.dcm'))
-    refused(FORMAT, 'KIND', save(segmentation(frames, (1, 5), kind='KIND'), 'kind.dcm'))
+    refused(FORMAT, "evenly spaced", save(segmentation(uneven, (1, 5)), "uneven.dcm"))
+    refused(FORMAT, "KIND", save(segmentation(frames, (1, 5), kind="KIND"), "kind.dcm"))
     dataset = segmentation(frames, (1, 5))
     del dataset.PerFrameFunctionalGroupsSequence[1].PlanePositionSequence
-    refused(FORMAT, 'the 2nd frame does not tell where', save(dataset, 'placeless.dcm'))
+    refused(FORMAT, "the 2nd frame does not tell where", save(dataset, "placeless.dcm"))
     dataset = segmentation(frames, (1, 5))
     dataset.PixelData = dataset.PixelData[:8]
-    refused(FORMAT, 'damaged', save(dataset, 'short.dcm'))
+    refused(FORMAT, "damaged", save(dataset, "short.dcm"))
 
 
 def test_what_holds_no_volume():
-    structures = new(RT_STRUCTURES, Modality='RTSTRUCT')
-    refused(UNSUPPORTED, ['RT structure set', 'contours'], save(structures, 'contours.dcm'))
-    refused(FORMAT, ['no image', '1.2.840.10008.5.1.4.1.1.88.11'],
-            save(new('1.2.840.10008.5.1.4.1.1.88.11'), 'report.dcm'))
+    structures = new(RT_STRUCTURES, Modality="RTSTRUCT")
+    refused(UNSUPPORTED, ["RT structure set", "contours"], save(structures, "contours.dcm"))
+    refused(
+        FORMAT, ["no image", "1.2.840.10008.5.1.4.1.1.88.11"], save(new("1.2.840.10008.5.1.4.1.1.88.11"), "report.dcm")
+    )
     colours = slice_of(random_labels((6, 4), (0, 3)), (0, 0, 0))
     colours.SamplesPerPixel = 3
-    refused(FORMAT, 'colours', save(colours, 'colours.dcm'))
+    refused(FORMAT, "colours", save(colours, "colours.dcm"))
 
 
 def test_damaged():
@@ -411,25 +449,28 @@ def test_damaged():
     frames = segment_frames(voxels, 1, places) + segment_frames(voxels, 5, places)
     dataset = slice_of(voxels[:, :, 0], (0, 0, 0))
     dataset.PixelData = encapsulate([packed_by_runs(voxels[:, :, 0].T)])
-    dataset['PixelData'].is_undefined_length = True
-    sources = [save(segmentation(frames, (1, 5)), 'whole.dcm'), save(dataset, 'whole_runs.dcm', RLELossless),
-               save(segmentation(frames, (1, 5)), 'whole_implicit.dcm', ImplicitVRLittleEndian)]
+    dataset["PixelData"].is_undefined_length = True
+    sources = [
+        save(segmentation(frames, (1, 5)), "whole.dcm"),
+        save(dataset, "whole_runs.dcm", RLELossless),
+        save(segmentation(frames, (1, 5)), "whole_implicit.dcm", ImplicitVRLittleEndian),
+    ]
     random = np.random.default_rng(3)
     for source in sources:
-        data = open(source, 'rb').read()
+        data = open(source, "rb").read()
         for trial in range(40):
-            damaged = bytearray(data[:random.integers(len(data))] if trial % 4 == 0 else data)
+            damaged = bytearray(data[: random.integers(len(data))] if trial % 4 == 0 else data)
             for _ in range(trial % 4 * 3):
                 damaged[random.integers(128, len(damaged)) if len(damaged) > 129 else 0] = random.integers(256)
-            open(path('damaged.dcm'), 'wb').write(damaged)
-            run_dump([path('damaged.dcm')])
-    head = bytes(128) + b'DICM'
-    long = head + b'\2\0\0\0UL\4\0\xff\xff\xff\xff\2\0\x10\0UI\xff\xff' + b'1.2.8401' * 16
-    for name, data in (('trunc', head), ('long', long), ('bare', head[:131])):
-        open(path(name + '.dcm'), 'wb').write(data)
-        run, _ = run_dump([path(name + '.dcm')])
+            open(path("damaged.dcm"), "wb").write(damaged)
+            run_dump([path("damaged.dcm")])
+    head = bytes(128) + b"DICM"
+    long = head + b"\2\0\0\0UL\4\0\xff\xff\xff\xff\2\0\x10\0UI\xff\xff" + b"1.2.8401" * 16
+    for name, data in (("trunc", head), ("long", long), ("bare", head[:131])):
+        open(path(name + ".dcm"), "wb").write(data)
+        run, _ = run_dump([path(name + ".dcm")])
         assert run.returncode == 1, name
-    run, _ = run_dump(['/etc'])
+    run, _ = run_dump(["/etc"])
     assert run.returncode == 1
 
 

@@ -1,5 +1,5 @@
-"""TIFF files as tifffile, scikit-image, Pillow and ImageJ write them: read voxel by voxel with their place, or refused by
-what they are. check_tiff.py DUMP_VOLUME"""
+"""TIFF files as tifffile, scikit-image, Pillow and ImageJ write them: read voxel by voxel with their place, or refused
+by what they are. check_tiff.py DUMP_VOLUME"""
 import struct
 import zlib
 
@@ -14,12 +14,12 @@ CUBES = np.eye(3, 4)
 UNSUPPORTED = -10
 
 
-def labels(*shape, dtype='u1', most=4, seed=0):
+def labels(*shape, dtype="u1", most=4, seed=0):
     return np.random.default_rng(seed).integers(0, most, shape).astype(dtype)
 
 
-def write(voxels, name='a.tif', **options):
-    options.setdefault('photometric', 'minisblack')
+def write(voxels, name="a.tif", **options):
+    options.setdefault("photometric", "minisblack")
     tifffile.imwrite(path(name), voxels, **options)
     return path(name)
 
@@ -34,183 +34,211 @@ def scaled(x, y, z):
 
 
 def test_tifffile():
-    for dtype in ('u1', 'i1', 'u2', 'i2', 'u4', 'i4', 'u8', 'i8', 'f4', 'f8'):
+    for dtype in ("u1", "i1", "u2", "i2", "u4", "i4", "u8", "i8", "f4", "f8"):
         voxels = labels(3, 21, 37, dtype=dtype)
-        if dtype[0] == 'i':
+        if dtype[0] == "i":
             voxels -= 2
-        for options in ({'byteorder': '>'}, {'bigtiff': True}, {'tile': (16, 32), 'compression': 'zlib'},
-                        {'rowsperstrip': 5, 'contiguous': False}):
+        for options in (
+            {"byteorder": ">"},
+            {"bigtiff": True},
+            {"tile": (16, 32), "compression": "zlib"},
+            {"rowsperstrip": 5, "contiguous": False},
+        ):
             check_stack(voxels, CUBES, write(voxels, **options))
-        reads_quietly(path('a.tif'))
+        reads_quietly(path("a.tif"))
     mask = labels(3, 21, 37, dtype=bool, most=2)
     check_stack(mask, CUBES, write(mask))
-    single = labels(21, 37, dtype='i4') * 20000
+    single = labels(21, 37, dtype="i4") * 20000
     check_stack(single[None], CUBES, write(single))
-    for dtype, words in (('f2', '16 bits'), ('c8', 'complex'), ('c16', 'complex')):
+    for dtype, words in (("f2", "16 bits"), ("c8", "complex"), ("c16", "complex")):
         refused(FORMAT, words, write(np.zeros((3, 4, 5), dtype)))
 
 
 def test_floating_predictor():
     """By hand in either order of bytes: the bytes of a row by their weight, the greatest first, then differences."""
-    voxels = np.arange(256, dtype='f4').reshape(1, 16, 16) * 1000
-    planes = voxels[0].astype('>f4').view('u1').reshape(16, -1, 4).transpose(0, 2, 1).reshape(16, -1)
-    data = zlib.compress(np.diff(planes, axis=1, prepend=np.zeros((16, 1), 'u1')).astype('u1').tobytes())
-    tags = ((256, 16), (257, 16), (258, 32), (259, 8), (262, 1), (273, 300), (277, 1), (278, 16), (279, len(data)),
-            (317, 3), (339, 3))
-    for order, mark in (('<', b'II*\0'), ('>', b'MM\0*')):
-        head = mark + struct.pack(order + 'IH', 8, len(tags))
-        head += b''.join(struct.pack(order + 'HHIHH', tag, 3, 1, value, 0) for tag, value in tags) + bytes(4)
-        open(path('f.tif'), 'wb').write(head.ljust(300, b'\0') + data)
-        check_stack(voxels, CUBES, path('f.tif'))
+    voxels = np.arange(256, dtype="f4").reshape(1, 16, 16) * 1000
+    planes = voxels[0].astype(">f4").view("u1").reshape(16, -1, 4).transpose(0, 2, 1).reshape(16, -1)
+    data = zlib.compress(np.diff(planes, axis=1, prepend=np.zeros((16, 1), "u1")).astype("u1").tobytes())
+    tags = (
+        (256, 16),
+        (257, 16),
+        (258, 32),
+        (259, 8),
+        (262, 1),
+        (273, 300),
+        (277, 1),
+        (278, 16),
+        (279, len(data)),
+        (317, 3),
+        (339, 3),
+    )
+    for order, mark in (("<", b"II*\0"), (">", b"MM\0*")):
+        head = mark + struct.pack(order + "IH", 8, len(tags))
+        head += b"".join(struct.pack(order + "HHIHH", tag, 3, 1, value, 0) for tag, value in tags) + bytes(4)
+        open(path("f.tif"), "wb").write(head.ljust(300, b"\0") + data)
+        check_stack(voxels, CUBES, path("f.tif"))
 
 
 def test_programs():
-    voxels = labels(5, 21, 37, dtype='i4') * 20000  # three planes would be taken for colours
-    skimage.io.imsave(path('s.tif'), voxels, check_contrast=False)
-    check_stack(voxels, CUBES, path('s.tif'))
+    voxels = labels(5, 21, 37, dtype="i4") * 20000  # three planes would be taken for colours
+    skimage.io.imsave(path("s.tif"), voxels, check_contrast=False)
+    check_stack(voxels, CUBES, path("s.tif"))
     pages = [Image.fromarray(page) for page in voxels]
-    pages[0].save(path('p.tif'), save_all=True, append_images=pages[1:])
-    check_stack(voxels, CUBES, path('p.tif'))
+    pages[0].save(path("p.tif"), save_all=True, append_images=pages[1:])
+    check_stack(voxels, CUBES, path("p.tif"))
     grey = labels(3, 21, 37)
     pages = [Image.fromarray(page) for page in grey]
-    for compression in ('tiff_lzw', 'packbits', 'tiff_adobe_deflate', 'tiff_deflate'):
-        pages[0].save(path('p.tif'), save_all=True, append_images=pages[1:], compression=compression, dpi=(300, 300))
-        check_stack(grey, CUBES, path('p.tif'))
-        reads_quietly(path('p.tif'))
-    for page, name in zip(pages, ('n1.tif', 'n2.tif', 'n3.tif')):
+    for compression in ("tiff_lzw", "packbits", "tiff_adobe_deflate", "tiff_deflate"):
+        pages[0].save(path("p.tif"), save_all=True, append_images=pages[1:], compression=compression, dpi=(300, 300))
+        check_stack(grey, CUBES, path("p.tif"))
+        reads_quietly(path("p.tif"))
+    for page, name in zip(pages, ("n1.tif", "n2.tif", "n3.tif")):
         page.save(path(name))
-    check_stack(grey, CUBES, path('n?.tif'))
+    check_stack(grey, CUBES, path("n?.tif"))
     mask = Image.fromarray(grey[0] > 1)
-    for compression in ('group4', 'group3', 'tiff_lzw'):
-        mask.save(path('p.tif'), compression=compression)
-        check_stack(grey[:1] > 1, CUBES, path('p.tif'))
-    check_stack(grey > 1, CUBES, write(grey > 1, photometric='miniswhite'))
-    warned('MinIsWhite', path('a.tif'))
-    Image.fromarray(grey[0]).save(path('p.tif'), compression='jpeg')
-    warned('JPEG', path('p.tif'))
+    for compression in ("group4", "group3", "tiff_lzw"):
+        mask.save(path("p.tif"), compression=compression)
+        check_stack(grey[:1] > 1, CUBES, path("p.tif"))
+    check_stack(grey > 1, CUBES, write(grey > 1, photometric="miniswhite"))
+    warned("MinIsWhite", path("a.tif"))
+    Image.fromarray(grey[0]).save(path("p.tif"), compression="jpeg")
+    warned("JPEG", path("p.tif"))
 
 
 def test_colours():
-    refused(FORMAT, 'colours', write(np.zeros((5, 6, 3), 'u1'), photometric='rgb'))
-    refused(FORMAT, 'colours', write(np.zeros((3, 5, 6, 3), 'u1'), photometric='rgb'))
-    refused(FORMAT, 'colours', write(np.zeros((3, 5, 6), 'u1'), photometric='rgb', planarconfig='separate'))
-    refused(FORMAT, 'colours', write(np.zeros((3, 5, 6, 3), 'u1'), photometric='rgb', imagej=True))
-    refused(FORMAT, '2 numbers a voxel', write(np.zeros((5, 6, 2), 'u1'), planarconfig='contig', extrasamples=[0]))
+    refused(FORMAT, "colours", write(np.zeros((5, 6, 3), "u1"), photometric="rgb"))
+    refused(FORMAT, "colours", write(np.zeros((3, 5, 6, 3), "u1"), photometric="rgb"))
+    refused(FORMAT, "colours", write(np.zeros((3, 5, 6), "u1"), photometric="rgb", planarconfig="separate"))
+    refused(FORMAT, "colours", write(np.zeros((3, 5, 6, 3), "u1"), photometric="rgb", imagej=True))
+    refused(FORMAT, "2 numbers a voxel", write(np.zeros((5, 6, 2), "u1"), planarconfig="contig", extrasamples=[0]))
 
 
 def test_imagej():
-    voxels = labels(5, 21, 37, dtype='u2') * np.uint16(300)
-    metadata = {'spacing': 0.3, 'unit': 'um'}
-    for unit in ('um', 'micron', '\\u00B5m'):
-        name = write(voxels, imagej=True, resolution=(10, 4), metadata={'axes': 'ZYX', 'spacing': 0.3, 'unit': unit})
+    voxels = labels(5, 21, 37, dtype="u2") * np.uint16(300)
+    metadata = {"spacing": 0.3, "unit": "um"}
+    for unit in ("um", "micron", "\\u00B5m"):
+        name = write(voxels, imagej=True, resolution=(10, 4), metadata={"axes": "ZYX", "spacing": 0.3, "unit": unit})
         check_stack(voxels, scaled(0.1, 0.25, 0.3), name)
-        warned('0.1 x 0.25 x 0.3 um', name)
+        warned("0.1 x 0.25 x 0.3 um", name)
     check_stack(voxels, scaled(2, 3, 7), name, spacing=(2, 3, 7))
-    name = write(voxels, imagej=True, resolution=(10, 10), metadata={'axes': 'ZYX', 'unit': 'mm'})
+    name = write(voxels, imagej=True, resolution=(10, 10), metadata={"axes": "ZYX", "unit": "mm"})
     check_stack(voxels, scaled(0.1, 0.1, 1), name)
-    warned('does not give the last', name)
-    name = write(voxels[0], imagej=True, resolution=(10, 10), metadata={'unit': 'mm'})
+    warned("does not give the last", name)
+    name = write(voxels[0], imagej=True, resolution=(10, 10), metadata={"unit": "mm"})
     check_stack(voxels[:1], scaled(0.1, 0.1, 0.1), name)
-    check_stack(voxels, CUBES, write(voxels, imagej=True, metadata={'axes': 'ZYX'}))
-    reads_quietly(path('a.tif'))
-    for place, axes, words in ((1, 'ZCYX', '2 channels'), (0, 'TZYX', '2 points in time')):
-        name = write(np.stack([voxels] * 2, place), imagej=True, resolution=(10, 10), metadata={'axes': axes, **metadata})
+    check_stack(voxels, CUBES, write(voxels, imagej=True, metadata={"axes": "ZYX"}))
+    reads_quietly(path("a.tif"))
+    for place, axes, words in ((1, "ZCYX", "2 channels"), (0, "TZYX", "2 points in time")):
+        name = write(
+            np.stack([voxels] * 2, place), imagej=True, resolution=(10, 10), metadata={"axes": axes, **metadata}
+        )
         refused(FORMAT, words, name)
-    refused(FORMAT, '5 channels', write(voxels, imagej=True))  # what tifffile makes of a stack without axes
-    name = write(voxels, imagej=True, metadata={'axes': 'TYX'})
-    refused(FORMAT, '5 points in time', name)
+    refused(FORMAT, "5 channels", write(voxels, imagej=True))  # what tifffile makes of a stack without axes
+    name = write(voxels, imagej=True, metadata={"axes": "TYX"})
+    refused(FORMAT, "5 points in time", name)
 
 
 def test_imagej_behind_one_page():
     """Stacks above 4 GB have one page, behind which the voxels of the others lie; big-endian, as Java writes."""
-    voxels = labels(5, 21, 37, dtype='u2') * np.uint16(300)
-    description = b'ImageJ=1.53t\nimages=5\nslices=5\nunit=mm\nspacing=2\n\0'
-    entries = [(256, 3, 1, 37 << 16), (257, 3, 1, 21 << 16), (258, 3, 1, 16 << 16), (259, 3, 1, 1 << 16),
-               (262, 3, 1, 1 << 16), (270, 2, len(description), 200), (273, 4, 1, 300), (277, 3, 1, 1 << 16),
-               (278, 3, 1, 21 << 16), (279, 4, 1, 37 * 21 * 2), (282, 5, 1, 280), (283, 5, 1, 280)]
-    head = b'MM\0*' + struct.pack('>IH', 8, len(entries)) + b''.join(struct.pack('>HHII', *e) for e in entries)
-    head = (head + bytes(4)).ljust(200, b'\0') + description
-    head = head.ljust(280, b'\0') + struct.pack('>II', 4, 1)
-    data = head.ljust(300, b'\0') + voxels.astype('>u2').tobytes()
-    open(path('big.tif'), 'wb').write(data)
-    check_stack(voxels, scaled(0.25, 0.25, 2), path('big.tif'))
-    open(path('big.tif'), 'wb').write(data[:-1])
-    refused(FORMAT, '5 slices', path('big.tif'))
-    open(path('big.tif'), 'wb').write(data[:300 + 37 * 21 * 2])
-    check_stack(voxels[:1], scaled(0.25, 0.25, 2), path('big.tif'))
-    warned('one page', path('big.tif'))
+    voxels = labels(5, 21, 37, dtype="u2") * np.uint16(300)
+    description = b"ImageJ=1.53t\nimages=5\nslices=5\nunit=mm\nspacing=2\n\0"
+    entries = [
+        (256, 3, 1, 37 << 16),
+        (257, 3, 1, 21 << 16),
+        (258, 3, 1, 16 << 16),
+        (259, 3, 1, 1 << 16),
+        (262, 3, 1, 1 << 16),
+        (270, 2, len(description), 200),
+        (273, 4, 1, 300),
+        (277, 3, 1, 1 << 16),
+        (278, 3, 1, 21 << 16),
+        (279, 4, 1, 37 * 21 * 2),
+        (282, 5, 1, 280),
+        (283, 5, 1, 280),
+    ]
+    head = b"MM\0*" + struct.pack(">IH", 8, len(entries)) + b"".join(struct.pack(">HHII", *e) for e in entries)
+    head = (head + bytes(4)).ljust(200, b"\0") + description
+    head = head.ljust(280, b"\0") + struct.pack(">II", 4, 1)
+    data = head.ljust(300, b"\0") + voxels.astype(">u2").tobytes()
+    open(path("big.tif"), "wb").write(data)
+    check_stack(voxels, scaled(0.25, 0.25, 2), path("big.tif"))
+    open(path("big.tif"), "wb").write(data[:-1])
+    refused(FORMAT, "5 slices", path("big.tif"))
+    open(path("big.tif"), "wb").write(data[: 300 + 37 * 21 * 2])
+    check_stack(voxels[:1], scaled(0.25, 0.25, 2), path("big.tif"))
+    warned("one page", path("big.tif"))
 
 
 def test_tifffile_shapes():
     voxels = labels(2, 3, 21, 37)
-    refused(FORMAT, 'shape', write(voxels))
-    refused(FORMAT, '2 channels', write(voxels[:, 0], metadata={'axes': 'CYX'}))
-    refused(FORMAT, '2 points in time', write(voxels[:, 0], metadata={'axes': 'TYX'}))
-    check_stack(voxels[0], CUBES, write(voxels[0], metadata={'axes': 'ZYX'}))
+    refused(FORMAT, "shape", write(voxels))
+    refused(FORMAT, "2 channels", write(voxels[:, 0], metadata={"axes": "CYX"}))
+    refused(FORMAT, "2 points in time", write(voxels[:, 0], metadata={"axes": "TYX"}))
+    check_stack(voxels[0], CUBES, write(voxels[0], metadata={"axes": "ZYX"}))
     check_stack(voxels[0], CUBES, write(voxels[:1]))
-    with tifffile.TiffWriter(path('two.tif')) as file:  # a stack of grey values and one of labels
-        file.write(voxels[0], photometric='minisblack')
-        file.write(voxels[1], photometric='minisblack')
-    refused(FORMAT, '3 slices, but it has 6 pages', path('two.tif'))
-    with tifffile.TiffWriter(path('one.tif')) as file:
+    with tifffile.TiffWriter(path("two.tif")) as file:  # a stack of grey values and one of labels
+        file.write(voxels[0], photometric="minisblack")
+        file.write(voxels[1], photometric="minisblack")
+    refused(FORMAT, "3 slices, but it has 6 pages", path("two.tif"))
+    with tifffile.TiffWriter(path("one.tif")) as file:
         for page in voxels[0]:
-            file.write(page, photometric='minisblack')
-    check_stack(voxels[0], CUBES, path('one.tif'))
+            file.write(page, photometric="minisblack")
+    check_stack(voxels[0], CUBES, path("one.tif"))
 
 
 def test_ome():
     voxels = labels(3, 21, 37)
-    sizes = {'PhysicalSizeX': 0.1, 'PhysicalSizeY': 0.2, 'PhysicalSizeZ': 0.5}
-    name = write(voxels, 'a.ome.tif', ome=True, metadata={'axes': 'ZYX', **sizes})
+    sizes = {"PhysicalSizeX": 0.1, "PhysicalSizeY": 0.2, "PhysicalSizeZ": 0.5}
+    name = write(voxels, "a.ome.tif", ome=True, metadata={"axes": "ZYX", **sizes})
     check_stack(voxels, scaled(0.1, 0.2, 0.5), name)
-    warned('0.1 x 0.2 x 0.5 um', name)
-    units = {'PhysicalSizeXUnit': 'mm', 'PhysicalSizeYUnit': 'mm', 'PhysicalSizeZUnit': 'µm'}
-    name = write(voxels, 'a.ome.tif', ome=True, metadata={'axes': 'ZYX', **sizes, **units})
+    warned("0.1 x 0.2 x 0.5 um", name)
+    units = {"PhysicalSizeXUnit": "mm", "PhysicalSizeYUnit": "mm", "PhysicalSizeZUnit": "µm"}
+    name = write(voxels, "a.ome.tif", ome=True, metadata={"axes": "ZYX", **sizes, **units})
     check_stack(voxels, scaled(0.1, 0.2, 0.0005), name)
-    warned('mm', name)
-    check_stack(voxels, CUBES, write(voxels, 'a.ome.tif', ome=True, metadata={'axes': 'ZYX'}))
-    for only in 'PhysicalSizeX', 'PhysicalSizeZ':
-        name = write(voxels, 'a.ome.tif', ome=True, metadata={'axes': 'ZYX', only: sizes[only]})
+    warned("mm", name)
+    check_stack(voxels, CUBES, write(voxels, "a.ome.tif", ome=True, metadata={"axes": "ZYX"}))
+    for only in "PhysicalSizeX", "PhysicalSizeZ":
+        name = write(voxels, "a.ome.tif", ome=True, metadata={"axes": "ZYX", only: sizes[only]})
         check_stack(voxels, CUBES, name)
         warned("OME's '%s' is not used" % only, name)
     four = np.stack([voxels] * 2)
-    refused(FORMAT, '2 channels', write(four, 'a.ome.tif', ome=True, metadata={'axes': 'CZYX'}))
-    refused(FORMAT, '2 points in time', write(four, 'a.ome.tif', ome=True, metadata={'axes': 'TZYX'}))
-    with tifffile.TiffWriter(path('two.ome.tif'), ome=True) as file:
+    refused(FORMAT, "2 channels", write(four, "a.ome.tif", ome=True, metadata={"axes": "CZYX"}))
+    refused(FORMAT, "2 points in time", write(four, "a.ome.tif", ome=True, metadata={"axes": "TZYX"}))
+    with tifffile.TiffWriter(path("two.ome.tif"), ome=True) as file:
         for _ in range(2):
-            file.write(voxels, photometric='minisblack', metadata={'axes': 'ZYX'})
-    refused(FORMAT, 'several images', path('two.ome.tif'))
+            file.write(voxels, photometric="minisblack", metadata={"axes": "ZYX"})
+    refused(FORMAT, "several images", path("two.ome.tif"))
 
 
 def test_pyramid():
     """The smaller copies of a pyramid are no slices, whether they have tags of their own or lie in SubIFDs."""
     voxels = labels(3, 32, 48)
-    with tifffile.TiffWriter(path('sub.tif')) as file:
-        file.write(voxels, photometric='minisblack', subifds=1, tile=(16, 16))
-        file.write(voxels[:, ::2, ::2], photometric='minisblack', subfiletype=1, tile=(16, 16))
-    check_stack(voxels, CUBES, path('sub.tif'))
-    with tifffile.TiffWriter(path('pyramid.tif')) as file:
+    with tifffile.TiffWriter(path("sub.tif")) as file:
+        file.write(voxels, photometric="minisblack", subifds=1, tile=(16, 16))
+        file.write(voxels[:, ::2, ::2], photometric="minisblack", subfiletype=1, tile=(16, 16))
+    check_stack(voxels, CUBES, path("sub.tif"))
+    with tifffile.TiffWriter(path("pyramid.tif")) as file:
         for page in voxels:
-            file.write(page, photometric='minisblack')
-            file.write(page[::2, ::2], photometric='minisblack', subfiletype=1)
-    check_stack(voxels, CUBES, path('pyramid.tif'))
-    warned('3 of its 6 pages', path('pyramid.tif'))
-    with tifffile.TiffWriter(path('untold.tif')) as file:
-        file.write(voxels[0], photometric='minisblack')
-        file.write(voxels[0, ::2, ::2], photometric='minisblack')
-    refused(FORMAT, 'the 2nd page has 24 x 16 voxels, but the 1st page has 48 x 32', path('untold.tif'))
+            file.write(page, photometric="minisblack")
+            file.write(page[::2, ::2], photometric="minisblack", subfiletype=1)
+    check_stack(voxels, CUBES, path("pyramid.tif"))
+    warned("3 of its 6 pages", path("pyramid.tif"))
+    with tifffile.TiffWriter(path("untold.tif")) as file:
+        file.write(voxels[0], photometric="minisblack")
+        file.write(voxels[0, ::2, ::2], photometric="minisblack")
+    refused(FORMAT, "the 2nd page has 24 x 16 voxels, but the 1st page has 48 x 32", path("untold.tif"))
 
 
 def test_told():
     voxels = labels(3, 21, 37)
-    check_stack(voxels, CUBES, write(voxels, extratags=[(274, 'H', 1, 4, True)]))
-    warned('orientation', path('a.tif'))
-    check_stack(voxels, CUBES, write(voxels, extratags=[(33550, 'd', 3, (0.5, 0.5, 0.0), True)]))
-    warned('GeoTIFF', path('a.tif'))
-    check_stack(voxels, CUBES, write(voxels, extratags=[(65000, 's', 0, 'a private tag', True)]))
-    reads_quietly(path('a.tif'))
-    refused(UNSUPPORTED, 'Zeiss', write(voxels, extratags=[(34412, 'B', 4, b'abcd', True)]))
-    refused(UNSUPPORTED, 'MetaMorph', write(voxels, extratags=[(33629, 'I', 3, (1, 2, 3), True)]))
+    check_stack(voxels, CUBES, write(voxels, extratags=[(274, "H", 1, 4, True)]))
+    warned("orientation", path("a.tif"))
+    check_stack(voxels, CUBES, write(voxels, extratags=[(33550, "d", 3, (0.5, 0.5, 0.0), True)]))
+    warned("GeoTIFF", path("a.tif"))
+    check_stack(voxels, CUBES, write(voxels, extratags=[(65000, "s", 0, "a private tag", True)]))
+    reads_quietly(path("a.tif"))
+    refused(UNSUPPORTED, "Zeiss", write(voxels, extratags=[(34412, "B", 4, b"abcd", True)]))
+    refused(UNSUPPORTED, "MetaMorph", write(voxels, extratags=[(33629, "I", 3, (1, 2, 3), True)]))
 
 
 run_tests(globals())

@@ -1,4 +1,5 @@
-"""What the scripts that test the reading of volumes share: they run dump_volume, the path of which is their argument."""
+"""What the scripts that test the reading of volumes share: they run dump_volume, the path of which is their argument.
+"""
 import os
 import subprocess
 import sys
@@ -20,11 +21,15 @@ def path(name):
 
 
 def run_dump(paths, world=LPS, kind=AUTO, spacing=(0, 0, 0), silent=True):
-    out = path('out.bin')
-    run = subprocess.run([DUMP, str(world), str(kind), *map(str, spacing), out, *paths], stdout=subprocess.PIPE,
-                         stderr=subprocess.PIPE, text=True)
-    assert run.stderr == '' or not silent, 'the library printed: ' + run.stderr
-    assert run.returncode in (0, 1), 'crashed: %d' % run.returncode
+    out = path("out.bin")
+    run = subprocess.run(
+        [DUMP, str(world), str(kind), *map(str, spacing), out, *paths],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert run.stderr == "" or not silent, "the library printed: " + run.stderr
+    assert run.returncode in (0, 1), "crashed: %d" % run.returncode
     return run, out
 
 
@@ -32,20 +37,20 @@ def read(*paths, **options):
     """dims, affine (3 x 4), labels, the label at each voxel centre as [i, j, k]."""
     run, out = run_dump(paths, **options)
     assert run.returncode == 0, run.stdout
-    data = open(out, 'rb').read()
-    dims = np.frombuffer(data, '<i8', 3)
-    affine = np.frombuffer(data, '<f8', 12, 24).reshape(3, 4)
-    count = np.frombuffer(data, '<i8', 1, 120)[0]
-    labels = np.frombuffer(data, '<i4', count, 128)
-    centres = np.frombuffer(data, '<i4', -1, 128 + 4 * count).reshape(dims, order='F')
+    data = open(out, "rb").read()
+    dims = np.frombuffer(data, "<i8", 3)
+    affine = np.frombuffer(data, "<f8", 12, 24).reshape(3, 4)
+    count = np.frombuffer(data, "<i8", 1, 120)[0]
+    labels = np.frombuffer(data, "<i4", count, 128)
+    centres = np.frombuffer(data, "<i4", -1, 128 + 4 * count).reshape(dims, order="F")
     return dims, affine, labels, centres
 
 
 def refused(status, words, *paths, named=True, **options):
     """The reading fails with the status and a sentence that names the last file and has the words."""
     run, _ = run_dump(paths, **options)
-    assert run.returncode == 1, 'not refused: %r' % (paths,)
-    number, sentence = run.stdout.strip().splitlines()[-1].split(' ', 1)
+    assert run.returncode == 1, "not refused: %r" % (paths,)
+    number, sentence = run.stdout.strip().splitlines()[-1].split(" ", 1)
     assert int(number) == status and words in sentence, run.stdout
     assert not named or os.path.basename(paths[-1]) in sentence, run.stdout
 
@@ -65,19 +70,19 @@ def random_labels(shape, dtype, values, seed=0):
 def warned(words, *paths, **options):
     """The reading tells something that has the words."""
     run, _ = run_dump(paths, **options)
-    told = [line for line in run.stdout.splitlines() if line.startswith('warning: ')]
+    told = [line for line in run.stdout.splitlines() if line.startswith("warning: ")]
     assert any(words in line for line in told), run.stdout
 
 
 def reads_quietly(*paths, **options):
     """The reading succeeds, and tells nothing."""
     run, _ = run_dump(paths, **options)
-    told = [line for line in run.stdout.splitlines() if not line.startswith('name: ')]
+    told = [line for line in run.stdout.splitlines() if not line.startswith("name: ")]
     assert run.returncode == 0 and told == [], run.stdout
 
 
 def run_tests(names):
     for name, test in list(names.items()):
-        if name.startswith('test_'):
+        if name.startswith("test_"):
             test()
-            print('ok', name)
+            print("ok", name)

@@ -133,7 +133,7 @@ def faces_of(tets):
     faces = {}
     for t, tet in enumerate(tets.tolist()):
         for i in range(4):
-            key = tuple(sorted(tet[:i] + tet[i + 1:]))
+            key = tuple(sorted(tet[:i] + tet[i + 1 :]))
             faces.setdefault(key, []).append((t, tet[i]))
     return faces
 
@@ -171,10 +171,22 @@ def measure_faces(points, tets, material):
 
 
 def is_valid(m):
-    faults = ("repeated_corner", "negative", "flat", "crowded_faces", "folded_faces", "hull_off_box",
-              "open_interface_edges", "unused_points", "repeated_points")
-    return (not any(m[fault] for fault in faults) and np.isclose(m["volume"], m["box_volume"], rtol=1e-9, atol=0)
-            and np.isclose(m["hull_area"], m["box_area"], rtol=1e-9, atol=0))
+    faults = (
+        "repeated_corner",
+        "negative",
+        "flat",
+        "crowded_faces",
+        "folded_faces",
+        "hull_off_box",
+        "open_interface_edges",
+        "unused_points",
+        "repeated_points",
+    )
+    return (
+        not any(m[fault] for fault in faults)
+        and np.isclose(m["volume"], m["box_volume"], rtol=1e-9, atol=0)
+        and np.isclose(m["hull_area"], m["box_area"], rtol=1e-9, atol=0)
+    )
 
 
 def measure(points, tets, material):

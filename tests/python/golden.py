@@ -13,8 +13,8 @@ def fnv1a(data):
 
 i, j, k = np.ogrid[:16, :14, :12]
 labels = np.zeros((16, 14, 12), np.uint8)
-labels[(i - 5)**2 + (j - 6)**2 + (k - 5)**2 <= 17] = 3
-labels[(i - 10)**2 + (j - 7)**2 + (k - 6)**2 <= 14] = 200
+labels[(i - 5) ** 2 + (j - 6) ** 2 + (k - 5) ** 2 <= 17] = 3
+labels[(i - 10) ** 2 + (j - 7) ** 2 + (k - 6) ** 2 <= 14] = 200
 affine = [[1, 0, 0, -4.5], [0, 1.25, 0, 2.25], [0, 0, 1.5, 100]]
 options = cleft.Options(background="particles")
 volume = cleft.Volume(labels, affine=affine, options=options)

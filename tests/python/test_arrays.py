@@ -22,8 +22,13 @@ class Arrays(unittest.TestCase):
         wide = np.zeros((24, 13, 28), np.uint8)
         wide[::2, :, ::2] = self.labels
         backwards = np.ascontiguousarray(self.labels[::-1, :, ::-1])
-        for array in (np.ascontiguousarray(self.labels), np.asfortranarray(self.labels), wide[::2, :, ::2],
-                      backwards[::-1, :, ::-1], np.ascontiguousarray(self.labels.transpose(2, 1, 0)).transpose(2, 1, 0)):
+        for array in (
+            np.ascontiguousarray(self.labels),
+            np.asfortranarray(self.labels),
+            wide[::2, :, ::2],
+            backwards[::-1, :, ::-1],
+            np.ascontiguousarray(self.labels.transpose(2, 1, 0)).transpose(2, 1, 0),
+        ):
             self.assertTrue(same_mesh(meshed(array), self.wanted))
 
     def test_every_whole_number_type(self):
@@ -36,11 +41,11 @@ class Arrays(unittest.TestCase):
         self.assertTrue(same_mesh(meshed(self.labels.tolist()), self.wanted))
 
     def test_labels_keep_their_values(self):
-        labels = np.where(self.labels == 7, -2**31, 2**31 - 1)
-        self.assertEqual(meshed(labels).different_labels.tolist(), [-2**31, 2**31 - 1])
+        labels = np.where(self.labels == 7, -(2**31), 2**31 - 1)
+        self.assertEqual(meshed(labels).different_labels.tolist(), [-(2**31), 2**31 - 1])
 
     def test_labels_beyond_32_bits(self):
-        for value in (2**31, -2**31 - 1, 2**40):
+        for value in (2**31, -(2**31) - 1, 2**40):
             with self.assertRaises(OverflowError):
                 cleft.Volume(np.where(self.labels == 7, value, 0))
 
@@ -53,8 +58,10 @@ class Arrays(unittest.TestCase):
     def test_whole_numbers_of_a_real_type_are_labels(self):
         for kind in "f2 f4 f8 >f4 >f8 g".split():
             self.assertTrue(same_mesh(meshed(np.asfortranarray(self.labels.astype(kind))), self.wanted), kind)
-        self.assertEqual(cleft.Volume(np.where(self.labels == 7, -2.0**31, 2.0**31 - 1)).labels.tolist(),
-                         [-2**31, 2**31 - 1])
+        self.assertEqual(
+            cleft.Volume(np.where(self.labels == 7, -(2.0**31), 2.0**31 - 1)).labels.tolist(),
+            [-(2**31), 2**31 - 1],
+        )
         with self.assertRaises(OverflowError):
             cleft.Volume(np.where(self.labels == 7, 2.0**31, 0))
 
@@ -104,8 +111,12 @@ class Arrays(unittest.TestCase):
             cleft.Volume(None, affine=np.eye(4))
         with self.assertRaises(TypeError):
             cleft.Volume("labels")
-        for wrong, told in (((3, 3), "two dimensions.*one slice"), ((2, 2, 2, 2), "4 dimensions"), ((0, 2, 2), "no voxels"),
-                            ((0,), "1 dimensions")):
+        for wrong, told in (
+            ((3, 3), "two dimensions.*one slice"),
+            ((2, 2, 2, 2), "4 dimensions"),
+            ((0, 2, 2), "no voxels"),
+            ((0,), "1 dimensions"),
+        ):
             with self.assertRaisesRegex(ValueError, told):
                 cleft.Volume(np.zeros(wrong, int))
 
@@ -130,9 +141,18 @@ class Arrays(unittest.TestCase):
         self.assertTrue(np.array_equal(cleft.Volume(self.labels, origin=(1, 2, 3)).affine[:3, 3], (1, 2, 3)))
 
     def test_wrong_worlds(self):
-        for world in ({"spacing": (1, 1)}, {"spacing": (1, 0, 1)}, {"spacing": (1, -1, 1)}, {"origin": (1,)},
-                      {"spacing": (1, np.nan, 1)}, {"origin": (np.inf, 0, 0)}, {"affine": np.eye(3)},
-                      {"affine": np.zeros((3, 4))}, {"affine": np.full((3, 4), np.nan)}, {"affine": 2 * np.eye(4)}):
+        for world in (
+            {"spacing": (1, 1)},
+            {"spacing": (1, 0, 1)},
+            {"spacing": (1, -1, 1)},
+            {"origin": (1,)},
+            {"spacing": (1, np.nan, 1)},
+            {"origin": (np.inf, 0, 0)},
+            {"affine": np.eye(3)},
+            {"affine": np.zeros((3, 4))},
+            {"affine": np.full((3, 4), np.nan)},
+            {"affine": 2 * np.eye(4)},
+        ):
             with self.assertRaises(ValueError):
                 cleft.Volume(self.labels, **world)
         with self.assertRaises(cleft.NotFinite):
@@ -143,7 +163,7 @@ class Arrays(unittest.TestCase):
 
     def test_indicators(self):
         i, j, k = np.ogrid[:12, :12, :12]
-        distance = 4 - np.sqrt((i - 5.5)**2 + (j - 5.5)**2 + (k - 5.5)**2)
+        distance = 4 - np.sqrt((i - 5.5) ** 2 + (j - 5.5) ** 2 + (k - 5.5) ** 2)
         one = cleft.mesh(cleft.Volume.from_indicators([distance]), **QUICK)
         self.assertEqual(one.different_labels.tolist(), [0, 1])
         two = cleft.mesh(cleft.Volume.from_indicators([-distance, distance.astype(np.float32)], [40, -3]), **QUICK)
@@ -158,7 +178,9 @@ class Arrays(unittest.TestCase):
             cleft.Volume.from_indicators([distance * np.nan])
         bad = distance.copy()
         bad[2, 3, 10] = np.inf
-        with self.assertRaisesRegex(cleft.NotFinite, "2nd indicator function .* 3rd along x, the 4th along y and the 11th"):
+        with self.assertRaisesRegex(
+            cleft.NotFinite, "2nd indicator function .* 3rd along x, the 4th along y and the 11th"
+        ):
             cleft.Volume.from_indicators([distance, bad])
 
     def test_masks_that_leave_voxels_to_nobody(self):

@@ -73,6 +73,7 @@ class Callbacks(unittest.TestCase):
 
         def broken(level, sentence):
             raise KeyError(sentence)
+
         with self.assertRaises(KeyError):
             cleft.mesh(ball_volume(), mesher=cleft.Mesher(log=broken), **too_few)
 

@@ -22,36 +22,67 @@ class Errors(unittest.TestCase):
             self.assertTrue(thing.closed)
             thing.close()  # twice is allowed
             self.assertTrue(repr(thing))
-        for use in (lambda: volume.shape, lambda: volume.labels, lambda: volume.sample([[0, 0, 0]]),
-                    lambda: cleft.mesh(volume), lambda: cleft.Sizing(volume), lambda: mesh.points, lambda: mesh.quality(),
-                    lambda: mesh.quadratic(), lambda: mesh.surface(), lambda: mesh.write("x.vtu"),
-                    lambda: mesh.__enter__(), lambda: sizing.values, lambda: sizing.at((0, 0, 0)),
-                    lambda: cleft.make_background(sizing), lambda: surface.hull_sides, lambda: mesher.threads,
-                    lambda: mesher.cancel(), lambda: mesher.metrics(),
-                    lambda: cleft.mesh(ball_volume(), mesher=mesher)):
+        for use in (
+            lambda: volume.shape,
+            lambda: volume.labels,
+            lambda: volume.sample([[0, 0, 0]]),
+            lambda: cleft.mesh(volume),
+            lambda: cleft.Sizing(volume),
+            lambda: mesh.points,
+            lambda: mesh.quality(),
+            lambda: mesh.quadratic(),
+            lambda: mesh.surface(),
+            lambda: mesh.write("x.vtu"),
+            lambda: mesh.__enter__(),
+            lambda: sizing.values,
+            lambda: sizing.at((0, 0, 0)),
+            lambda: cleft.make_background(sizing),
+            lambda: surface.hull_sides,
+            lambda: mesher.threads,
+            lambda: mesher.cancel(),
+            lambda: mesher.metrics(),
+            lambda: cleft.mesh(ball_volume(), mesher=mesher),
+        ):
             with self.assertRaises(cleft.Closed):
                 use()
         self.assertTrue(issubclass(cleft.Closed, ValueError))
 
     def test_wrong_objects(self):
         volume, mesh = ball_volume(), ball_mesh()
-        for use in (lambda: cleft.mesh(mesh), lambda: cleft.mesh(None), lambda: cleft.mesh(3),
-                    lambda: cleft.mesh(volume, sizing=mesh), lambda: cleft.mesh(volume, background_mesh=volume),
-                    lambda: cleft.mesh(volume, mesher=3), lambda: cleft.mesh(volume, options=3),
-                    lambda: cleft.cleave(volume, None), lambda: cleft.improve(None, mesh),
-                    lambda: mesh.report(mesh), lambda: cleft.Sizing(None), lambda: cleft.Sizing.constant(volume, None),
-                    lambda: cleft.Mesher(threads="two"), lambda: cleft.Mesher(progress=3),
-                    lambda: cleft.strip_labels(volume)):
+        for use in (
+            lambda: cleft.mesh(mesh),
+            lambda: cleft.mesh(None),
+            lambda: cleft.mesh(3),
+            lambda: cleft.mesh(volume, sizing=mesh),
+            lambda: cleft.mesh(volume, background_mesh=volume),
+            lambda: cleft.mesh(volume, mesher=3),
+            lambda: cleft.mesh(volume, options=3),
+            lambda: cleft.cleave(volume, None),
+            lambda: cleft.improve(None, mesh),
+            lambda: mesh.report(mesh),
+            lambda: cleft.Sizing(None),
+            lambda: cleft.Sizing.constant(volume, None),
+            lambda: cleft.Mesher(threads="two"),
+            lambda: cleft.Mesher(progress=3),
+            lambda: cleft.strip_labels(volume),
+        ):
             with self.assertRaises(TypeError):
                 use()
 
     def test_wrong_meshes(self):
         points = np.eye(4, 3)
-        for use in (lambda: cleft.Mesh(points, [[0, 1, 2, 4]]), lambda: cleft.Mesh(points, [[0, 1, 2, -1]]),
-                    lambda: cleft.Mesh(points, [[0, 1, 2, 3]], index_base=2), lambda: cleft.Mesh(points, [[0, 1, 2]]),
-                    lambda: cleft.Mesh(points * np.nan, [[0, 1, 2, 3]]), lambda: cleft.Mesh(points.T, [[0, 1, 2, 3]]),
-                    lambda: cleft.Mesh(points, [[0, 1, 2, 3]], [1, 2]), lambda: cleft.Mesh(points, [0, 1, 2, 3]),
-                    lambda: ball_mesh().copy_tets(3), lambda: ball_mesh().quadratic(-1)):
+        for use in (
+            lambda: cleft.Mesh(points, [[0, 1, 2, 4]]),
+            lambda: cleft.Mesh(points, [[0, 1, 2, -1]]),
+            lambda: cleft.Mesh(points, [[0, 1, 2, 3]], index_base=2),
+            lambda: cleft.Mesh(points, [[0, 1, 2]]),
+            lambda: cleft.Mesh(points * np.nan, [[0, 1, 2, 3]]),
+            lambda: cleft.Mesh(points.T, [[0, 1, 2, 3]]),
+            lambda: cleft.Mesh(points, [[0, 1, 2, 3]], [1, 2]),
+            lambda: cleft.Mesh(points, [0, 1, 2, 3]),
+            lambda: ball_mesh().copy_tets(3),
+            lambda: ball_mesh().quadratic(-1),
+        ):
             with self.assertRaises(ValueError):
                 use()
         with self.assertRaises(TypeError):
@@ -61,18 +92,27 @@ class Errors(unittest.TestCase):
 
     def test_wrong_numbers(self):
         volume = ball_volume()
-        for use in (lambda: cleft.Sizing.constant(volume, float("nan")), lambda: cleft.Sizing.constant(volume, 0),
-                    lambda: cleft.Sizing.constant(volume, -1), lambda: volume.sample([[0, np.nan, 0]]),
-                    lambda: volume.sample([0, 0, 0]), lambda: cleft.Mesher(threads=-1),
-                    lambda: cleft.Mesher(threads=10000), lambda: cleft.Sizing.constant(volume, 1).at((0, 0))):
+        for use in (
+            lambda: cleft.Sizing.constant(volume, float("nan")),
+            lambda: cleft.Sizing.constant(volume, 0),
+            lambda: cleft.Sizing.constant(volume, -1),
+            lambda: volume.sample([[0, np.nan, 0]]),
+            lambda: volume.sample([0, 0, 0]),
+            lambda: cleft.Mesher(threads=-1),
+            lambda: cleft.Mesher(threads=10000),
+            lambda: cleft.Sizing.constant(volume, 1).at((0, 0)),
+        ):
             with self.assertRaises(ValueError):
                 use()
         with self.assertRaises(OverflowError):
             cleft.Mesher(threads=2**40)
-        for use, name in ((lambda: cleft.Sizing.constant(volume, "2"), "size"), (lambda: cleft.Sizing.constant(volume, None), "size"),
-                          (lambda: cleft.Sizing.from_values(volume, np.ones(volume.shape), combine="yes"), "combine"),
-                          (lambda: ball_mesh().validate(fills_box=3), "fills_box"),
-                          (lambda: setattr(volume, "label_names", ["a"]), "label_names")):
+        for use, name in (
+            (lambda: cleft.Sizing.constant(volume, "2"), "size"),
+            (lambda: cleft.Sizing.constant(volume, None), "size"),
+            (lambda: cleft.Sizing.from_values(volume, np.ones(volume.shape), combine="yes"), "combine"),
+            (lambda: ball_mesh().validate(fills_box=3), "fills_box"),
+            (lambda: setattr(volume, "label_names", ["a"]), "label_names"),
+        ):
             with self.assertRaisesRegex(TypeError, name):
                 use()
 
@@ -91,8 +131,12 @@ class Errors(unittest.TestCase):
             self.assertEqual(raised.exception.status, number)
             self.assertEqual(str(raised.exception), "a sentence")
             self.assertIn(number, _CLASSES)
-        for kind, natural in ((cleft.OutOfMemory, MemoryError), (cleft.InvalidArgument, ValueError),
-                              (cleft.FileError, OSError), (cleft.OptionError, ValueError)):
+        for kind, natural in (
+            (cleft.OutOfMemory, MemoryError),
+            (cleft.InvalidArgument, ValueError),
+            (cleft.FileError, OSError),
+            (cleft.OptionError, ValueError),
+        ):
             self.assertTrue(issubclass(kind, natural))
 
     def test_copies_and_pickles(self):

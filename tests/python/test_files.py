@@ -107,14 +107,22 @@ class Files(unittest.TestCase):
         (self.folder / "broken.vtu").write_text("not XML")
         with self.assertRaises(cleft.FormatError):
             cleft.read_mesh(self.folder / "broken.vtu")
-        for use in (lambda: ball_mesh().write(self.folder / "a.xyz"), lambda: ball_mesh().write("a.vtu", "jpeg"),
-                    lambda: cleft.read_volume([]), lambda: cleft.read_mesh("a\0b.vtu"),
-                    lambda: cleft.read_volume(DATA / "mickey.nrrd", world="XYZ"),
-                    lambda: cleft.read_volume(DATA / "mickey.nrrd", spacing=(1, np.nan, 1))):
+        for use in (
+            lambda: ball_mesh().write(self.folder / "a.xyz"),
+            lambda: ball_mesh().write("a.vtu", "jpeg"),
+            lambda: cleft.read_volume([]),
+            lambda: cleft.read_mesh("a\0b.vtu"),
+            lambda: cleft.read_volume(DATA / "mickey.nrrd", world="XYZ"),
+            lambda: cleft.read_volume(DATA / "mickey.nrrd", spacing=(1, np.nan, 1)),
+        ):
             with self.assertRaises(ValueError):
                 use()
-        for use in (lambda: cleft.read_mesh(None), lambda: cleft.read_volume(3), lambda: cleft.read_volume([None]),
-                    lambda: cleft.write_mesh(None, "a.vtu")):
+        for use in (
+            lambda: cleft.read_mesh(None),
+            lambda: cleft.read_volume(3),
+            lambda: cleft.read_volume([None]),
+            lambda: cleft.write_mesh(None, "a.vtu"),
+        ):
             with self.assertRaises(TypeError):
                 use()
 
@@ -133,17 +141,23 @@ class Files(unittest.TestCase):
         ball_mesh().write(there)
         (self.folder / "half.node").write_text("0 3 0 0\n")
         gone = self.folder / "gone.nii"
-        for use, name in ((lambda: cleft.read_volume(gone), gone), (lambda: cleft.read_volume(str(gone)), gone),
-                          (lambda: cleft.read_volume([DATA / "mickey.nrrd", gone]), gone),
-                          (lambda: cleft.read_volume(self.folder / "slice*.png"), self.folder / "slice*.png"),
-                          (lambda: cleft.read_volume(self.folder / "slice%03d.png"), self.folder / "slice%03d.png"),
-                          (lambda: cleft.read_raw(gone, (2, 2, 2), "uint8"), gone),
-                          (lambda: cleft.read_field(gone), gone), (lambda: cleft.read_sizing(gone, volume), gone),
-                          (lambda: cleft.read_mesh(self.folder / "gone.vtu"), self.folder / "gone.vtu"),
-                          (lambda: cleft.read_mesh(self.folder / "half.node"), self.folder / "half.ele"),
-                          (lambda: ball_mesh().write(self.folder / "none" / "a.vtu"), self.folder / "none" / "a.vtu"),
-                          (lambda: cleft.write_sizing(cleft.Sizing(volume), self.folder / "none" / "a.nrrd"),
-                           self.folder / "none" / "a.nrrd")):
+        for use, name in (
+            (lambda: cleft.read_volume(gone), gone),
+            (lambda: cleft.read_volume(str(gone)), gone),
+            (lambda: cleft.read_volume([DATA / "mickey.nrrd", gone]), gone),
+            (lambda: cleft.read_volume(self.folder / "slice*.png"), self.folder / "slice*.png"),
+            (lambda: cleft.read_volume(self.folder / "slice%03d.png"), self.folder / "slice%03d.png"),
+            (lambda: cleft.read_raw(gone, (2, 2, 2), "uint8"), gone),
+            (lambda: cleft.read_field(gone), gone),
+            (lambda: cleft.read_sizing(gone, volume), gone),
+            (lambda: cleft.read_mesh(self.folder / "gone.vtu"), self.folder / "gone.vtu"),
+            (lambda: cleft.read_mesh(self.folder / "half.node"), self.folder / "half.ele"),
+            (lambda: ball_mesh().write(self.folder / "none" / "a.vtu"), self.folder / "none" / "a.vtu"),
+            (
+                lambda: cleft.write_sizing(cleft.Sizing(volume), self.folder / "none" / "a.nrrd"),
+                self.folder / "none" / "a.nrrd",
+            ),
+        ):
             error = self.failure(use, FileNotFoundError)
             self.assertEqual((error.errno, error.filename), (errno.ENOENT, str(name)))
             again = pickle.loads(pickle.dumps(error))
@@ -171,13 +185,17 @@ class Files(unittest.TestCase):
         locked, path = self.folder / "locked", self.folder / "locked" / "a.vtu"
         locked.mkdir()
         ball_mesh().write(path)
-        script = "import cleft, errno, sys\n" \
-                 "for use in (lambda: cleft.read_mesh(sys.argv[1]),\n" \
-                 "            lambda: cleft.write_mesh(cleft.Mesh([], []), sys.argv[1])):\n" \
-                 "    try: use()\n" \
-                 "    except PermissionError as error: assert error.errno == errno.EACCES, error\n" \
-                 "    else: sys.exit('allowed')\n"
-        script = script.replace("cleft.Mesh([], [])", "cleft.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 1, 2, 3]])")
+        script = (
+            "import cleft, errno, sys\n"
+            "for use in (lambda: cleft.read_mesh(sys.argv[1]),\n"
+            "            lambda: cleft.write_mesh(cleft.Mesh([], []), sys.argv[1])):\n"
+            "    try: use()\n"
+            "    except PermissionError as error: assert error.errno == errno.EACCES, error\n"
+            "    else: sys.exit('allowed')\n"
+        )
+        script = script.replace(
+            "cleft.Mesh([], [])", "cleft.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 1, 2, 3]])"
+        )
         path.chmod(0)
         locked.chmod(0o555)
         if os.geteuid() == 0:  # whom permissions do not stop
@@ -197,8 +215,10 @@ class Files(unittest.TestCase):
         self.assertEqual(cleft.read_raw(path, np.array([3, 3, 3]), "uint8").shape, (3, 3, 3))
 
     def test_files_are_loaded_late(self):
-        script = "import sys, cleft; assert 'cleft.native_io' not in sys.modules; cleft.formats(); " \
-                 "assert 'cleft.native_io' in sys.modules"
+        script = (
+            "import sys, cleft; assert 'cleft.native_io' not in sys.modules; cleft.formats(); "
+            "assert 'cleft.native_io' in sys.modules"
+        )
         subprocess.run([sys.executable, "-c", script], check=True)
 
 

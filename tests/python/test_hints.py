@@ -58,8 +58,11 @@ class Hints(unittest.TestCase):
                 self.assertTrue(vars(getattr(cleft, name)).get("__doc__"), name)
 
     def test_all_is_all(self):
-        public = {name for name, value in vars(cleft).items()
-                  if not name.startswith("_") and not inspect.ismodule(value) and name != "annotations"}
+        public = {
+            name
+            for name, value in vars(cleft).items()
+            if not name.startswith("_") and not inspect.ismodule(value) and name != "annotations"
+        }
         self.assertEqual(public, set(cleft.__all__))
 
     def test_marker(self):

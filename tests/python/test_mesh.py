@@ -40,8 +40,11 @@ class Meshes(unittest.TestCase):
         sizes = np.linspace(1.5, 2.5, int(np.prod(volume.shape))).reshape(volume.shape)
         own = cleft.Sizing.from_values(volume, sizes)
         for background in ("particles", "lattice", "octree"):
-            for given, keywords in ((None, {}), (None, {"tets": 4000, "strip": [0]}),
-                                    (own, {"strict": True, "strip": [0]})):
+            for given, keywords in (
+                (None, {}),
+                (None, {"tets": 4000, "strip": [0]}),
+                (own, {"strict": True, "strip": [0]}),
+            ):
                 with self.subTest(background=background, **keywords):
                     options = cleft.Options(background=background, **keywords)
                     sizing = given or cleft.Sizing(volume, options=options)
@@ -90,12 +93,12 @@ class Meshes(unittest.TestCase):
 
     def test_contacts(self):
         i, j, k = np.ogrid[:24, :24, :24]
-        radius = np.sqrt((i - 11.5)**2 + (j - 11.5)**2 + (k - 11.5)**2)
+        radius = np.sqrt((i - 11.5) ** 2 + (j - 11.5) ** 2 + (k - 11.5) ** 2)
         labels = np.where(radius < 6, 7, 0)
         labels[(radius > 7.6) & (radius < 10.5) & (k < 14)] = -1  # a socket, which the ball does not touch
         volume = cleft.Volume(labels)
         coarse, fine = (cleft.mesh(volume, background="lattice", size=size) for size in (3.5, 0.8))
-        contact, = coarse.report(volume).contacts
+        (contact,) = coarse.report(volume).contacts
         both = coarse.surface().interface_labels
         self.assertEqual((contact.first, contact.second), (-1, 7))
         self.assertEqual(contact.triangles, (both == (-1, 7)).all(1).sum())
@@ -103,7 +106,7 @@ class Meshes(unittest.TestCase):
 
     def test_labels_of_any_value(self):
         labels, wanted = ball_labels(kind=np.int64), ball_mesh()
-        for values in ((-1, 0, 1), (-2**31, -1, 2**31 - 1), (-3, -2, -1), (5, -1, 2**31 - 1)):
+        for values in ((-1, 0, 1), (-(2**31), -1, 2**31 - 1), (-3, -2, -1), (5, -1, 2**31 - 1)):
             renamed = np.choose(np.searchsorted((0, 1, 7), labels), values)
             mesh = cleft.mesh(cleft.Volume(renamed), **QUICK)
             self.assertTrue(np.array_equal(mesh.points, wanted.points) and np.array_equal(mesh.tets, wanted.tets))
@@ -112,10 +115,13 @@ class Meshes(unittest.TestCase):
             surface, other = mesh.surface(), wanted.surface()
             self.assertEqual(len(surface.interface_triangles), len(other.interface_triangles))
             self.assertTrue(mesh.validate(fills_box=True))
-            self.assertEqual(cleft.strip_labels(mesh, strip=[values[0]]).different_labels.tolist(),
-                             sorted(values[1:]))
-            self.assertGreater(len(cleft.mesh(cleft.Volume(renamed), background="lattice", size=3.0,
-                                              label_sizes={values[1]: 1.0}).tets), len(mesh.tets))
+            self.assertEqual(cleft.strip_labels(mesh, strip=[values[0]]).different_labels.tolist(), sorted(values[1:]))
+            self.assertGreater(
+                len(
+                    cleft.mesh(cleft.Volume(renamed), background="lattice", size=3.0, label_sizes={values[1]: 1.0}).tets
+                ),
+                len(mesh.tets),
+            )
 
     def test_names_of_labels(self):
         volume = ball_volume()
@@ -130,8 +136,14 @@ class Meshes(unittest.TestCase):
         self.assertEqual(volume.label_names, {1: "left kidney", 7: "Größe"})
         with self.assertRaises(TypeError):
             mesh.label_names[1] = "a copy would swallow this"
-        for wrong, kind in (({3: "no such label"}, ValueError), ({1: "two\nlines"}, ValueError), ({1: "a\0b"}, ValueError),
-                            ({1: 5}, TypeError), ({1: None}, TypeError), ({1: "\ud800"}, ValueError)):
+        for wrong, kind in (
+            ({3: "no such label"}, ValueError),
+            ({1: "two\nlines"}, ValueError),
+            ({1: "a\0b"}, ValueError),
+            ({1: 5}, TypeError),
+            ({1: None}, TypeError),
+            ({1: "\ud800"}, ValueError),
+        ):
             with self.assertRaises(kind):
                 volume.label_names = {7: "must not change", **wrong}
             self.assertEqual(volume.label_names, {1: "left kidney", 7: "Größe"})

@@ -38,7 +38,9 @@ class OptionsTest(unittest.TestCase):
 
     def test_values_are_kept(self):
         options = cleft.Options(size=2, background="octree", tets=1e6, strict=True, strip=[0, 5], label_sizes={3: 0.5})
-        self.assertEqual((options.size, options.background, options.tets, options.strict), (2.0, "octree", 10**6, True))
+        self.assertEqual(
+            (options.size, options.background, options.tets, options.strict), (2.0, "octree", 10**6, True)
+        )
         self.assertEqual((options.strip, options.label_sizes), ((0, 5), {3: 0.5}))
         options.size = 4
         options.set_text("background", "lattice")
@@ -49,8 +51,13 @@ class OptionsTest(unittest.TestCase):
     def test_values_of_numpy(self):
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            options = cleft.Options(strict=np.bool_(True), size=np.float32(2), steps=np.int8(3), strip=np.array([1]),
-                                    label_sizes={np.int64(4): np.float64(0.5)})
+            options = cleft.Options(
+                strict=np.bool_(True),
+                size=np.float32(2),
+                steps=np.int8(3),
+                strip=np.array([1]),
+                label_sizes={np.int64(4): np.float64(0.5)},
+            )
         self.assertEqual((options.strict, options.size, options.steps), (True, 2.0, 3))
         self.assertEqual((options.strip, options.label_sizes), ((1,), {4: 0.5}))
 
@@ -66,16 +73,41 @@ class OptionsTest(unittest.TestCase):
                 self.assertEqual(getattr(options, row.name), row.greatest)
 
     def test_wrong_values(self):
-        for values in ({"size": float("nan")}, {"size": float("inf")}, {"background": "rug"},
-                       {"smooth": 99}, {"label_sizes": {1: -1}}, {"label_sizes": {1: float("nan")}}):
+        for values in (
+            {"size": float("nan")},
+            {"size": float("inf")},
+            {"background": "rug"},
+            {"smooth": 99},
+            {"label_sizes": {1: -1}},
+            {"label_sizes": {1: float("nan")}},
+        ):
             with self.assertRaises(ValueError):
                 cleft.Options(**values)
-        for values in ({"colour": 1}, {"size": None}, {"size": "2"}, {"size": [1.0, 2.0]}, {"background": 3}, {"steps": 1.5},
-                       {"steps": "many"}, {"strip": 3}, {"strip": ["a"]}, {"strict": None}, {"strict": "yes"}, {"strict": 2},
-                       {"label_sizes": [1, 2]}, {"label_sizes": {"a": 1}}, {"label_sizes": {1: "a"}}):
+        for values in (
+            {"colour": 1},
+            {"size": None},
+            {"size": "2"},
+            {"size": [1.0, 2.0]},
+            {"background": 3},
+            {"steps": 1.5},
+            {"steps": "many"},
+            {"strip": 3},
+            {"strip": ["a"]},
+            {"strict": None},
+            {"strict": "yes"},
+            {"strict": 2},
+            {"label_sizes": [1, 2]},
+            {"label_sizes": {"a": 1}},
+            {"label_sizes": {1: "a"}},
+        ):
             with self.assertRaisesRegex(TypeError, next(iter(values))):
                 cleft.Options(**values)
-        for values in ({"strip": [2**31]}, {"only": [-2**31 - 1]}, {"steps": 2**70}, {"label_sizes": {2**40: 1.0}}):
+        for values in (
+            {"strip": [2**31]},
+            {"only": [-(2**31) - 1]},
+            {"steps": 2**70},
+            {"label_sizes": {2**40: 1.0}},
+        ):
             with self.assertRaises(OverflowError):
                 cleft.Options(**values)
         with self.assertRaises(TypeError):

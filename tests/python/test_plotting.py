@@ -39,7 +39,7 @@ class Matplotlib(unittest.TestCase):
     def test_the_outside_of_the_labels_is_drawn(self):
         mesh = ball_mesh()
         axes = mesh.plot([1, 7], backend="matplotlib", linewidths=0.5)
-        triangles, = axes.collections
+        (triangles,) = axes.collections
         surface = mesh.surface()
         touching = np.isin(surface.interface_labels, [1, 7]).sum() + np.isin(surface.hull_labels, [1, 7]).sum()
         self.assertEqual(len(triangles.get_facecolor()), touching)
@@ -74,7 +74,7 @@ class Pyvista(unittest.TestCase):
         mesh = ball_mesh()
         with mock.patch.dict(sys.modules, pyvista=PYVISTA):
             for backend in (None, "pyvista"):
-                (grid, keywords), = mesh.plot([7], backend=backend, opacity=0.5).added
+                ((grid, keywords),) = mesh.plot([7], backend=backend, opacity=0.5).added
                 self.assertTrue(np.array_equal(grid.cells[10], mesh.tets[mesh.labels == 7]))
                 self.assertTrue(np.array_equal(grid.points, mesh.points))
                 self.assertTrue(grid.points.flags.writeable)

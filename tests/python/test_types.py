@@ -1,4 +1,6 @@
-"""What a type checker makes of the package (mypy, strictly): its own code is sound, right use passes, wrong use is seen."""
+"""What a type checker makes of the package (mypy, strictly): its own code is sound, right use passes, wrong use is
+seen.
+"""
 import os
 import pathlib
 import subprocess
@@ -26,9 +28,15 @@ cleaved: cleft.Mesh = cleft.cleave(volume, cleft.make_background(cleft.Sizing(vo
 cleaved.write("mesh.vtu")
 """
 WRONG = (
-    'cleft.mesh(volume, sizemax=3.0)', 'cleft.mesh(volume, size="two")', 'cleft.mesh(3)', 'cleft.Options(colour=1)',
-    'cleft.Volume(labels, spacing="abc", smooth=2.5)', 'cleft.Mesher(progress=lambda: True)', 'mesh.quality().angle',
-    'mesh.write(3)', 'cleft.cleave(volume, background="octree")',
+    "cleft.mesh(volume, sizemax=3.0)",
+    'cleft.mesh(volume, size="two")',
+    "cleft.mesh(3)",
+    "cleft.Options(colour=1)",
+    'cleft.Volume(labels, spacing="abc", smooth=2.5)',
+    "cleft.Mesher(progress=lambda: True)",
+    "mesh.quality().angle",
+    "mesh.write(3)",
+    'cleft.cleave(volume, background="octree")',
 )
 
 
@@ -36,9 +44,21 @@ def checked(*arguments):
     """What mypy says."""
     environment = {**os.environ, "MYPYPATH": str(PACKAGE.parent)}
     with tempfile.TemporaryDirectory() as folder:
-        return subprocess.run(["mypy", "--strict", "--no-error-summary", "--cache-dir", folder, "--ignore-missing-imports",
-                               "--enable-incomplete-feature=Unpack", *arguments],
-                              env=environment, stdout=subprocess.PIPE, text=True).stdout
+        return subprocess.run(
+            [
+                "mypy",
+                "--strict",
+                "--no-error-summary",
+                "--cache-dir",
+                folder,
+                "--ignore-missing-imports",
+                "--enable-incomplete-feature=Unpack",
+                *arguments,
+            ],
+            env=environment,
+            stdout=subprocess.PIPE,
+            text=True,
+        ).stdout
 
 
 class Types(unittest.TestCase):

@@ -11,7 +11,7 @@ import unittest
 import zipfile
 
 BUILD = sys.argv.pop(1)
-WHEEL, = pathlib.Path(BUILD, "bindings/python").glob("cleft-*.whl")
+(WHEEL,) = pathlib.Path(BUILD, "bindings/python").glob("cleft-*.whl")
 USE = """
 import cleft, numpy, pathlib
 mesh = cleft.mesh(cleft.Volume(numpy.ones((4, 4, 4), int)), background="lattice", size=2.0)
@@ -23,7 +23,7 @@ assert lines and all(line.startswith(HERE) for line in lines), lines
 
 
 def distribution(folder):
-    found, = importlib.metadata.distributions(name="cleft", path=[str(folder)])
+    (found,) = importlib.metadata.distributions(name="cleft", path=[str(folder)])
     return found
 
 
@@ -52,12 +52,18 @@ class Wheel(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             packages = pathlib.Path(folder, "a", "b", "c")
             for library, use, words in (
-                    ("libcleft_io.so.0", "cleft.formats()", ("Unsupported", "libcleft_io.so.0", "libgdcm3.0", "zlib1g")),
-                    ("libcleft.so.0", "", ("ImportError", "libcleft.so.0", "libtet1.5"))):
+                ("libcleft_io.so.0", "cleft.formats()", ("Unsupported", "libcleft_io.so.0", "libgdcm3.0", "zlib1g")),
+                ("libcleft.so.0", "", ("ImportError", "libcleft.so.0", "libtet1.5")),
+            ):
                 zipfile.ZipFile(WHEEL).extractall(packages)
                 (packages / "cleft" / library).unlink()
-                failed = subprocess.run([sys.executable, "-c", f"import cleft; {use}"], cwd=packages, text=True,
-                                        env={"PYTHONPATH": str(packages)}, stderr=subprocess.PIPE)
+                failed = subprocess.run(
+                    [sys.executable, "-c", f"import cleft; {use}"],
+                    cwd=packages,
+                    text=True,
+                    env={"PYTHONPATH": str(packages)},
+                    stderr=subprocess.PIPE,
+                )
                 self.assertNotEqual(failed.returncode, 0)
                 for word in words:
                     self.assertIn(word, failed.stderr.splitlines()[-1])
@@ -83,8 +89,23 @@ class Wheel(unittest.TestCase):
 
     def test_pip_installs_it(self):
         with tempfile.TemporaryDirectory() as folder:
-            subprocess.run([sys.executable, "-m", "pip", "install", "--quiet", "--no-index", "--no-deps", "--no-compile",
-                            "--root-user-action=ignore", "--target", folder, str(WHEEL)], check=True)
+            subprocess.run(
+                [
+                    sys.executable,
+                    "-m",
+                    "pip",
+                    "install",
+                    "--quiet",
+                    "--no-index",
+                    "--no-deps",
+                    "--no-compile",
+                    "--root-user-action=ignore",
+                    "--target",
+                    folder,
+                    str(WHEEL),
+                ],
+                check=True,
+            )
             check_metadata(self, folder)
             self.assertEqual(distribution(folder).read_text("INSTALLER").strip(), "pip")
 
@@ -93,9 +114,13 @@ class Installed(unittest.TestCase):
     def test_the_install_tree_tells_of_itself(self):
         with tempfile.TemporaryDirectory() as folder:
             for component in ("runtime", "io", "python"):
-                subprocess.run(["cmake", "--install", BUILD, "--component", component, "--prefix", "tree"], check=True,
-                               cwd=folder, stdout=subprocess.DEVNULL)
-            package, = pathlib.Path(folder).rglob("cleft/__init__.py")
+                subprocess.run(
+                    ["cmake", "--install", BUILD, "--component", component, "--prefix", "tree"],
+                    check=True,
+                    cwd=folder,
+                    stdout=subprocess.DEVNULL,
+                )
+            (package,) = pathlib.Path(folder).rglob("cleft/__init__.py")
             packages = package.parent.parent
             check_metadata(self, packages)
             self.assertEqual(distribution(packages).read_text("INSTALLER").strip(), "cmake")
@@ -107,8 +132,12 @@ class Installed(unittest.TestCase):
             named = {str(file) for file in distribution(packages).files}
             self.assertEqual(named, {str(path.relative_to(packages)) for path in packages.rglob("*") if path.is_file()})
             script = "import cleft, importlib.metadata as m; assert m.version('cleft') == cleft.__version__"
-            subprocess.run([sys.executable, "-c", script], check=True, cwd=folder,
-                           env={**os.environ, "PYTHONPATH": str(packages), "PYTHONDONTWRITEBYTECODE": "1"})
+            subprocess.run(
+                [sys.executable, "-c", script],
+                check=True,
+                cwd=folder,
+                env={**os.environ, "PYTHONPATH": str(packages), "PYTHONDONTWRITEBYTECODE": "1"},
+            )
 
 
 if __name__ == "__main__":

@@ -1,4 +1,5 @@
-"""What is made in C and C++: keys and choices in cleft.h, the sentences on who reads which option, the library's table."""
+"""What is made in C and C++: keys and choices in cleft.h, the sentences on who reads which option, the library's table.
+"""
 import json
 import re
 
@@ -17,8 +18,10 @@ def _enumeration(rows):
             return f"enum {{ {inner} }};\n"
     parts = [f"{name} = {number}{',' if i + 1 < len(rows) else ''}" for i, (name, number, _) in enumerate(rows)]
     width = max(map(len, parts))
-    lines = [f"    {part.ljust(width) + f' /**< {comment} */' if comment else part}".rstrip()
-             for part, (_, _, comment) in zip(parts, rows)]
+    lines = [
+        f"    {part.ljust(width) + f' /**< {comment} */' if comment else part}".rstrip()
+        for part, (_, _, comment) in zip(parts, rows)
+    ]
     return "enum {\n" + "\n".join(lines) + "\n};\n"
 
 
@@ -26,12 +29,13 @@ def _keys(table):
     found = _enumeration([(f"CLEFT_OPTION_{option.key}", option.number, "") for option in table.by_number]) + "\n"
     for choice in table.choices:
         found += f"/** {choice.text} \\since 0.1 */\n" + _enumeration(
-            [(f"CLEFT_{choice.key}_{value.name.upper()}", i, value.text) for i, value in enumerate(choice.values)])
+            [(f"CLEFT_{choice.key}_{value.name.upper()}", i, value.text) for i, value in enumerate(choice.values)]
+        )
     return found
 
 
 def _readers(table, call):
-    """"SIZE, SIZE_MIN and TETS", or "all but SMOOTH"."""
+    """ "SIZE, SIZE_MIN and TETS", or "all but SMOOTH"."""
     reading = [option.key for option in table.options if call in option.calls]
     others = [option.key for option in table.options if call not in option.calls]
     names = others if len(others) < len(reading) / 2 else reading
@@ -43,29 +47,46 @@ def _manual(header, table):
     """The header with its sentences "Options read: ..." as the table has them; each reader has such a sentence."""
     for call, function in table.calls.items():
         sentence = text.lines(f"Options read: {_readers(table, call)}.", WIDTH - 2, " *  ")
-        pattern = (r"^ \*  Options read: [^.]*\.\n((?: \*[^\n]*\n)*?[^\n]*\*/\s*(?:CLEFT_NODISCARD )?CLEFT_API cleft_status "
-                   + function + r"\()")
+        pattern = (
+            r"^ \*  Options read: [^.]*\.\n((?: \*[^\n]*\n)*?[^\n]*\*/\s*(?:CLEFT_NODISCARD )?CLEFT_API cleft_status "
+            + function
+            + r"\()"
+        )
         header, count = re.subn(pattern, lambda match: sentence + match[1], header, flags=re.MULTILINE)
         if count != 1:
-            raise ValueError(f"the manual of {function} has no sentence of its own \"Options read: ...\"")
+            raise ValueError(f'the manual of {function} has no sentence of its own "Options read: ..."')
     return header
 
 
 def _rows(table):
-    out = f"// {text.MADE_BY} from {option_table.PATH}. The rows of the table, the fields that take the\n" \
-          "// values, and the choices with those of the stages: each where its macro is defined.\n"
+    out = (
+        f"// {text.MADE_BY} from {option_table.PATH}. The rows of the table, the fields that take the\n"
+        "// values, and the choices with those of the stages: each where its macro is defined.\n"
+    )
     out += "#ifdef CLEFT_OPTION_ROW\n"
     for o in table.options:
         choices = "|".join(value.name for value in o.choice.values) if o.choice else ""
-        default = f"CLEFT_{o.key}_{o.choice.values[int(o.default)].name.upper()}" if o.choice else text.number(o.default)
-        parts = [f"CLEFT_OPTION_{o.key}", f"CLEFT_OPTION_TYPE_{o.type.upper()}", json.dumps(o.name), default,
-                 text.number(o.least), text.number(o.greatest), json.dumps(choices), json.dumps(o.group),
-                 json.dumps("|".join(o.calls))]
+        default = (
+            f"CLEFT_{o.key}_{o.choice.values[int(o.default)].name.upper()}" if o.choice else text.number(o.default)
+        )
+        parts = [
+            f"CLEFT_OPTION_{o.key}",
+            f"CLEFT_OPTION_TYPE_{o.type.upper()}",
+            json.dumps(o.name),
+            default,
+            text.number(o.least),
+            text.number(o.greatest),
+            json.dumps(choices),
+            json.dumps(o.group),
+            json.dumps("|".join(o.calls)),
+        ]
         out += f"CLEFT_OPTION_ROW({', '.join(parts)},\n                 {json.dumps(o.text)})\n"
     out += "#endif\n#ifdef CLEFT_OPTION_FIELD\n"
     out += "".join(f"CLEFT_OPTION_FIELD(CLEFT_OPTION_{o.key}, {o.field})\n" for o in table.options if o.field)
     out += "#endif\n#ifdef CLEFT_CHOICE\n"
-    out += "".join(f"CLEFT_CHOICE(CLEFT_{c.key}_{v.name.upper()}, {c.enum}::{v.name})\n" for c in table.choices for v in c.values)
+    out += "".join(
+        f"CLEFT_CHOICE(CLEFT_{c.key}_{v.name.upper()}, {c.enum}::{v.name})\n" for c in table.choices for v in c.values
+    )
     return out + "#endif\n"
 
 

@@ -71,18 +71,28 @@ class Section:
 
 
 _COMMENT = r"/\*\*<?(?:(?!\*/).)*\*/"
-_FUNCTION = (rf"(?P<function_comment>{_COMMENT}\s*)?(?P<function>(?:CLEFT_NODISCARD )?CLEFT(?:_IO)?_API "
-             r"(?P<prototype>(?P<result>[^;(){}]*?)\b(?P<name>cleft_\w+)\((?P<arguments>[^;{}]*?)\)) CLEFT_NOEXCEPT;)")
+_FUNCTION = (
+    rf"(?P<function_comment>{_COMMENT}\s*)?(?P<function>(?:CLEFT_NODISCARD )?CLEFT(?:_IO)?_API "
+    r"(?P<prototype>(?P<result>[^;(){}]*?)\b(?P<name>cleft_\w+)\((?P<arguments>[^;{}]*?)\)) CLEFT_NOEXCEPT;)"
+)
 _STRUCT = rf"(?P<struct_comment>{_COMMENT}\s*)?typedef struct (?P<struct>cleft_\w+) \{{(?P<fields>.*?)\n\}} \w+;"
 _ENUM = rf"(?P<enum_comment>{_COMMENT}\s*)?(?:typedef int32_t \w+;\s*)?^enum \{{(?P<constants>[^}}]*)\}};"
-_CALLBACK = (rf"(?P<callback_comment>{_COMMENT}\s*)?typedef (?P<answer>\w+) \(\*(?P<callback>cleft_\w+)\)"
-             r"\((?P<parameters>[^;{}]*?)\);")
+_CALLBACK = (
+    rf"(?P<callback_comment>{_COMMENT}\s*)?typedef (?P<answer>\w+) \(\*(?P<callback>cleft_\w+)\)"
+    r"\((?P<parameters>[^;{}]*?)\);"
+)
 _SECTION = r"/\* -+ (?P<section>[\w -]+?) -- \*/"
 _ITEM = re.compile("|".join((_SECTION, _FUNCTION, _CALLBACK, _STRUCT, _ENUM)), re.DOTALL | re.MULTILINE)
-_FIELD = re.compile(rf"\s*(?P<before>{_COMMENT})?\s*(?P<type>[\w ]+\*?)\s(?P<name>\w+)(?:\[(?P<length>\d+)\])?;[ \t]*"
-                    rf"(?P<after>/\*\*<(?:(?!\*/).)*\*/)?", re.DOTALL)
-_CONSTANT = re.compile(rf"(?P<before>{_COMMENT})?\s*(?P<name>CLEFT_\w+) = (?P<number>-?\d+)\b(?! -),?[ \t]*"
-                       rf"(?P<after>/\*\*<(?:(?!\*/).)*\*/)?", re.DOTALL)
+_FIELD = re.compile(
+    rf"\s*(?P<before>{_COMMENT})?\s*(?P<type>[\w ]+\*?)\s(?P<name>\w+)(?:\[(?P<length>\d+)\])?;[ \t]*"
+    rf"(?P<after>/\*\*<(?:(?!\*/).)*\*/)?",
+    re.DOTALL,
+)
+_CONSTANT = re.compile(
+    rf"(?P<before>{_COMMENT})?\s*(?P<name>CLEFT_\w+) = (?P<number>-?\d+)\b(?! -),?[ \t]*"
+    rf"(?P<after>/\*\*<(?:(?!\*/).)*\*/)?",
+    re.DOTALL,
+)
 
 
 def plain(comment):
@@ -107,21 +117,32 @@ def _arguments(text):
 def _function(match):
     comment = plain(match["function_comment"])
     since = re.search(r"\\since ([\d.]+)", comment)
-    return Function(match["name"], re.sub(r"\s+", " ", match["result"]).strip(), _arguments(match["arguments"]), comment,
-                    since[1] if since else "", match["prototype"], match["function"])
+    return Function(
+        match["name"],
+        re.sub(r"\s+", " ", match["result"]).strip(),
+        _arguments(match["arguments"]),
+        comment,
+        since[1] if since else "",
+        match["prototype"],
+        match["function"],
+    )
 
 
 def _struct(match):
-    fields = [Field(f["name"], f["type"].strip(), int(f["length"] or 0), plain(f["before"] or f["after"]))
-              for f in _FIELD.finditer(match["fields"])]
+    fields = [
+        Field(f["name"], f["type"].strip(), int(f["length"] or 0), plain(f["before"] or f["after"]))
+        for f in _FIELD.finditer(match["fields"])
+    ]
     if len(fields) != without_comments(match["fields"]).count(";"):
         raise ValueError(f"not all fields of {match['struct']} are understood")
     return Struct(match["struct"], tuple(fields), plain(match["struct_comment"]))
 
 
 def _enumeration(match):
-    constants = [Constant(c["name"], int(c["number"]), plain(c["before"] or c["after"]))
-                 for c in _CONSTANT.finditer(match["constants"])]
+    constants = [
+        Constant(c["name"], int(c["number"]), plain(c["before"] or c["after"]))
+        for c in _CONSTANT.finditer(match["constants"])
+    ]
     return Enumeration(tuple(constants), plain(match["enum_comment"]))
 
 
@@ -138,8 +159,14 @@ class Header:
             elif match["function"]:
                 items.append(_function(match))
             elif match["callback"]:
-                items.append(Callback(match["callback"], match["answer"], _arguments(match["parameters"]),
-                                      plain(match["callback_comment"])))
+                items.append(
+                    Callback(
+                        match["callback"],
+                        match["answer"],
+                        _arguments(match["parameters"]),
+                        plain(match["callback_comment"]),
+                    )
+                )
             elif match["struct"]:
                 items.append(_struct(match))
             else:
@@ -168,22 +195,28 @@ class Header:
     @property
     def versions(self):
         """The numbers CLEFT_VERSION_..."""
-        return tuple(Constant(name, int(number), "")
-                     for name, number in re.findall(r"^#define (CLEFT_VERSION_\w+) (\d+)$", self.text, re.MULTILINE))
+        return tuple(
+            Constant(name, int(number), "")
+            for name, number in re.findall(r"^#define (CLEFT_VERSION_\w+) (\d+)$", self.text, re.MULTILINE)
+        )
 
     @property
     def statuses(self):
         """The status codes, if this is the header that lists them; their comments are their texts."""
-        return tuple(Constant("CLEFT_" + name, int(number), text)
-                     for name, number, text in re.findall(r'X\((\w+), (-?\d+), "(.*?)"\)', self.text))
+        return tuple(
+            Constant("CLEFT_" + name, int(number), text)
+            for name, number, text in re.findall(r'X\((\w+), (-?\d+), "(.*?)"\)', self.text)
+        )
 
     def check(self):
         """Fails if anything was passed over."""
         text = without_comments(self.text)
-        for what, pattern, found in (("functions", r"\)\s*CLEFT_NOEXCEPT\s*;", self.functions),
-                                     ("callbacks", r"typedef [^;{}]*\(\*", self.callbacks),
-                                     ("structs", r"\bstruct \w+\s*\{", self.structs),
-                                     ("enumerations", r"\benum\b(?!\s*\{\s*#)", self.enumerations)):
+        for what, pattern, found in (
+            ("functions", r"\)\s*CLEFT_NOEXCEPT\s*;", self.functions),
+            ("callbacks", r"typedef [^;{}]*\(\*", self.callbacks),
+            ("structs", r"\bstruct \w+\s*\{", self.structs),
+            ("enumerations", r"\benum\b(?!\s*\{\s*#)", self.enumerations),
+        ):
             if len(re.findall(pattern, text)) != len(found):
                 raise ValueError(f"{len(found)} {what} were understood, of {len(re.findall(pattern, text))}")
         for function in self.functions:

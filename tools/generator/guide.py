@@ -7,6 +7,7 @@ PATH = "docs/guide.md"
 def _row(option, options):
     def argument(name):
         return f"`--{name.replace('_', '-')}`"
+
     value = {"flag": "", "choice": " NAME", "integer": " N", "real": " X"}[option.type]
     words = text.with_names(option.text, options, argument).replace("|", "\\|")
     return f"| `--{option.name.replace('_', '-')}{value}` | {words} | {text.values_text(option)} |\n"

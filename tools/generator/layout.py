@@ -35,7 +35,9 @@ def _struct(struct):
         end = (end + size - 1) // size * size
         lines.append(f"PLACE({struct.name}, {field.name}, {end});\n")
         end += size * (field.length or 1)
-    return f"HOLDS(sizeof({struct.name}) >= {end});\nENDS_WITH({struct.name}, {struct.fields[-1].name});\n" + "".join(lines)
+    return f"HOLDS(sizeof({struct.name}) >= {end});\nENDS_WITH({struct.name}, {struct.fields[-1].name});\n" + "".join(
+        lines
+    )
 
 
 def _lost(before, after):
@@ -59,5 +61,7 @@ def files(tree, _):
                 made += "\n" + "".join(f"HOLDS({constant.name} == {constant.number});\n" for constant in constants)
     lost = list(_lost(tree.read(PATH), made))
     if lost:
-        raise ValueError(f"{PATH} pins what the headers do not keep; programs that are compiled break: {' '.join(lost)}")
+        raise ValueError(
+            f"{PATH} pins what the headers do not keep; programs that are compiled break: {' '.join(lost)}"
+        )
     return {PATH: made}

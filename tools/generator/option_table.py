@@ -86,8 +86,19 @@ def _option(row, choices, calls):
     _require(row["calls"] and set(row["calls"]) <= set(calls), f"{key}: there are no calls {row['calls']}")
     _require(text and text[0].islower() and text[-1] != ".", f"{key}: its text is a phrase, not a sentence")
     reading = set(row["calls"]) | ({"mesh"} if set(row["calls"]) != {"volume"} else set())
-    return Option(key, row["number"], kind, float(default), float(least), float(greatest), choice, row["group"],
-                  tuple(call for call in calls if call in reading), row.get("field", ""), text)
+    return Option(
+        key,
+        row["number"],
+        kind,
+        float(default),
+        float(least),
+        float(greatest),
+        choice,
+        row["group"],
+        tuple(call for call in calls if call in reading),
+        row.get("field", ""),
+        text,
+    )
 
 
 def read(root):

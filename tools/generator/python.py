@@ -6,12 +6,20 @@ _OPTIONS = {"real": "float", "flag": "bool", "integer": "int", "choice": "str"}
 _VALUES = {"whole": "int", "label": "int", "real": "float", "flag": "bool", "list": "tuple[int, ...]"}
 
 
+def _field(declaration, about):
+    """A field with its comment: behind it, or in front of it if the line became too long."""
+    line = f"    {declaration}  #: {about}\n"
+    if len(line) <= text.WIDTH + 1:
+        return line
+    return text.lines(about, text.WIDTH, "    #: ") + f"    {declaration}\n"
+
+
 def files(tree, table):
     options, results = f"{FOLDER}/options.py", f"{FOLDER}/results.py"
     keywords = "".join(f"    {option.name}: {_OPTIONS[option.type]}\n" for option in table.options)
     made = {options: text.region(tree.read(options), options, "options", keywords, ("#", ""))}
     classes = tree.read(results)
     for name, values in plain_values.records(tree).items():
-        fields = "".join(f"    {v.name}: {_VALUES[v.kind]}  #: {v.about}\n" for v in values)
+        fields = "".join(_field(f"{v.name}: {_VALUES[v.kind]}", v.about) for v in values)
         classes = text.region(classes, results, name, fields, ("#", ""))
     return made | {results: classes}

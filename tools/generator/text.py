@@ -3,13 +3,16 @@ import re
 import textwrap
 
 MADE_BY = "Made by tools/generate.py"
+WIDTH = 120  # of the lines of all languages
 
 
 def region(text, path, name, inner, marks=("/*", "*/")):
     """`text` with what lies between the marks <name> and </name>, each on a line of its own, replaced by `inner`."""
     begin, end = marks
-    pattern = re.compile(rf"(^[ \t]*{re.escape(begin)} <{re.escape(name)}>[^\n]*\n).*?(^[ \t]*{re.escape(begin)} </{re.escape(name)}>)",
-                         re.DOTALL | re.MULTILINE)
+    pattern = re.compile(
+        rf"(^[ \t]*{re.escape(begin)} <{re.escape(name)}>[^\n]*\n).*?(^[ \t]*{re.escape(begin)} </{re.escape(name)}>)",
+        re.DOTALL | re.MULTILINE,
+    )
     result, count = pattern.subn(lambda match: match[1] + inner + match[2], text)
     if count != 1:
         raise ValueError(f"{path} has {count} regions <{name}>")
@@ -24,13 +27,13 @@ def number(value):
 
 
 def camel(name):
-    """"size_min" as "sizeMin"."""
+    """ "size_min" as "sizeMin"."""
     first, *rest = name.lower().split("_")
     return first + "".join(part.capitalize() for part in rest)
 
 
 def pascal(name):
-    """"size_min" as "SizeMin"."""
+    """ "size_min" as "SizeMin"."""
     return "".join(part.capitalize() for part in name.lower().split("_"))
 
 
@@ -40,8 +43,17 @@ def sentence(phrase):
 
 
 def lines(text, width, first="", rest=None):
-    return textwrap.fill(text, width, initial_indent=first, subsequent_indent=first if rest is None else rest,
-                         break_long_words=False, break_on_hyphens=False) + "\n"
+    return (
+        textwrap.fill(
+            text,
+            width,
+            initial_indent=first,
+            subsequent_indent=first if rest is None else rest,
+            break_long_words=False,
+            break_on_hyphens=False,
+        )
+        + "\n"
+    )
 
 
 def with_names(text, options, style):
@@ -59,6 +71,9 @@ def values_text(option):
         return f"{', '.join(names[:-1])} or {names[-1]}; default {names[int(option.default)]}"
     if option.type == "flag":
         return f"on or off; default {'on' if option.default else 'off'}"
-    limits = f"at least {number(option.least)}" if option.greatest >= 1e15 else \
-        f"{number(option.least)} to {number(option.greatest)}"
+    limits = (
+        f"at least {number(option.least)}"
+        if option.greatest >= 1e15
+        else f"{number(option.least)} to {number(option.greatest)}"
+    )
     return f"{limits}; default {number(option.default)}"

@@ -12,11 +12,39 @@ from __future__ import annotations
 try:
     from . import native as _native
 except ImportError as _error:
-    raise ImportError(f"the native library of cleft cannot be loaded: {_error}; it needs the Debian package libtet1.5") from _error
-from .errors import (Busy, Cancelled, CleftError, CleftWarning, Closed, FileError, FormatError, InternalError,
-                     InvalidArgument, InvalidMesh, LabelLost, NotFinite, OptionError, OutOfMemory, TooLarge, Unsupported)
-from .files import (Format, formats, guess, read_field, read_mesh, read_raw, read_sizing, read_volume, write_mesh,
-                    write_sizing)
+    raise ImportError(
+        f"the native library of cleft cannot be loaded: {_error}; it needs the Debian package libtet1.5"
+    ) from _error
+from .errors import (
+    Busy,
+    Cancelled,
+    CleftError,
+    CleftWarning,
+    Closed,
+    FileError,
+    FormatError,
+    InternalError,
+    InvalidArgument,
+    InvalidMesh,
+    LabelLost,
+    NotFinite,
+    OptionError,
+    OutOfMemory,
+    TooLarge,
+    Unsupported,
+)
+from .files import (
+    Format,
+    formats,
+    guess,
+    read_field,
+    read_mesh,
+    read_raw,
+    read_sizing,
+    read_volume,
+    write_mesh,
+    write_sizing,
+)
 from .meshes import Mesh, cleave, estimate, improve, make_background, mesh, strip_labels
 from .mesher import Mesher
 from .options import OptionDescription, OptionKeywords, Options, option_table
@@ -30,10 +58,53 @@ __version__: str = _native.cleft_version(None, None, None)
 has_tetgen: bool = bool(_native.cleft_has_tetgen())
 
 __all__ = [
-    "SIDES", "Busy", "Cancelled", "CleftError", "CleftWarning", "Closed", "Contact", "Estimate", "FileError", "Format", "FormatError",
-    "InternalError", "InvalidArgument", "InvalidMesh", "LabelLost", "LabelReport", "Mesh", "Mesher", "NotFinite",
-    "OptionDescription", "OptionError", "OptionKeywords", "Options", "OutOfMemory", "Quality", "Report", "Sizing",
-    "Surface", "TooLarge", "Unsupported", "Validation", "Volume", "cleave", "estimate", "formats", "guess", "has_tetgen", "improve",
-    "make_background", "mesh", "option_table", "read_field", "read_mesh", "read_raw", "read_sizing", "read_volume",
-    "strip_labels", "write_mesh", "write_sizing",
+    "SIDES",
+    "Busy",
+    "Cancelled",
+    "CleftError",
+    "CleftWarning",
+    "Closed",
+    "Contact",
+    "Estimate",
+    "FileError",
+    "Format",
+    "FormatError",
+    "InternalError",
+    "InvalidArgument",
+    "InvalidMesh",
+    "LabelLost",
+    "LabelReport",
+    "Mesh",
+    "Mesher",
+    "NotFinite",
+    "OptionDescription",
+    "OptionError",
+    "OptionKeywords",
+    "Options",
+    "OutOfMemory",
+    "Quality",
+    "Report",
+    "Sizing",
+    "Surface",
+    "TooLarge",
+    "Unsupported",
+    "Validation",
+    "Volume",
+    "cleave",
+    "estimate",
+    "formats",
+    "guess",
+    "has_tetgen",
+    "improve",
+    "make_background",
+    "mesh",
+    "option_table",
+    "read_field",
+    "read_mesh",
+    "read_raw",
+    "read_sizing",
+    "read_volume",
+    "strip_labels",
+    "write_mesh",
+    "write_sizing",
 ]

@@ -18,8 +18,15 @@ _TYPES = {
     np.dtype(np.float32): native.CLEFT_TYPE_FLOAT32,
     np.dtype(np.float64): native.CLEFT_TYPE_FLOAT64,
 }
-_BY_NAME = {"uint8": np.uint8, "uint16": np.uint16, "int16": np.int16, "uint32": np.uint32, "int32": np.int32,
-            "float32": np.float32, "float64": np.float64}
+_BY_NAME = {
+    "uint8": np.uint8,
+    "uint16": np.uint16,
+    "int16": np.int16,
+    "uint32": np.uint32,
+    "int32": np.int32,
+    "float32": np.float32,
+    "float64": np.float64,
+}
 
 
 def type_of(array: np.ndarray[Any, Any]) -> int:
@@ -93,7 +100,8 @@ def _check_whole(array: np.ndarray[Any, Any]) -> None:
         raise NotFinite(f"labels{first} is {value!r}; labels must be whole numbers")
     raise InvalidArgument(
         f"labels{first} is {value!r}, which is not whole: give numpy.rint(labels) if inexact storage made it so, or "
-        "Volume.from_indicators([labels]) if it is a signed function")
+        "Volume.from_indicators([labels]) if it is a signed function"
+    )
 
 
 def label_voxels(values: Any) -> np.ndarray[Any, Any]:
@@ -117,7 +125,9 @@ def label_voxels(values: Any) -> np.ndarray[Any, Any]:
 def real_voxels(values: Any, name: str) -> np.ndarray[Any, Any]:
     """A field of real numbers as the library reads it: float or double, x fastest in memory."""
     array = _volume_shaped(values, name)
-    return np.asfortranarray(array, np.float32 if array.dtype.itemsize <= 2 or array.dtype == np.float32 else np.float64)
+    return np.asfortranarray(
+        array, np.float32 if array.dtype.itemsize <= 2 or array.dtype == np.float32 else np.float64
+    )
 
 
 def field_list(fields: Any) -> list[np.ndarray[Any, Any]]:
@@ -125,7 +135,9 @@ def field_list(fields: Any) -> list[np.ndarray[Any, Any]]:
     if isinstance(fields, np.ndarray):
         raise TypeError(
             f"fields must be a list of arrays [i, j, k], not an array of {fields.ndim} dimensions: list(fields) if its "
-            "first index counts functions, list(numpy.moveaxis(fields, -1, 0)) if its last does, [fields] for a single one")
+            "first index counts functions, list(numpy.moveaxis(fields, -1, 0)) if its last does, [fields] for a single "
+            "one"
+        )
     arrays = [real_voxels(field, f"fields[{n}]") for n, field in enumerate(fields)]
     if not arrays:
         raise InvalidArgument("fields is empty; there must be at least one indicator function")

@@ -1,4 +1,5 @@
-"""What owns the library's objects: a Handle, shared by the Python object and by the arrays that look into its memory."""
+"""What owns the library's objects: a Handle, shared by the Python object and by the arrays that look into its memory.
+"""
 from __future__ import annotations
 
 from typing import Any, Callable, TypeVar
@@ -78,7 +79,12 @@ class _Memory:
 
     def __init__(self, handle: Handle, address: int, shape: tuple[int, ...], kind: Any) -> None:
         self._handle = handle
-        self.__array_interface__ = {"version": 3, "data": (address, True), "shape": shape, "typestr": np.dtype(kind).str}
+        self.__array_interface__ = {
+            "version": 3,
+            "data": (address, True),
+            "shape": shape,
+            "typestr": np.dtype(kind).str,
+        }
 
 
 def view(handle: Handle, address: int | None, shape: tuple[int, ...], kind: Any) -> np.ndarray[Any, Any]:

@@ -40,6 +40,8 @@ class Named(Owner):
             if label not in known:
                 raise InvalidArgument(f"there is no label {label}, which is to be called {name!r}")
             if any(unicodedata.category(letter) in ("Cc", "Cs") for letter in name):
-                raise InvalidArgument(f"the name of label {label} must be one line without control characters: {name!r}")
+                raise InvalidArgument(
+                    f"the name of label {label} must be one line without control characters: {name!r}"
+                )
         for label in known:
             raise_for(put(handle, label, names.get(label, "")), f"label {label} cannot be called {names.get(label)!r}")

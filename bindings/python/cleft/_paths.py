@@ -29,7 +29,7 @@ def path_list(path: Path | Sequence[Path]) -> list[Path]:
 
 @contextlib.contextmanager
 def reading(*paths: Path, folders: bool = False) -> Iterator[None]:
-    """Around a call that reads: a FileError of the library gets the errno and the name of the file that cannot be read."""
+    """Around a call that reads: a FileError of the library gets the errno and the name of the unreadable file."""
     try:
         yield
     except FileError as error:

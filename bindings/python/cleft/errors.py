@@ -128,8 +128,12 @@ class FolderIsFile(FileError, NotADirectoryError):
 
 def file_error(found: OSError, path: str | bytes, sentence: str) -> FileError:
     """The exception for a file: the system's number as `found`, the sentence of the library."""
-    kinds = {FileNotFoundError: FileMissing, PermissionError: FileForbidden, IsADirectoryError: FileIsFolder,
-             NotADirectoryError: FolderIsFile}
+    kinds = {
+        FileNotFoundError: FileMissing,
+        PermissionError: FileForbidden,
+        IsADirectoryError: FileIsFolder,
+        NotADirectoryError: FolderIsFile,
+    }
     number = found.errno or 0
     error = kinds.get(type(found), FileError)(number, os.strerror(number), path)
     error.sentence = sentence

@@ -20,6 +20,7 @@ from .volume import Volume
 if TYPE_CHECKING:
     from .meshes import Mesh
 
+
 @dataclass(frozen=True)
 class Format:
     """One row of the table of file formats."""
@@ -38,8 +39,10 @@ def _io() -> Any:
     try:
         from . import native_io
     except ImportError as error:
-        raise Unsupported(f"the file component cannot be loaded: {error}; it needs the Debian packages libgdcm3.0, libtiff6, "
-                          "libpng16-16, libjpeg62-turbo, libdeflate0 and zlib1g") from error
+        raise Unsupported(
+            f"the file component cannot be loaded: {error}; it needs the Debian packages libgdcm3.0, libtiff6, "
+            "libpng16-16, libjpeg62-turbo, libdeflate0 and zlib1g"
+        ) from error
     return native_io
 
 
@@ -50,9 +53,23 @@ def formats() -> list[Format]:
     for index in range(io.cleft_io_format_count()):
         row = io.NativeFormatDescription()
         raise_for(io.cleft_io_format_info(index, row), "no such format")
-        table.append(Format(row.name, tuple(row.extensions.split()), row.text, row.format, *(
-            bool(row.directions & bit) for bit in (io.CLEFT_IO_READS_MESH, io.CLEFT_IO_WRITES_MESH,
-                                                   io.CLEFT_IO_READS_VOLUME, io.CLEFT_IO_WRITES_SIZING))))
+        table.append(
+            Format(
+                row.name,
+                tuple(row.extensions.split()),
+                row.text,
+                row.format,
+                *(
+                    bool(row.directions & bit)
+                    for bit in (
+                        io.CLEFT_IO_READS_MESH,
+                        io.CLEFT_IO_WRITES_MESH,
+                        io.CLEFT_IO_READS_VOLUME,
+                        io.CLEFT_IO_WRITES_SIZING,
+                    )
+                ),
+            )
+        )
     return table
 
 
@@ -63,9 +80,17 @@ def guess(path: Path) -> str:
     return kinds.get(io.cleft_io_guess(path_bytes(path)), "unknown")
 
 
-def read_volume(path: Path | Sequence[Path], *, world: str = "LPS", kind: str = "auto",
-                spacing: Sequence[float] | None = None, scale: float | None = None, mesher: Mesher | None = None,
-                options: Options | None = None, **keywords: Unpack[OptionKeywords]) -> Volume:
+def read_volume(
+    path: Path | Sequence[Path],
+    *,
+    world: str = "LPS",
+    kind: str = "auto",
+    spacing: Sequence[float] | None = None,
+    scale: float | None = None,
+    mesher: Mesher | None = None,
+    options: Options | None = None,
+    **keywords: Unpack[OptionKeywords],
+) -> Volume:
     """Reads a volume: NIfTI, NRRD, MetaImage, TIFF, a folder with a DICOM series ...; several paths: one a material.
 
     `world`: coordinates come out as "LPS" (ITK, DICOM, 3D Slicer's files) or "RAS" (NIfTI, nibabel). `kind`: "labels",
@@ -77,13 +102,26 @@ def read_volume(path: Path | Sequence[Path], *, world: str = "LPS", kind: str = 
     paths = path_list(path)
     how = _reading(world, kind, spacing, scale)
     with reading(*paths, folders=True):
-        return Volume._adopt(mesher_or_plain(mesher)._call(
-            io.cleft_io_read_volume, chosen._native if chosen else None, b"".join(map(path_bytes, paths)), how))
+        return Volume._adopt(
+            mesher_or_plain(mesher)._call(
+                io.cleft_io_read_volume, chosen._native if chosen else None, b"".join(map(path_bytes, paths)), how
+            )
+        )
 
 
-def read_raw(path: Path | Sequence[Path], shape: Sequence[int], type: str, *, big_endian: bool = False, skip: int = 0,
-             spacing: Sequence[float] | None = None, kind: str = "auto", mesher: Mesher | None = None,
-             options: Options | None = None, **keywords: Unpack[OptionKeywords]) -> Volume:
+def read_raw(
+    path: Path | Sequence[Path],
+    shape: Sequence[int],
+    type: str,
+    *,
+    big_endian: bool = False,
+    skip: int = 0,
+    spacing: Sequence[float] | None = None,
+    kind: str = "auto",
+    mesher: Mesher | None = None,
+    options: Options | None = None,
+    **keywords: Unpack[OptionKeywords],
+) -> Volume:
     """Reads voxels without a header, x fastest; several paths: one a material.
 
     `type` is "uint8", "int16", "float32" ..., `skip` counts bytes. `kind` and several paths: as in read_volume().
@@ -104,12 +142,21 @@ def read_raw(path: Path | Sequence[Path], shape: Sequence[int], type: str, *, bi
     chosen = options_of_volume(options, keywords)
     paths = path_list(path)
     with reading(*paths):
-        return Volume._adopt(mesher_or_plain(mesher)._call(
-            io.cleft_io_read_raw, chosen._native if chosen else None, b"".join(map(path_bytes, paths)), raw))
+        return Volume._adopt(
+            mesher_or_plain(mesher)._call(
+                io.cleft_io_read_raw, chosen._native if chosen else None, b"".join(map(path_bytes, paths)), raw
+            )
+        )
 
 
-def read_field(path: Path, *, world: str = "LPS", spacing: Sequence[float] | None = None, scale: float | None = None,
-               mesher: Mesher | None = None) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
+def read_field(
+    path: Path,
+    *,
+    world: str = "LPS",
+    spacing: Sequence[float] | None = None,
+    scale: float | None = None,
+    mesher: Mesher | None = None,
+) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
     """Reads one number a voxel: values[i, j, k], and the 4 x 4 matrix from indices to the world."""
     io = _io()
     dims = np.zeros(3, np.int64)
@@ -117,8 +164,7 @@ def read_field(path: Path, *, world: str = "LPS", spacing: Sequence[float] | Non
     how = _reading(world, "auto", spacing, scale)
 
     def read(matrix: Any) -> None:
-        address.append(mesher_or_plain(mesher)._call(
-            io.cleft_io_read_field, path_bytes(path), how, dims, matrix))
+        address.append(mesher_or_plain(mesher)._call(io.cleft_io_read_field, path_bytes(path), how, dims, matrix))
 
     with reading(path, folders=True):
         affine = affine_from(read)
@@ -126,9 +172,18 @@ def read_field(path: Path, *, world: str = "LPS", spacing: Sequence[float] | Non
     return view(handle, address[0], tuple(dims.tolist()[::-1]), np.float64).T, affine
 
 
-def read_sizing(path: Path, volume: Volume, *, combine: bool = False, world: str = "LPS",
-                spacing: Sequence[float] | None = None, scale: float | None = None, mesher: Mesher | None = None,
-                options: Options | None = None, **keywords: Unpack[OptionKeywords]) -> Sizing:
+def read_sizing(
+    path: Path,
+    volume: Volume,
+    *,
+    combine: bool = False,
+    world: str = "LPS",
+    spacing: Sequence[float] | None = None,
+    scale: float | None = None,
+    mesher: Mesher | None = None,
+    options: Options | None = None,
+    **keywords: Unpack[OptionKeywords],
+) -> Sizing:
     """Reads a sizing field of your own from a file with the same voxels as the volume; see Sizing.from_values().
 
     Give the `world`, `spacing` and `scale` with which the volume was read. `scale` multiplies the edge lengths too.
@@ -137,9 +192,16 @@ def read_sizing(path: Path, volume: Volume, *, combine: bool = False, world: str
     chosen = options_of(options, keywords)
     how = _reading(world, "auto", spacing, scale)
     with reading(path, folders=True):
-        return Sizing._adopt(mesher_or_plain(mesher)._call(
-            io.cleft_io_read_sizing, required(volume, Volume, "volume"), path_bytes(path), how, int(true_or_false(combine, "combine")),
-            chosen._native if chosen else None))
+        return Sizing._adopt(
+            mesher_or_plain(mesher)._call(
+                io.cleft_io_read_sizing,
+                required(volume, Volume, "volume"),
+                path_bytes(path),
+                how,
+                int(true_or_false(combine, "combine")),
+                chosen._native if chosen else None,
+            )
+        )
 
 
 def write_sizing(sizing: Sizing, path: Path, *, world: str = "LPS", mesher: Mesher | None = None) -> None:
@@ -147,12 +209,14 @@ def write_sizing(sizing: Sizing, path: Path, *, world: str = "LPS", mesher: Mesh
     io = _io()
     with writing(path):
         mesher_or_plain(mesher)._call(
-            io.cleft_io_write_sizing, required(sizing, Sizing, "sizing"), path_bytes(path), _world(world))
+            io.cleft_io_write_sizing, required(sizing, Sizing, "sizing"), path_bytes(path), _world(world)
+        )
 
 
 def read_mesh(path: Path, *, mesher: Mesher | None = None) -> Mesh:
     """Reads a mesh of tetrahedra: .vtu, .vtk, .mesh, .msh, .node with .ele."""
     from .meshes import Mesh
+
     with reading(path):
         return Mesh._adopt(mesher_or_plain(mesher)._call(_io().cleft_io_read_mesh, path_bytes(path)))
 
@@ -160,6 +224,7 @@ def read_mesh(path: Path, *, mesher: Mesher | None = None) -> Mesh:
 def write_mesh(mesh: Mesh, path: Path, format: str | None = None, *, mesher: Mesher | None = None) -> None:
     """Writes a mesh; `format` is a name of `cleft.formats()`, or None for that of the extension."""
     from .meshes import Mesh
+
     io = _io()
     number = io.CLEFT_FORMAT_BY_NAME
     if format is not None:
@@ -168,8 +233,7 @@ def write_mesh(mesh: Mesh, path: Path, format: str | None = None, *, mesher: Mes
             raise InvalidArgument(f"format is {format!r}; it must be one of {', '.join(numbers)}")
         number = numbers[format]
     with writing(path):
-        mesher_or_plain(mesher)._call(
-            io.cleft_io_write_mesh, required(mesh, Mesh, "mesh"), path_bytes(path), number)
+        mesher_or_plain(mesher)._call(io.cleft_io_write_mesh, required(mesh, Mesh, "mesh"), path_bytes(path), number)
 
 
 def _world(name: str) -> int:
@@ -178,8 +242,11 @@ def _world(name: str) -> int:
 
 def _kind(name: str) -> int:
     io = _io()
-    return _choice(name, "kind", {"auto": io.CLEFT_IO_KIND_AUTO, "labels": io.CLEFT_IO_KIND_LABELS,
-                                  "indicators": io.CLEFT_IO_KIND_INDICATORS})
+    return _choice(
+        name,
+        "kind",
+        {"auto": io.CLEFT_IO_KIND_AUTO, "labels": io.CLEFT_IO_KIND_LABELS, "indicators": io.CLEFT_IO_KIND_INDICATORS},
+    )
 
 
 def _reading(world: str, kind: str, spacing: Sequence[float] | None, scale: float | None) -> Any:

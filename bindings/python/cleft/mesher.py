@@ -10,8 +10,8 @@ from ._arrays import whole_number
 from ._handle import Handle
 from .errors import Busy, Closed, CleftError, raise_for, warn
 
-#: Called with the fraction done and the stage in words. An answer that is false stops the call (False, numpy.False_, 0);
-#: no answer (None) and true ones go on.
+#: Called with the fraction done and the stage in words. An answer that is false stops the call (False, numpy.False_,
+#: 0); no answer (None) and true ones go on.
 Progress = Callable[[float, str], object]
 #: Called with a level ("warning", "info" or "debug") and a sentence.
 Log = Callable[[str, str], object]
@@ -32,7 +32,8 @@ class Mesher:
     are called on the thread that made the call; an exception that they raise stops the call and comes out of it. Ctrl-C
     stops the call with KeyboardInterrupt. Without a `log`, warnings come as CleftWarning through Python's `warnings`.
 
-    One call runs on a Mesher at a time; another thread that tries gets Busy, a RuntimeError. cancel() is for other threads.
+    One call runs on a Mesher at a time; another thread that tries gets Busy, a RuntimeError. cancel() is for other
+    threads.
     """
 
     def __init__(self, threads: int = 1, progress: Progress | None = None, log: Log | None = None) -> None:
@@ -57,7 +58,7 @@ class Mesher:
 
     @threads.setter
     def threads(self, value: int) -> None:
-        count = whole_number(value, "threads", -2**31, 2**31 - 1)
+        count = whole_number(value, "threads", -(2**31), 2**31 - 1)
         with self._running():
             self._check(native.cleft_context_set_threads(self._native, count))
 

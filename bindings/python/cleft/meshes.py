@@ -36,16 +36,26 @@ class Mesh(Named):
     def _own_labels(self) -> list[int]:
         return self.different_labels.tolist()
 
-    def __init__(self, points: npt.ArrayLike, tets: npt.ArrayLike, labels: npt.ArrayLike | None = None, *,
-                 index_base: int = 0, mesher: Mesher | None = None) -> None:
+    def __init__(
+        self,
+        points: npt.ArrayLike,
+        tets: npt.ArrayLike,
+        labels: npt.ArrayLike | None = None,
+        *,
+        index_base: int = 0,
+        mesher: Mesher | None = None,
+    ) -> None:
         places = rows(float_array(points, "points"), 3, "points")
         corners = rows(int32_array(tets, "tets"), 4, "tets")
         names = None if labels is None else int32_array(labels, "labels")
         if names is not None and names.shape != (len(corners),):
             raise InvalidArgument(f"labels has the shape {names.shape}; there are {len(corners)} tetrahedra")
-        self._handle = Handle(mesher_or_plain(mesher)._call(
-            native.cleft_mesh_create, len(places), places, len(corners), corners, names, index_base),
-            native.cleft_mesh_destroy)
+        self._handle = Handle(
+            mesher_or_plain(mesher)._call(
+                native.cleft_mesh_create, len(places), places, len(corners), corners, names, index_base
+            ),
+            native.cleft_mesh_destroy,
+        )
 
     @classmethod
     def _adopt(cls, address: int) -> Mesh:
@@ -93,8 +103,9 @@ class Mesh(Named):
         raise_for(native.cleft_mesh_copy_quadratic(handle, index_base, None, 0, None, 0, count), wrong)
         points = np.empty((count[0], 3))
         tets = np.empty((native.cleft_mesh_tet_count(handle), 10), np.int32)
-        raise_for(native.cleft_mesh_copy_quadratic(handle, index_base, points, points.size, tets, tets.size, count),
-                  wrong)
+        raise_for(
+            native.cleft_mesh_copy_quadratic(handle, index_base, points, points.size, tets, tets.size, count), wrong
+        )
         return points, tets
 
     def quality(self, *, mesher: Mesher | None = None) -> Quality:
@@ -117,7 +128,8 @@ class Mesh(Named):
     def report(self, volume: Volume, *, mesher: Mesher | None = None) -> Report:
         """What became of each label of the volume, and `contacts`; for a mesh that was not stripped."""
         address = mesher_or_plain(mesher)._call(
-            native.cleft_report_create, required(volume, Volume, "volume"), self._native)
+            native.cleft_report_create, required(volume, Volume, "volume"), self._native
+        )
         handle = Handle(address, native.cleft_report_destroy)
         report = Report()
         for index in range(native.cleft_report_count(handle)):
@@ -133,17 +145,21 @@ class Mesh(Named):
     def write(self, path: str | os.PathLike[str], format: str | None = None, *, mesher: Mesher | None = None) -> None:
         """Writes a file, all or nothing; `format` is one of `cleft.formats()`, or None for that of the extension."""
         from . import files
+
         files.write_mesh(self, path, format, mesher=mesher)
 
     def to_meshio(self) -> meshio.Mesh:
         """A meshio.Mesh with the labels as the cell data "material"; needs meshio."""
         import meshio
-        return meshio.Mesh(self.points.copy(), [("tetra", self.tets.copy())],
-                           cell_data={"material": [self.labels.copy()]})
+
+        return meshio.Mesh(
+            self.points.copy(), [("tetra", self.tets.copy())], cell_data={"material": [self.labels.copy()]}
+        )
 
     def plot(self, labels: Sequence[int] | None = None, **keywords: Any) -> Any:
         """Draws the mesh with pyvista, or matplotlib, whichever there is; see `cleft.plotting.plot()`."""
         from . import plotting
+
         return plotting.plot(self, labels, **keywords)
 
     def __repr__(self) -> str:
@@ -153,8 +169,15 @@ class Mesh(Named):
 
 
 @lists_options
-def mesh(volume: Volume, *, sizing: Sizing | None = None, background_mesh: Mesh | None = None,
-         mesher: Mesher | None = None, options: Options | None = None, **keywords: Unpack[OptionKeywords]) -> Mesh:
+def mesh(
+    volume: Volume,
+    *,
+    sizing: Sizing | None = None,
+    background_mesh: Mesh | None = None,
+    mesher: Mesher | None = None,
+    options: Options | None = None,
+    **keywords: Unpack[OptionKeywords],
+) -> Mesh:
     """Meshes a volume: sizing (unless given), background mesh (unless given), cleaving, improving, stripping.
 
         mesh = cleft.mesh(volume, size_max=3.0, strip=[0])
@@ -162,53 +185,100 @@ def mesh(volume: Volume, *, sizing: Sizing | None = None, background_mesh: Mesh 
     `smooth` is an option of the volume: give it to Volume() or read_volume().
     """
     chosen = options_of(options, keywords)
-    return Mesh._adopt(mesher_or_plain(mesher)._call(
-        native.cleft_mesh_volume, required(volume, Volume, "volume"), native_of(sizing, Sizing, "sizing"),
-        native_of(background_mesh, Mesh, "background_mesh"), chosen._native if chosen else None))
+    return Mesh._adopt(
+        mesher_or_plain(mesher)._call(
+            native.cleft_mesh_volume,
+            required(volume, Volume, "volume"),
+            native_of(sizing, Sizing, "sizing"),
+            native_of(background_mesh, Mesh, "background_mesh"),
+            chosen._native if chosen else None,
+        )
+    )
 
 
 @lists_options
-def estimate(volume: Volume, *, sizing: Sizing | None = None, background_mesh: Mesh | None = None,
-             mesher: Mesher | None = None, options: Options | None = None,
-             **keywords: Unpack[OptionKeywords]) -> Estimate:
+def estimate(
+    volume: Volume,
+    *,
+    sizing: Sizing | None = None,
+    background_mesh: Mesh | None = None,
+    mesher: Mesher | None = None,
+    options: Options | None = None,
+    **keywords: Unpack[OptionKeywords],
+) -> Estimate:
     """What mesh() will come to with the same arguments: tetrahedra, within 15 %, and memory. No mesh is made."""
     chosen = options_of(options, keywords)
     struct = native.NativeEstimate()
     mesher_or_plain(mesher)._call(
-        native.cleft_mesh_estimate, required(volume, Volume, "volume"), native_of(sizing, Sizing, "sizing"),
-        native_of(background_mesh, Mesh, "background_mesh"), chosen._native if chosen else None, struct)
+        native.cleft_mesh_estimate,
+        required(volume, Volume, "volume"),
+        native_of(sizing, Sizing, "sizing"),
+        native_of(background_mesh, Mesh, "background_mesh"),
+        chosen._native if chosen else None,
+        struct,
+    )
     return from_struct(Estimate, struct)
 
 
-def make_background(sizing: Sizing, *, mesher: Mesher | None = None, options: Options | None = None,
-                    **keywords: Unpack[OptionKeywords]) -> Mesh:
+def make_background(
+    sizing: Sizing, *, mesher: Mesher | None = None, options: Options | None = None, **keywords: Unpack[OptionKeywords]
+) -> Mesh:
     """The background mesh of a sizing field, of the kind of the option `background`: it fills the box, all label 0."""
     chosen = options_of(options, keywords)
-    return Mesh._adopt(mesher_or_plain(mesher)._call(
-        native.cleft_background_create, required(sizing, Sizing, "sizing"), chosen._native if chosen else None))
+    return Mesh._adopt(
+        mesher_or_plain(mesher)._call(
+            native.cleft_background_create, required(sizing, Sizing, "sizing"), chosen._native if chosen else None
+        )
+    )
 
 
-def cleave(volume: Volume, background_mesh: Mesh, *, mesher: Mesher | None = None, options: Options | None = None,
-           **keywords: Unpack[OptionKeywords]) -> Mesh:
+def cleave(
+    volume: Volume,
+    background_mesh: Mesh,
+    *,
+    mesher: Mesher | None = None,
+    options: Options | None = None,
+    **keywords: Unpack[OptionKeywords],
+) -> Mesh:
     """Cleaves a background mesh along the interfaces of a volume."""
     chosen = options_of(options, keywords)
-    return Mesh._adopt(mesher_or_plain(mesher)._call(
-        native.cleft_mesh_cleave, required(volume, Volume, "volume"), required(background_mesh, Mesh, "background_mesh"),
-        chosen._native if chosen else None))
+    return Mesh._adopt(
+        mesher_or_plain(mesher)._call(
+            native.cleft_mesh_cleave,
+            required(volume, Volume, "volume"),
+            required(background_mesh, Mesh, "background_mesh"),
+            chosen._native if chosen else None,
+        )
+    )
 
 
-def improve(volume: Volume, cleaved: Mesh, *, mesher: Mesher | None = None, options: Options | None = None,
-            **keywords: Unpack[OptionKeywords]) -> Mesh:
+def improve(
+    volume: Volume,
+    cleaved: Mesh,
+    *,
+    mesher: Mesher | None = None,
+    options: Options | None = None,
+    **keywords: Unpack[OptionKeywords],
+) -> Mesh:
     """Raises the worst dihedral angles of a cleaved mesh of this volume."""
     chosen = options_of(options, keywords)
-    return Mesh._adopt(mesher_or_plain(mesher)._call(
-        native.cleft_mesh_improve, required(volume, Volume, "volume"), required(cleaved, Mesh, "cleaved"),
-        chosen._native if chosen else None))
+    return Mesh._adopt(
+        mesher_or_plain(mesher)._call(
+            native.cleft_mesh_improve,
+            required(volume, Volume, "volume"),
+            required(cleaved, Mesh, "cleaved"),
+            chosen._native if chosen else None,
+        )
+    )
 
 
-def strip_labels(whole: Mesh, *, mesher: Mesher | None = None, options: Options | None = None,
-                 **keywords: Unpack[OptionKeywords]) -> Mesh:
+def strip_labels(
+    whole: Mesh, *, mesher: Mesher | None = None, options: Options | None = None, **keywords: Unpack[OptionKeywords]
+) -> Mesh:
     """The mesh without the labels that the options `strip` and `only` leave out."""
     chosen = options_of(options, keywords)
-    return Mesh._adopt(mesher_or_plain(mesher)._call(
-        native.cleft_mesh_strip, required(whole, Mesh, "whole"), chosen._native if chosen else None))
+    return Mesh._adopt(
+        mesher_or_plain(mesher)._call(
+            native.cleft_mesh_strip, required(whole, Mesh, "whole"), chosen._native if chosen else None
+        )
+    )

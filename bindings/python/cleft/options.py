@@ -15,7 +15,7 @@ from .errors import raise_for, warn
 
 
 class OptionKeywords(TypedDict, total=False):
-    """The keyword arguments that Options and the functions of the stages take; `cleft.option_table()` describes them."""
+    """The keyword arguments of Options and of the functions of the stages; `cleft.option_table()` describes them."""
 
     # <options> made by tools/generate.py from src/capi/options.toml
     background: str
@@ -57,8 +57,12 @@ class OptionDescription:
     key: int
 
 
-_TYPES = {native.CLEFT_OPTION_TYPE_INTEGER: "integer", native.CLEFT_OPTION_TYPE_REAL: "real",
-          native.CLEFT_OPTION_TYPE_CHOICE: "choice", native.CLEFT_OPTION_TYPE_FLAG: "flag"}
+_TYPES = {
+    native.CLEFT_OPTION_TYPE_INTEGER: "integer",
+    native.CLEFT_OPTION_TYPE_REAL: "real",
+    native.CLEFT_OPTION_TYPE_CHOICE: "choice",
+    native.CLEFT_OPTION_TYPE_FLAG: "flag",
+}
 
 
 def _described(index: int) -> OptionDescription:
@@ -71,8 +75,18 @@ def _described(index: int) -> OptionDescription:
         default = choices[int(row.value)]
     elif kind != "real":
         default = bool(row.value) if kind == "flag" else int(row.value)
-    return OptionDescription(row.name, kind, default, row.least, row.greatest, choices, row.text, row.group,
-                             tuple(row.calls.split("|")), row.key)
+    return OptionDescription(
+        row.name,
+        kind,
+        default,
+        row.least,
+        row.greatest,
+        choices,
+        row.text,
+        row.group,
+        tuple(row.calls.split("|")),
+        row.key,
+    )
 
 
 _TABLE = {row.name: row for row in map(_described, range(native.cleft_option_count()))}
@@ -102,7 +116,9 @@ def describe_options() -> str:
     """Name, type, default, range and meaning of all options, as the docstrings have them."""
     rows = [(row.name, _kind_of(row), row.text) for row in _TABLE.values()]
     rows += [(name, kind, text) for name, (kind, text) in _LISTS.items()]
-    return "\n".join(f"{name} : {kind}\n" + textwrap.indent(textwrap.fill(text, 90), "    ") for name, kind, text in rows)
+    return "\n".join(
+        f"{name} : {kind}\n" + textwrap.indent(textwrap.fill(text, 90), "    ") for name, kind, text in rows
+    )
 
 
 _Documented = TypeVar("_Documented", bound=Callable[..., Any])
@@ -165,8 +181,9 @@ class Options(Owner):
     def __repr__(self) -> str:
         if self.closed:
             return "Options(closed)"
-        changed = {row.name: getattr(self, row.name) for row in _TABLE.values()
-                   if getattr(self, row.name) != row.default}
+        changed = {
+            row.name: getattr(self, row.name) for row in _TABLE.values() if getattr(self, row.name) != row.default
+        }
         changed.update({name: value for name, value in self._lists.items() if value})
         return "Options(" + ", ".join(f"{name}={value!r}" for name, value in changed.items()) + ")"
 
@@ -187,14 +204,18 @@ class Options(Owner):
             self._check(native.cleft_options_set_integer(self._native, row.key, int(true_or_false(value, row.name))))
         else:
             whole = int(value) if isinstance(value, float) and value.is_integer() else value
-            number = whole_number(whole, row.name, -2**63, 2**63 - 1)
+            number = whole_number(whole, row.name, -(2**63), 2**63 - 1)
             self._check(native.cleft_options_set_integer(self._native, row.key, number))
 
     def _set_label_sizes(self, sizes: Mapping[int, float]) -> None:
         if not isinstance(sizes, Mapping):
             raise TypeError(f"label_sizes must be a dictionary from labels to sizes, not {sizes!r}")
-        wanted = {whole_number(label, "a label in label_sizes", -2**31, 2**31 - 1): real_number(size, f"label_sizes[{label!r}]")
-                  for label, size in sizes.items()}
+        wanted = {
+            whole_number(label, "a label in label_sizes", -(2**31), 2**31 - 1): real_number(
+                size, f"label_sizes[{label!r}]"
+            )
+            for label, size in sizes.items()
+        }
         for label in self._lists["label_sizes"]:
             self._check(native.cleft_options_set_label_size(self._native, label, 0.0))
         self._lists["label_sizes"] = {}

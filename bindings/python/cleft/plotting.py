@@ -44,6 +44,7 @@ def _outside(mesh: Mesh, kept: Any) -> tuple[Any, Any]:
 
 def _with_pyvista(mesh: Mesh, labels: Sequence[int] | None, keywords: dict[str, Any]) -> Any:
     import pyvista
+
     kept = _kept(mesh, labels)
     grid = pyvista.UnstructuredGrid({pyvista.CellType.TETRA: mesh.tets[kept]}, mesh.points.copy())
     grid.cell_data["material"] = mesh.labels[kept]
@@ -55,14 +56,16 @@ def _with_pyvista(mesh: Mesh, labels: Sequence[int] | None, keywords: dict[str, 
 def _with_matplotlib(mesh: Mesh, labels: Sequence[int] | None, keywords: dict[str, Any]) -> Any:
     import matplotlib.pyplot as pyplot
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
     triangles, owner = _outside(mesh, _kept(mesh, labels))
     axes = keywords.pop("axes", None)
     if axes is None:
         axes = pyplot.figure().add_subplot(projection="3d")
     colors = pyplot.get_cmap("tab20")(np.searchsorted(mesh.different_labels, owner) % 20)
     corners = mesh.points[triangles]
-    axes.add_collection3d(Poly3DCollection(
-        corners, **{"facecolors": colors, "edgecolors": "black", "linewidths": 0.2, **keywords}))
+    axes.add_collection3d(
+        Poly3DCollection(corners, **{"facecolors": colors, "edgecolors": "black", "linewidths": 0.2, **keywords})
+    )
     low, high = (corners.reshape(-1, 3).min(0), corners.reshape(-1, 3).max(0)) if len(corners) else ((0,) * 3, (1,) * 3)
     for name, least, greatest in zip("xyz", low, high):
         getattr(axes, f"set_{name}lim")(least, greatest)

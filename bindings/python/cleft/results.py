@@ -64,7 +64,8 @@ class Validation:
     box_volume: float  #: the volume of the bounding box
     hull_area: float  #: the area of the hull
     box_area: float  #: the area of the bounding box
-    interface_triangles: int  #: faces between tetrahedra of different labels, counted face by face: a surface finds as many, by another way
+    #: faces between tetrahedra of different labels, counted face by face: a surface finds as many, by another way
+    interface_triangles: int
     hull_triangles: int  #: faces of one tetrahedron, counted so, too
     # </Validation>
     first_fault: str  #: the first fault and its place, "" if there is none
@@ -88,14 +89,19 @@ class LabelReport:
     large_components: int  #: voxel components of more than 30 voxels
     large_components_lost: int  #: of those, the ones in which no tetrahedron of the label lies
     lost: bool  #: true if the label has voxels but no tetrahedron
-    large_components_broken: int  #: of the large components, those that lie in several components of the mesh, each with half a voxel or more: parts thinner than the tetrahedra around broke; a smaller size there keeps them
-    large_components_joined: int  #: of the large components, those that lie in one component of the mesh with another of them, each with half a voxel or more. They touch over an edge or a corner of voxels, or are nearer than an element tells apart
+    #: of the large components, those that lie in several components of the mesh, each with half a voxel or more: parts
+    #: thinner than the tetrahedra around broke; a smaller size there keeps them
+    large_components_broken: int
+    #: of the large components, those that lie in one component of the mesh with another of them, each with half a voxel
+    #: or more. They touch over an edge or a corner of voxels, or are nearer than an element tells apart
+    large_components_joined: int
     # </LabelReport>
 
 
 @dataclass(frozen=True)
 class Contact:
-    """Two labels that share triangles in the mesh, but of which no two voxels share a face or an edge, a corner at most.
+    """Two labels that share triangles in the mesh, but of which no two voxels share a face or an edge, a corner at
+    most.
 
     The gap between them is narrower than the tetrahedra there; a smaller size opens it.
     """

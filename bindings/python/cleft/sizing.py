@@ -21,12 +21,21 @@ class Sizing(Owner):
     The options of sizes are read, and `tets`.
     """
 
-    def __init__(self, volume: Volume, *, mesher: Mesher | None = None, options: Options | None = None,
-                 **keywords: Unpack[OptionKeywords]) -> None:
+    def __init__(
+        self,
+        volume: Volume,
+        *,
+        mesher: Mesher | None = None,
+        options: Options | None = None,
+        **keywords: Unpack[OptionKeywords],
+    ) -> None:
         chosen = options_of(options, keywords)
-        self._handle = Handle(mesher_or_plain(mesher)._call(
-            native.cleft_sizing_create, required(volume, Volume, "volume"), chosen._native if chosen else None),
-            native.cleft_sizing_destroy)
+        self._handle = Handle(
+            mesher_or_plain(mesher)._call(
+                native.cleft_sizing_create, required(volume, Volume, "volume"), chosen._native if chosen else None
+            ),
+            native.cleft_sizing_destroy,
+        )
 
     @classmethod
     def _adopt(cls, address: int) -> Sizing:
@@ -37,12 +46,23 @@ class Sizing(Owner):
     @classmethod
     def constant(cls, volume: Volume, size: float, *, mesher: Mesher | None = None) -> Sizing:
         """One size everywhere."""
-        return cls._adopt(mesher_or_plain(mesher)._call(
-            native.cleft_sizing_create_constant, required(volume, Volume, "volume"), real_number(size, "size")))
+        return cls._adopt(
+            mesher_or_plain(mesher)._call(
+                native.cleft_sizing_create_constant, required(volume, Volume, "volume"), real_number(size, "size")
+            )
+        )
 
     @classmethod
-    def from_values(cls, volume: Volume, values: npt.ArrayLike, *, combine: bool = False, mesher: Mesher | None = None,
-                    options: Options | None = None, **keywords: Unpack[OptionKeywords]) -> Sizing:
+    def from_values(
+        cls,
+        volume: Volume,
+        values: npt.ArrayLike,
+        *,
+        combine: bool = False,
+        mesher: Mesher | None = None,
+        options: Options | None = None,
+        **keywords: Unpack[OptionKeywords],
+    ) -> Sizing:
         """A field of your own: `values[i, j, k]` above 0, one for each voxel of the volume.
 
         With `combine`, the lesser of it and of the computed field, for which the options are read.
@@ -52,9 +72,16 @@ class Sizing(Owner):
         if array.shape != volume.shape:
             raise InvalidArgument(f"values has the shape {array.shape}; the volume has {volume.shape}")
         chosen = options_of(options, keywords)
-        return cls._adopt(mesher_or_plain(mesher)._call(
-            native.cleft_sizing_create_values, handle, type_of(array), buffer_of(array), int(true_or_false(combine, "combine")),
-            chosen._native if chosen else None))
+        return cls._adopt(
+            mesher_or_plain(mesher)._call(
+                native.cleft_sizing_create_values,
+                handle,
+                type_of(array),
+                buffer_of(array),
+                int(true_or_false(combine, "combine")),
+                chosen._native if chosen else None,
+            )
+        )
 
     @property
     def shape(self) -> tuple[int, int, int]:

@@ -7,8 +7,18 @@ import numpy as np
 import numpy.typing as npt
 
 from . import native
-from ._arrays import (affine_from, buffer_of, dims_of, field_list, float_array, int32_array, label_voxels, rows, type_of,
-                      world_matrix)
+from ._arrays import (
+    affine_from,
+    buffer_of,
+    dims_of,
+    field_list,
+    float_array,
+    int32_array,
+    label_voxels,
+    rows,
+    type_of,
+    world_matrix,
+)
 from ._handle import Handle, view
 from ._label_names import Named
 from .errors import InvalidArgument, raise_for
@@ -20,8 +30,8 @@ class Volume(Named):
     """A label map: Volume(labels, spacing=(0.5, 0.5, 2.0), origin=(0, 0, 0)).
 
     `labels[i, j, k]` is the label of voxel (i, j, k), in a numpy array of any memory order and type of whole numbers; a
-    bool array has the labels 0 and 1, and real numbers are taken where all of them are whole. i runs along x: that is the
-    order of nibabel and of affine matrices. Arrays in the order [k, j, i] (SimpleITK, imageio, tifffile) come as
+    bool array has the labels 0 and 1, and real numbers are taken where all of them are whole. i runs along x: that is
+    the order of nibabel and of affine matrices. Arrays in the order [k, j, i] (SimpleITK, imageio, tifffile) come as
     `labels.transpose(2, 1, 0)`, which costs nothing. The voxels are copied.
 
     Where the voxels are in the world: `affine`, a (3, 4) or (4, 4) matrix that maps indices to world coordinates, or
@@ -38,16 +48,28 @@ class Volume(Named):
     def _own_labels(self) -> list[int]:
         return self.labels.tolist()
 
-    def __init__(self, labels: npt.ArrayLike, *, spacing: Sequence[float] | None = None,
-                 origin: Sequence[float] | None = None, affine: npt.ArrayLike | None = None,
-                 mesher: Mesher | None = None, options: Options | None = None,
-                 **keywords: Unpack[OptionKeywords]) -> None:
+    def __init__(
+        self,
+        labels: npt.ArrayLike,
+        *,
+        spacing: Sequence[float] | None = None,
+        origin: Sequence[float] | None = None,
+        affine: npt.ArrayLike | None = None,
+        mesher: Mesher | None = None,
+        options: Options | None = None,
+        **keywords: Unpack[OptionKeywords],
+    ) -> None:
         voxels = label_voxels(labels)
         matrix = world_matrix(spacing, origin, affine)
         chosen = options_of_volume(options, keywords)
         address = mesher_or_plain(mesher)._call(
-            native.cleft_volume_create_labels, type_of(voxels), buffer_of(voxels), dims_of(voxels), matrix,
-            chosen._native if chosen else None)
+            native.cleft_volume_create_labels,
+            type_of(voxels),
+            buffer_of(voxels),
+            dims_of(voxels),
+            matrix,
+            chosen._native if chosen else None,
+        )
         self._handle = Handle(address, native.cleft_volume_destroy)
 
     @classmethod
@@ -57,9 +79,16 @@ class Volume(Named):
         return volume
 
     @classmethod
-    def from_indicators(cls, fields: Sequence[npt.ArrayLike], labels: Sequence[int] | None = None, *,
-                        spacing: Sequence[float] | None = None, origin: Sequence[float] | None = None,
-                        affine: npt.ArrayLike | None = None, mesher: Mesher | None = None) -> Volume:
+    def from_indicators(
+        cls,
+        fields: Sequence[npt.ArrayLike],
+        labels: Sequence[int] | None = None,
+        *,
+        spacing: Sequence[float] | None = None,
+        origin: Sequence[float] | None = None,
+        affine: npt.ArrayLike | None = None,
+        mesher: Mesher | None = None,
+    ) -> Volume:
         """A volume of indicator functions, one array [i, j, k] of real numbers for each material; the greatest wins.
 
         A single one is a signed function, inside where it is above 0. `labels` are what the materials are called: as
@@ -71,9 +100,16 @@ class Volume(Named):
         if names is not None and names.shape != (wanted,):
             raise InvalidArgument(f"labels has the shape {names.shape}; there must be {wanted}")
         addresses = np.array([array.ctypes.data for array in arrays], np.uintp)
-        return cls._adopt(mesher_or_plain(mesher)._call(
-            native.cleft_volume_create_indicators, type_of(arrays[0]), addresses, dims_of(arrays[0]),
-            world_matrix(spacing, origin, affine), names))
+        return cls._adopt(
+            mesher_or_plain(mesher)._call(
+                native.cleft_volume_create_indicators,
+                type_of(arrays[0]),
+                addresses,
+                dims_of(arrays[0]),
+                world_matrix(spacing, origin, affine),
+                names,
+            )
+        )
 
     @property
     def shape(self) -> tuple[int, int, int]:
