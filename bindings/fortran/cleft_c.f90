@@ -437,7 +437,7 @@ module cleft_c
     end function
 
     function cleft_volume_create_indicators(context, type, fields, count, dims, affine, labels, out) bind(C) &
-        result(answer)
+      result(answer)
       import
       type(c_ptr), value :: context
       integer(c_int32_t), value :: type
@@ -597,7 +597,7 @@ module cleft_c
     ! ---------------------------------------------------------------------------------------------------------- meshes
 
     function cleft_mesh_create(context, point_count, points, tet_count, tets, labels, index_base, out) bind(C) &
-        result(answer)
+      result(answer)
       import
       type(c_ptr), value :: context
       integer(c_int64_t), value :: point_count
@@ -733,7 +733,7 @@ module cleft_c
     end function
 
     function cleft_mesh_copy_quadratic(mesh, index_base, points, point_capacity, tets, tet_capacity, point_count) &
-        bind(C) result(answer)
+      bind(C) result(answer)
       import
       type(c_ptr), value :: mesh
       integer(c_int32_t), value :: index_base

@@ -9,8 +9,8 @@ module cleft_io
   use cleft_volumes, only: c_options
   implicit none
   private
-  public :: cleft_read_volume, cleft_read_raw, cleft_read_field, cleft_write_mesh, cleft_read_mesh, cleft_write_sizing, &
-    cleft_read_sizing, cleft_guess
+  public :: cleft_read_volume, cleft_read_raw, cleft_read_field, cleft_write_mesh, cleft_read_mesh, &
+    cleft_write_sizing, cleft_read_sizing, cleft_guess
   ! <numbers> made by tools/generate.py from include/cleft/cleft_io.h
   public :: CLEFT_TYPE_UINT8, CLEFT_TYPE_UINT16, CLEFT_TYPE_INT16, CLEFT_TYPE_UINT32, CLEFT_TYPE_INT32, &
     CLEFT_TYPE_FLOAT32, CLEFT_TYPE_FLOAT64, CLEFT_FORMAT_BY_NAME, CLEFT_FORMAT_VTU, CLEFT_FORMAT_VTP, &
@@ -32,7 +32,8 @@ module cleft_io
 contains
 
   ! `world`: CLEFT_IO_WORLD_LPS (the default) or _RAS. `kind`: CLEFT_IO_KIND_... `scale` multiplies the origin and the
-  ! spacing of the file together: 0.001 makes metres of millimetres. `spacing`: instead of the file's, whose origin stays.
+  ! spacing of the file together: 0.001 makes metres of millimetres. `spacing`: instead of the file's, whose origin
+  ! stays.
   subroutine read_one(context, path, volume, options, world, kind, spacing, scale, stat, errmsg)
     type(cleft_context), intent(inout) :: context
     character(len=*), intent(in) :: path
@@ -70,9 +71,9 @@ contains
     call context%conclude(status, stat, errmsg)
   end subroutine
 
-  ! `dims` voxels along x, y and z of a CLEFT_TYPE_..., x fastest. `spacing`: lengths of a voxel, 1 without it; the corner
-  ! of the box is at the origin. `big_endian`: the most significant byte comes first. `skip`: bytes before the first voxel;
-  ! what follows must be exactly the voxels. `kind`: CLEFT_IO_KIND_...
+  ! `dims` voxels along x, y and z of a CLEFT_TYPE_..., x fastest. `spacing`: lengths of a voxel, 1 without it; the
+  ! corner of the box is at the origin. `big_endian`: the most significant byte comes first. `skip`: bytes before the
+  ! first voxel; what follows must be exactly the voxels. `kind`: CLEFT_IO_KIND_...
   subroutine read_one_raw(context, path, dims, type, volume, spacing, big_endian, skip, kind, options, stat, errmsg)
     type(cleft_context), intent(inout) :: context
     character(len=*), intent(in) :: path
@@ -89,7 +90,8 @@ contains
     call read_several_raw(context, [path], dims, type, volume, spacing, big_endian, skip, kind, options, stat, errmsg)
   end subroutine
 
-  subroutine read_several_raw(context, paths, dims, type, volume, spacing, big_endian, skip, kind, options, stat, errmsg)
+  subroutine read_several_raw( &
+    context, paths, dims, type, volume, spacing, big_endian, skip, kind, options, stat, errmsg)
     type(cleft_context), intent(inout) :: context
     character(len=*), intent(in) :: paths(:)
     integer, intent(in) :: dims(3)
@@ -133,8 +135,8 @@ contains
     call context%conclude(status, stat, errmsg)
   end subroutine
 
-  ! One number a voxel, values(i, j, k), of any file that cleft_read_volume() reads. `affine`: from indices, counted from
-  ! 0, to the world.
+  ! One number a voxel, values(i, j, k), of any file that cleft_read_volume() reads. `affine`: from indices, counted
+  ! from 0, to the world.
   subroutine cleft_read_field(context, path, values, affine, world, spacing, scale, stat, errmsg)
     type(cleft_context), intent(inout) :: context
     character(len=*), intent(in) :: path
@@ -217,8 +219,8 @@ contains
       cleft_io_write_sizing(context%c_handle(), sizing%c_handle(), c_text(path), wanted), stat, errmsg)
   end subroutine
 
-  ! The file must lie on the grid of the volume, read with the same `world`, `spacing` and `scale`; `scale` multiplies the
-  ! edge lengths too. With `combine`, the smaller of it and the computed field is taken.
+  ! The file must lie on the grid of the volume, read with the same `world`, `spacing` and `scale`; `scale` multiplies
+  ! the edge lengths too. With `combine`, the smaller of it and the computed field is taken.
   subroutine cleft_read_sizing(context, volume, path, sizing, combine, options, world, spacing, scale, stat, errmsg)
     type(cleft_context), intent(inout) :: context
     type(cleft_volume), intent(in) :: volume

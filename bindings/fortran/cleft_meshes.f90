@@ -243,7 +243,8 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     integer(c_int32_t), allocatable :: labels(:)
     allocate (labels(self%tet_count()))
-    call conclude(cleft_mesh_copy_tet_labels(self%c_handle(), labels, size(labels, kind=c_int64_t)), closed, stat, errmsg)
+    call conclude(cleft_mesh_copy_tet_labels(self%c_handle(), labels, size(labels, kind=c_int64_t)), &
+      closed, stat, errmsg)
   end function
 
   ! The different labels, ascending; none for a mesh that is not there.

@@ -2,10 +2,11 @@
 !
 !   elasticity VOLUME.nrrd
 !
-! All labels but 0 are five times stiffer than label 0. The box is pressed together by 1 % along z between smooth plates; the
-! other sides slide along smooth walls. Linear elements, conjugate gradients. Two things are known, and the program fails if
-! they do not come out: of one material alone, the strain is even and the stiffness that of the material (the patch test);
-! of two, it lies between the harmonic and the arithmetic mean, weighted by the volumes in the mesh (Reuss and Voigt).
+! All labels but 0 are five times stiffer than label 0. The box is pressed together by 1 % along z between smooth
+! plates; the other sides slide along smooth walls. Linear elements, conjugate gradients. Two things are known, and the
+! program fails if they do not come out: of one material alone, the strain is even and the stiffness that of the
+! material (the patch test); of two, it lies between the harmonic and the arithmetic mean, weighted by the volumes in
+! the mesh (Reuss and Voigt).
 module solid
   use, intrinsic :: iso_fortran_env, only: int32, real64
   implicit none
@@ -168,7 +169,8 @@ program elasticity
   call mesh%create(context, volume, options)
   points = mesh%points()
   labels = mesh%tet_labels()
-  print '(i0, a, i0, a, i0, a)', size(mesh%labels()), ' labels, ', size(points, 2), ' points, ', size(labels), ' tetrahedra'
+  print '(i0, a, i0, a, i0, a)', size(mesh%labels()), ' labels, ', size(points, 2), ' points, ', &
+    size(labels), ' tetrahedra'
 
   parts = set_up(points, mesh%tets())
   whole = sum(parts%volume)

@@ -1,4 +1,5 @@
-! What is written to the standard error: warnings until one listens, and the failure that stops a program without `stat`.
+! What is written to the standard error: warnings until one listens, and the failure that stops a program without
+! `stat`.
 program stops
   use cleft
   use checks

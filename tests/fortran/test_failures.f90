@@ -48,7 +48,8 @@ contains
     unused = options%value('no_such_option', stat, errmsg)
     call failed(CLEFT_ERROR_OPTION, 'an unknown option has no value')
     call options%set('strict', 'maybe', stat, errmsg)
-    call check(stat == CLEFT_ERROR_OPTION .and. errmsg == 'strict is neither true nor false: maybe', 'a flag is true or false')
+    call check(stat == CLEFT_ERROR_OPTION .and. errmsg == 'strict is neither true nor false: maybe', &
+      'a flag is true or false')
     call options%set_label_size(5, -1d0, stat, errmsg)
     call check(stat /= CLEFT_OK, 'a negative size of a label is refused')
     call options%set('gradation', 0.25d0, stat, errmsg)

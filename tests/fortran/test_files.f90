@@ -96,14 +96,15 @@ contains
     close (unit)
     call cleft_read_raw(context, file, dims, CLEFT_TYPE_INT32, volume, spacing, big_endian=.true., skip=4)
     call check(all(volume%labels() == [0, 5, 9]) .and. is_at(spacing, spacing / 2), 'raw voxels and their spacing')
-    call check(all(volume%voxel_counts() == [count(two_balls() == 0), count(two_balls() == 5), count(two_balls() == 9)]), &
-      'raw voxels are those of the file')
+    call check(all(volume%voxel_counts() == &
+      [count(two_balls() == 0), count(two_balls() == 5), count(two_balls() == 9)]), 'raw voxels are those of the file')
     call cleft_read_raw(context, file, dims, CLEFT_TYPE_INT32, volume, stat=stat, errmsg=errmsg)
     call check(stat == CLEFT_ERROR_FORMAT .and. index(errmsg, file) > 0, 'bytes that are left over are told')
     call check(size(volume%labels()) == 0, 'and the former volume is gone')
     call cleft_read_raw(context, file, [14, 12, 0], CLEFT_TYPE_INT32, volume, stat=stat)
     call check(stat == CLEFT_ERROR_ARGUMENT, 'no voxels are refused')
-    call cleft_read_raw(context, file, dims, CLEFT_TYPE_INT32, volume, [0d0, 0d0, 0d0], .true., 4, stat=stat, errmsg=errmsg)
+    call cleft_read_raw(context, file, dims, CLEFT_TYPE_INT32, volume, [0d0, 0d0, 0d0], .true., 4, &
+      stat=stat, errmsg=errmsg)
     call check(stat == CLEFT_ERROR_ARGUMENT .and. index(errmsg, 'spacing') > 0, 'a spacing of 0 is refused')
 
     mask = reshape([0., 1., 0., 1., 0., 1., 0., 1.], [2, 2, 2])

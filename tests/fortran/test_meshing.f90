@@ -284,7 +284,8 @@ contains
     call named%set_label_name(4, 'none', stat, errmsg)
     call check(stat == CLEFT_ERROR_ARGUMENT .and. index(errmsg, '4') > 0, 'a label that is not there has no name')
     call made%create(context, named, options)
-    call check(made%label_name(5) == 'left kidney' .and. made%label_name(9) == '', 'the mesh has the names of the volume')
+    call check(made%label_name(5) == 'left kidney' .and. made%label_name(9) == '', &
+      'the mesh has the names of the volume')
     call made%set_label_name(9, 'spleen')
     call check(made%label_name(9) == 'spleen' .and. named%label_name(9) == '', 'and its own')
   end subroutine

@@ -5,18 +5,35 @@ from . import c_header, headers, text
 
 FOLDER = "bindings/fortran"
 WIDTH = 120
-SCALARS = {"int": "integer(c_int)", "int32_t": "integer(c_int32_t)", "uint32_t": "integer(c_int32_t)",
-           "int64_t": "integer(c_int64_t)", "double": "real(c_double)", "float": "real(c_float)",
-           "char": "character(kind=c_char)"}
+SCALARS = {
+    "int": "integer(c_int)",
+    "int32_t": "integer(c_int32_t)",
+    "uint32_t": "integer(c_int32_t)",
+    "int64_t": "integer(c_int64_t)",
+    "double": "real(c_double)",
+    "float": "real(c_float)",
+    "char": "character(kind=c_char)",
+}
 
-# What a type of C does not say. These may be NULL, which Fortran passes as a type(c_ptr); a "*" stands for any function.
+# What a type of C does not say. These may be NULL, which Fortran passes as a type(c_ptr); a "*" stands for any
+# function.
 MAY_BE_NULL = {
-    "cleft_version.major", "cleft_version.minor", "cleft_version.patch",
-    "cleft_volume_set_label_name.name", "cleft_mesh_set_label_name.name",
-    "cleft_volume_create_labels.affine", "cleft_volume_create_indicators.affine", "cleft_volume_create_indicators.labels",
-    "cleft_mesh_create.labels", "cleft_mesh_copy_quadratic.points", "cleft_mesh_copy_quadratic.tets",
-    "cleft_io_read_volume.reading", "cleft_io_read_field.reading", "cleft_io_read_sizing.reading",
-    "cleft_io_read_field.dims", "cleft_io_read_field.affine",
+    "cleft_version.major",
+    "cleft_version.minor",
+    "cleft_version.patch",
+    "cleft_volume_set_label_name.name",
+    "cleft_mesh_set_label_name.name",
+    "cleft_volume_create_labels.affine",
+    "cleft_volume_create_indicators.affine",
+    "cleft_volume_create_indicators.labels",
+    "cleft_mesh_create.labels",
+    "cleft_mesh_copy_quadratic.points",
+    "cleft_mesh_copy_quadratic.tets",
+    "cleft_io_read_volume.reading",
+    "cleft_io_read_field.reading",
+    "cleft_io_read_sizing.reading",
+    "cleft_io_read_field.dims",
+    "cleft_io_read_field.affine",
 }
 # These pointers are to one number, not to an array.
 ONE_NUMBER = {"value", "size", "point_count"}
@@ -71,15 +88,26 @@ def _argument(function, argument, structs):
         return _scalar(base, structs) + ", value", ""
     is_handle = base == "void" or base.startswith("cleft_") and base not in structs and not _is_number(base)
     if stars == 2:
-        return ("type(c_ptr), intent(in)", "(*)") if argument.type.endswith("const*") else ("type(c_ptr), intent(out)", "")
+        return (
+            ("type(c_ptr), intent(in)", "(*)") if argument.type.endswith("const*") else ("type(c_ptr), intent(out)", "")
+        )
     if is_handle or f"{function.name}.{argument.name}" in MAY_BE_NULL:
         return "type(c_ptr), value", ""
-    shape = f"({argument.length})" if argument.length else "" if base in structs or argument.name in ONE_NUMBER else "(*)"
+    shape = (
+        f"({argument.length})" if argument.length else "" if base in structs or argument.name in ONE_NUMBER else "(*)"
+    )
     return f"{_scalar(base, structs)}, intent({'in' if is_constant else 'inout'})", shape
 
 
 def _is_number(c_type):
-    return c_type in ("cleft_status", "cleft_option", "cleft_type", "cleft_io_format", "cleft_io_world", "cleft_io_kind")
+    return c_type in (
+        "cleft_status",
+        "cleft_option",
+        "cleft_type",
+        "cleft_io_format",
+        "cleft_io_world",
+        "cleft_io_kind",
+    )
 
 
 def _function(function, structs):
@@ -87,7 +115,7 @@ def _function(function, structs):
     word = "subroutine" if function.result == "void" else "function"
     head = f"    {word} {function.name}({names}) bind(C)" + ("" if function.result == "void" else " result(answer)")
     if len(head) > WIDTH:
-        head = text.lines(head.strip(), WIDTH - 2, "    ", "        ").rstrip().replace("\n", " &\n")
+        head = text.lines(head.strip(), WIDTH - 2, "    ", "      ").rstrip().replace("\n", " &\n")
     declared = []  # [type, names]: neighbours of one type share a line
     for argument in function.arguments:
         kind, shape = _argument(function, argument, structs)
@@ -96,7 +124,9 @@ def _function(function, structs):
         else:
             declared.append((kind, [argument.name + shape]))
     if function.result != "void":
-        declared.append(("type(c_ptr)" if function.result.endswith("*") else _scalar(function.result, structs), ["answer"]))
+        declared.append(
+            ("type(c_ptr)" if function.result.endswith("*") else _scalar(function.result, structs), ["answer"])
+        )
     body = "".join(f"      {kind} :: {', '.join(names)}\n" for kind, names in declared)
     return f"{head}\n      import\n{body}    end {word}\n"
 
@@ -129,9 +159,18 @@ def _module(name, header, known):
 
 
 # The constants that the public modules hand on, by their beginnings: all else has names there.
-_PUBLIC = {"cleft": ("CLEFT_OK", "CLEFT_ERROR_", "CLEFT_LOG_", "CLEFT_SIDE_"),
-           "cleft_io": ("CLEFT_FORMAT_", "CLEFT_IO_WORLD_", "CLEFT_IO_KIND_", "CLEFT_TYPE_", "CLEFT_IO_UNKNOWN",
-                        "CLEFT_IO_VOLUME", "CLEFT_IO_MESH")}
+_PUBLIC = {
+    "cleft": ("CLEFT_OK", "CLEFT_ERROR_", "CLEFT_LOG_", "CLEFT_SIDE_"),
+    "cleft_io": (
+        "CLEFT_FORMAT_",
+        "CLEFT_IO_WORLD_",
+        "CLEFT_IO_KIND_",
+        "CLEFT_TYPE_",
+        "CLEFT_IO_UNKNOWN",
+        "CLEFT_IO_VOLUME",
+        "CLEFT_IO_MESH",
+    ),
+}
 
 
 def _numbers(module, statement, names):
@@ -153,5 +192,8 @@ def files(tree, _):
     if not arguments >= MAY_BE_NULL:
         raise ValueError(f"there are no arguments {sorted(MAY_BE_NULL - arguments)}")
     core_structs = {struct.name for struct in core.structs}
-    return {f"{FOLDER}/cleft_c.f90": _module("cleft_c", core, set()),
-            f"{FOLDER}/cleft_io_c.f90": _module("cleft_io_c", io, core_structs), **dict(_public(tree, core, io))}
+    return {
+        f"{FOLDER}/cleft_c.f90": _module("cleft_c", core, set()),
+        f"{FOLDER}/cleft_io_c.f90": _module("cleft_io_c", io, core_structs),
+        **dict(_public(tree, core, io)),
+    }
