@@ -28,7 +28,8 @@ final class CallbacksTest {
     }
 
     void testFalseCancels() {
-        Checks.thrown(CleftException.Cancelled.class, () -> Checks.ballMesh(mesher.progress((fraction, stage) -> false)));
+        Checks.thrown(
+                CleftException.Cancelled.class, () -> Checks.ballMesh(mesher.progress((fraction, stage) -> false)));
         Checks.check(Checks.ballMesh(mesher.progress((fraction, stage) -> true)).tetCount() > 0, "no mesh");
     }
 

@@ -23,7 +23,8 @@ final class FailuresTest {
             Checks.check(object.isClosed(), "not closed");
         }
         for (Checks.Body body : new Checks.Body[] {
-            volume::dims, volume::labels, volume::voxelCounts, () -> volume.sample(0, 0, 0), mesh::points, mesh::pointsView,
+            volume::dims, volume::labels, volume::voxelCounts, () -> volume.sample(0, 0, 0), mesh::points,
+            mesh::pointsView,
             mesh::labels, () -> mesh.quadratic(0), sizing::values, () -> sizing.at(0, 0, 0), sizing::expectedTets,
             surface::hullSides, other::threads, other::cancel, other::metrics, () -> other.threads(2),
             () -> mesher.mesh(volume, null), () -> mesher.quality(mesh), () -> mesher.surface(mesh),
@@ -43,7 +44,8 @@ final class FailuresTest {
             () -> mesher.sizing(null, null), () -> mesher.constantSizing(null, 1), () -> mesher.background(null, null),
             () -> mesher.cleave(volume, null, null), () -> mesher.improve(null, mesh, null),
             () -> mesher.strip(null, null), () -> mesher.quality(null), () -> mesher.validate(null, true),
-            () -> mesher.surface(null), () -> mesher.report(volume, null), () -> mesher.meshOf(null, new int[4], null, 0),
+            () -> mesher.surface(null), () -> mesher.report(volume, null),
+            () -> mesher.meshOf(null, new int[4], null, 0),
             () -> mesher.meshOf(new double[3], null, null, 0), () -> volume.sample((double[]) null),
             () -> mesher.sizing(volume, (float[]) null, false, null)
         })
@@ -61,7 +63,8 @@ final class FailuresTest {
             () -> mesher.labels(new short[0], Checks.GRID, null), () -> mesher.labels(new int[1], Checks.GRID, null),
             () -> mesher.labels(heap, VoxelType.UINT8, Checks.GRID, null),
             () -> mesher.labels(swapped, VoxelType.UINT8, Checks.GRID, null),
-            () -> mesher.labels(ByteBuffer.allocateDirect(8).order(ByteOrder.nativeOrder()), VoxelType.INT32, Checks.GRID, null),
+            () -> mesher.labels(
+                    ByteBuffer.allocateDirect(8).order(ByteOrder.nativeOrder()), VoxelType.INT32, Checks.GRID, null),
             () -> mesher.indicators(new double[0][], Checks.GRID, null),
             () -> mesher.indicators(new double[][] {new double[3]}, Checks.GRID, null),
             () -> mesher.indicators(new float[][] {new float[12 * 13 * 14]}, Checks.GRID, new int[1]),
@@ -100,7 +103,8 @@ final class FailuresTest {
         })
             Checks.thrown(CleftException.InvalidArgument.class, body);
         values[5] = Double.NaN;
-        Checks.thrown(CleftException.NotFinite.class, () -> mesher.indicators(new double[][] {values}, Checks.GRID, null));
+        Checks.thrown(
+                CleftException.NotFinite.class, () -> mesher.indicators(new double[][] {values}, Checks.GRID, null));
     }
 
     void testStrict() {
@@ -126,7 +130,8 @@ final class FailuresTest {
     private static void named(Class<? extends RuntimeException> kind, String name, Checks.Body... bodies) {
         for (Checks.Body body : bodies) {
             String message = Checks.thrown(kind, body).getMessage();
-            Checks.check(message.matches("(?s)(.*\\W)?\\Q" + name + "\\E(\\W.*)?"), name + " is not named in: " + message);
+            Checks.check(
+                    message.matches("(?s)(.*\\W)?\\Q" + name + "\\E(\\W.*)?"), name + " is not named in: " + message);
         }
     }
 
@@ -141,7 +146,8 @@ final class FailuresTest {
         named(kind, "grid", () -> mesher.labels(new short[1], null, null),
                 () -> mesher.indicators(new double[][] {{1}}, null, null));
         named(kind, "fields", () -> mesher.indicators((float[][]) null, Checks.GRID, null));
-        named(kind, "fields[1]", () -> mesher.indicators(new double[][] {new double[12 * 13 * 14], null}, Checks.GRID, null));
+        named(kind, "fields[1]",
+                () -> mesher.indicators(new double[][] {new double[12 * 13 * 14], null}, Checks.GRID, null));
         named(kind, "volume", () -> mesher.mesh(null, null), () -> mesher.sizing(null, new float[1], false, null),
                 () -> mesher.report(null, mesh));
         named(kind, "values", () -> mesher.sizing(volume, (double[]) null, false, null));
@@ -186,7 +192,8 @@ final class FailuresTest {
         named(kind, "z", () -> new RawVoxels(VoxelType.INT16, 1, 1, 1).spacing(1, 1, -1));
         named(kind, "bytes", () -> new RawVoxels(VoxelType.INT16, 1, 1, 1).skip(-1));
         named(kind, "format", () -> MeshFiles.writeMesh(mesher, mesh, path, "jpeg"));
-        named(kind, "scale", () -> MeshFiles.Reading.DEFAULT.scaled(0), () -> MeshFiles.Reading.DEFAULT.scaled(Double.NaN));
+        named(kind, "scale", () -> MeshFiles.Reading.DEFAULT.scaled(0),
+                () -> MeshFiles.Reading.DEFAULT.scaled(Double.NaN));
         named(kind, "value", () -> new Options().set("size", "1\0"));
         named(kind, "name", () -> volume.labelName(1, "half a \ud83d"));
         Class<CleftException.InvalidArgument> ours = CleftException.InvalidArgument.class;

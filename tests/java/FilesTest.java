@@ -132,8 +132,12 @@ final class FilesTest {
             RawVoxels raw = new RawVoxels(VoxelType.FLOAT32, 2, 2, 2);
             for (MeshFiles.VoxelKind kind : MeshFiles.VoxelKind.values()) {
                 boolean asFunctions = kind == MeshFiles.VoxelKind.INDICATORS;
-                Checks.equal(asFunctions ? 1L : 0L, MeshFiles.readRaw(mesher, raw.kind(kind), null, one).indicatorCount());
-                Checks.equal(asFunctions ? 2L : 0L, MeshFiles.readRaw(mesher, raw.kind(kind), null, one, two).indicatorCount());
+                Checks.equal(
+                        asFunctions ? 1L : 0L,
+                        MeshFiles.readRaw(mesher, raw.kind(kind), null, one).indicatorCount());
+                Checks.equal(
+                        asFunctions ? 2L : 0L,
+                        MeshFiles.readRaw(mesher, raw.kind(kind), null, one, two).indicatorCount());
             }
         });
     }
@@ -164,7 +168,8 @@ final class FilesTest {
             Files.writeString(broken, "not XML");
             Checks.thrown(CleftException.InvalidFormat.class, () -> MeshFiles.readMesh(mesher, broken));
             Checks.thrown(CleftException.FileFailure.class, () -> MeshFiles.readMesh(mesher, folder.resolve("a.vtu")));
-            Checks.thrown(CleftException.FileFailure.class, () -> MeshFiles.readVolume(mesher, folder.resolve("a.nii")));
+            Checks.thrown(
+                    CleftException.FileFailure.class, () -> MeshFiles.readVolume(mesher, folder.resolve("a.nii")));
             Checks.thrown(CleftException.InvalidArgument.class,
                     () -> MeshFiles.readVolume(mesher, MeshFiles.Reading.DEFAULT, null));
             Checks.thrown(NullPointerException.class, () -> MeshFiles.readMesh(mesher, null));

@@ -15,7 +15,8 @@ final class LoadingTest {
 
     /** What a program that makes a small mesh prints. */
     private static String run(boolean succeeds, String... properties) throws Exception {
-        List<String> command = new ArrayList<>(List.of(System.getenv("JAVA"), "-cp", System.getProperty("java.class.path")));
+        List<String> command =
+                new ArrayList<>(List.of(System.getenv("JAVA"), "-cp", System.getProperty("java.class.path")));
         command.addAll(List.of(properties));
         command.add("LoadingTest$Program");
         Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
@@ -36,7 +37,7 @@ final class LoadingTest {
         Path folder = Files.createTempDirectory("cleft-test-");
         String output = run(true, "-Djava.io.tmpdir=" + folder);
         Checks.check(output.contains(folder + File.separator + "cleft-"), output);
-        for (String name : new String[] {"libcleft.so.0", "libcleft_io.so.0", "libcleft_java.so", "libcleft_io_java.so"})
+        for (String name : List.of("libcleft.so.0", "libcleft_io.so.0", "libcleft_java.so", "libcleft_io_java.so"))
             Checks.check(output.contains(name), output);
         Files.delete(folder);  // fails if something was left in it
     }

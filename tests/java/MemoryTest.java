@@ -60,7 +60,9 @@ final class MemoryTest {
         NativeObject make(int n);
     }
 
-    /** Makes objects of 3 MB or more and drops each. The heap stays nearly empty: nothing else makes the collector run. */
+    /**
+     * Makes objects of 3 MB or more and drops each. The heap stays nearly empty: nothing else makes the collector run.
+     */
     private static void makeUnclosed(int count, Maker maker) throws Exception {
         NativeObject kept = maker.make(0);
         long before = residentKilobytes();
@@ -127,7 +129,8 @@ final class MemoryTest {
     }
 
     private static long collections() {
-        return ManagementFactory.getGarbageCollectorMXBeans().stream().mapToLong(bean -> bean.getCollectionCount()).sum();
+        return ManagementFactory.getGarbageCollectorMXBeans().stream()
+                .mapToLong(bean -> bean.getCollectionCount()).sum();
     }
 
     /** Threads that make objects at the same time, one of them interrupted, keep to the bound together. */

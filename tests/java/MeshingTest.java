@@ -28,7 +28,9 @@ final class MeshingTest {
         Volume volume = Checks.ballVolume(mesher);
         Mesh mesh = Checks.ballMesh(mesher);
         Checks.equal("Volume of 12 x 13 x 14 voxels, 3 labels", volume.toString());
-        Checks.equal("Mesh of " + mesh.pointCount() + " points, " + mesh.tetCount() + " tetrahedra, 3 labels", mesh.toString());
+        Checks.equal(
+                "Mesh of " + mesh.pointCount() + " points, " + mesh.tetCount() + " tetrahedra, 3 labels",
+                mesh.toString());
         Checks.equal("Mesher of 1 threads", mesher.toString());
         for (NativeObject thing : new NativeObject[] {mesher.sizing(volume, null), mesher.surface(mesh)})
             Checks.check(thing.toString().startsWith(thing.getClass().getSimpleName() + " of "), thing.toString());
@@ -172,10 +174,12 @@ final class MeshingTest {
 
     void testArraysThereAndBack() {
         Mesh mesh = Checks.ballMesh(mesher);
-        Checks.check(Checks.same(mesh, mesher.meshOf(mesh.points(), mesh.tets(1), mesh.tetLabels(), 1)), "another mesh");
+        Checks.check(
+                Checks.same(mesh, mesher.meshOf(mesh.points(), mesh.tets(1), mesh.tetLabels(), 1)), "another mesh");
         Checks.equal(new int[] {0}, mesher.meshOf(mesh.points(), mesh.tets(), null, 0).labels());
         Validation found = mesher.validate(
-                mesher.meshOf(new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, new int[] {1, 0, 2, 3}, null, 0), false);
+                mesher.meshOf(new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, new int[] {1, 0, 2, 3}, null, 0),
+                false);
         Checks.check(!found.valid() && found.negativeTets() == 1 && !found.firstFault().isEmpty(), found.toString());
     }
 
@@ -239,11 +243,14 @@ final class MeshingTest {
         return others;
     }
 
-    /** No label is special: not -1, nor the extremes of 32 bits, in any place where a label can be given or asked for. */
+    /**
+     * No label is special: not -1, nor the extremes of 32 bits, in any place where a label can be given or asked for.
+     */
     void testAnyLabels() {
         Mesh wanted = Checks.ballMesh(mesher);
         int[] sides = mesher.surface(wanted).hullSides();
-        for (int[] names : new int[][] {{-1, 5, 9}, {-3, -1, 0}, {-2, -1, 0x7fffffff}, {Integer.MIN_VALUE, -1, Integer.MAX_VALUE},
+        for (int[] names : new int[][] {
+                {-1, 5, 9}, {-3, -1, 0}, {-2, -1, 0x7fffffff}, {Integer.MIN_VALUE, -1, Integer.MAX_VALUE},
                 {Integer.MIN_VALUE, Integer.MIN_VALUE + 1, -1}, {0, Integer.MAX_VALUE - 1, Integer.MAX_VALUE}}) {
             Volume volume = mesher.labels(renamed(names), Checks.GRID, null);
             Checks.equal(names, volume.labels());
@@ -268,10 +275,13 @@ final class MeshingTest {
                 Checks.equal(new int[] {names[m]}, mesher.strip(mesh, new Options().only(names[m])).labels());
                 Checks.equal(2, mesher.strip(mesh, new Options().strip(names[m])).labels().length);
                 LabelReport row = mesher.report(volume, mesh).get(m);
-                Checks.check(row.label() == names[m] && row.voxels() == volume.voxelCounts().get(names[m]), row.toString());
+                Checks.check(
+                        row.label() == names[m] && row.voxels() == volume.voxelCounts().get(names[m]), row.toString());
                 Options fine = new Options().background(Background.LATTICE).sizeMax(4).labelSize(names[m], 0.7);
-                Options same = new Options().background(Background.LATTICE).sizeMax(4).labelSize(new int[] {0, 1, 7}[m], 0.7);
-                Checks.equal(mesher.sizing(Checks.ballVolume(mesher), same).values(), mesher.sizing(volume, fine).values());
+                Options same = new Options().background(Background.LATTICE).sizeMax(4)
+                        .labelSize(new int[] {0, 1, 7}[m], 0.7);
+                Checks.equal(
+                        mesher.sizing(Checks.ballVolume(mesher), same).values(), mesher.sizing(volume, fine).values());
             }
         }
     }

@@ -13,8 +13,9 @@ import org.cleft.*;
 
 /** Null for each parameter of each public method and constructor in turn: it is taken, or refused by its name. */
 final class NullsTest {
-    private static final List<Class<?>> KINDS = List.of(Mesher.class, Options.class, Volume.class, Sizing.class, Mesh.class,
-            Surface.class, Grid.class, RawVoxels.class, MeshFiles.class, MeshFiles.Reading.class);
+    private static final List<Class<?>> KINDS = List.of(
+            Mesher.class, Options.class, Volume.class, Sizing.class, Mesh.class, Surface.class,
+            Grid.class, RawVoxels.class, MeshFiles.class, MeshFiles.Reading.class);
 
     private final Mesher mesher = new Mesher().log(null);
     private final Map<Class<?>, Object> samples = new HashMap<>();
@@ -29,9 +30,12 @@ final class NullsTest {
         Mesh mesh = Checks.ballMesh(mesher);
         Path path = Path.of("no such folder", "a.vtu");
         for (Object sample : new Object[] {mesher, Checks.quick(), volume, mesh, mesher.constantSizing(volume, 3),
-                mesher.surface(mesh), Checks.GRID, new RawVoxels(VoxelType.UINT8, 1, 1, 1), MeshFiles.Reading.DEFAULT, "text",
-                new byte[voxels], new short[voxels], new int[voxels], new long[3], new float[voxels], new double[voxels],
-                new float[2][voxels], new double[2][voxels], VoxelType.UINT8, Background.LATTICE, Snap.NONE, Improvement.OFF,
+                mesher.surface(mesh), Checks.GRID, new RawVoxels(VoxelType.UINT8, 1, 1, 1), MeshFiles.Reading.DEFAULT,
+                "text",
+                new byte[voxels], new short[voxels], new int[voxels], new long[3], new float[voxels],
+                new double[voxels],
+                new float[2][voxels], new double[2][voxels], VoxelType.UINT8, Background.LATTICE, Snap.NONE,
+                Improvement.OFF,
                 MeshFiles.World.LPS, MeshFiles.VoxelKind.AUTO, new Path[] {path}})
             samples.put(sample.getClass(), sample);
         samples.put(Path.class, path);
@@ -51,7 +55,8 @@ final class NullsTest {
         for (Class<?> kind : KINDS) {
             all.addAll(List.of(kind.getConstructors()));
             for (Method method : kind.getDeclaredMethods())
-                if (Modifier.isPublic(method.getModifiers()) && !method.getName().equals("equals") && !method.isSynthetic())
+                if (Modifier.isPublic(method.getModifiers()) && !method.getName().equals("equals")
+                        && !method.isSynthetic())
                     all.add(method);
         }
         int tried = 0;

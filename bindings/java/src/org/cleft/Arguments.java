@@ -14,7 +14,8 @@ final class Arguments {
 
     static void groups(String name, long found, int each, String what) {
         if (found % each != 0)
-            throw new IllegalArgumentException(name + " has " + elements(found) + "; it must have " + each + " a " + what);
+            throw new IllegalArgumentException(
+                    name + " has " + elements(found) + "; it must have " + each + " a " + what);
     }
 
     static void positive(String name, double value) {

@@ -5,8 +5,8 @@ import java.util.Objects;
 
 /**
  * How many voxels there are, and where they lie: {@code new Grid(64, 64, 40).spacing(0.5, 0.5, 2).origin(0, 0, 0)}. It
- * never changes: the methods that set something answer a new one. Voxel (i, j, k) is number {@code i + nx * (j + ny * k)}
- * of an array: x runs fastest.
+ * never changes: the methods that set something answer a new one. Voxel (i, j, k) is number {@code i + nx * (j + ny *
+ * k)} of an array: x runs fastest.
  */
 public final class Grid {
     private final long[] dims;

@@ -8,8 +8,8 @@ import java.util.Map;
  * Points, tetrahedra and their labels; a background mesh has the label 0 only. Made by a {@link Mesher} or read by
  * {@link MeshFiles}; it never changes, but for the names of its labels, and may be read by many threads.
  *
- * <p>Arrays are copies. Views are read-only buffers over the library's memory, which they keep: they stay good when the mesh
- * is closed or collected, and the memory is freed with the last of them. A view cannot have more than 2 GiB.
+ * <p>Arrays are copies. Views are read-only buffers over the library's memory, which they keep: they stay good when the
+ * mesh is closed or collected, and the memory is freed with the last of them. A view cannot have more than 2 GiB.
  */
 public final class Mesh extends NativeObject {
     Mesh(long address) {
@@ -84,8 +84,9 @@ public final class Mesh extends NativeObject {
      * @return a copy, ascending
      */
     public int[] labels() {
-        IntBuffer view = view(CleftNative::cleft_mesh_labels, address -> 4 * CleftNative.cleft_mesh_label_count(address))
-                .asIntBuffer();
+        IntBuffer view =
+                view(CleftNative::cleft_mesh_labels, address -> 4 * CleftNative.cleft_mesh_label_count(address))
+                        .asIntBuffer();
         int[] labels = new int[view.remaining()];
         view.get(labels);
         return labels;
@@ -111,7 +112,8 @@ public final class Mesh extends NativeObject {
     }
 
     /**
-     * Names a label. A mesh begins with the names of its volume; formats that have names for groups write them. Not while another thread uses the mesh.
+     * Names a label. A mesh begins with the names of its volume; formats that have names for groups write them. Not
+     * while another thread uses the mesh.
      *
      * @param label a label of the mesh
      * @param name one line of text; "" takes the name away
@@ -139,7 +141,8 @@ public final class Mesh extends NativeObject {
      * @return a view
      */
     public IntBuffer tetsView() {
-        return view(CleftNative::cleft_mesh_tets, address -> 16 * CleftNative.cleft_mesh_tet_count(address)).asIntBuffer();
+        return view(CleftNative::cleft_mesh_tets, address -> 16 * CleftNative.cleft_mesh_tet_count(address))
+                .asIntBuffer();
     }
 
     /**

@@ -8,7 +8,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 
-/** Reads and writes files. The native part of this class is loaded when it is first used; it needs GDCM and libraries of pictures. */
+/**
+ * Reads and writes files. The native part of this class is loaded when it is first used; it needs GDCM and libraries of
+ * pictures.
+ */
 public final class MeshFiles {
     /** Directions of the world axes. */
     public enum World {

@@ -17,9 +17,9 @@ import java.util.Objects;
  * }
  * }</pre>
  *
- * <p>One call runs on a Mesher at a time; another thread that tries gets an IllegalStateException. {@link #cancel} is for
- * other threads. Interrupting the thread that makes a call cancels it too. Where options may be null, null stands for the
- * defaults.
+ * <p>One call runs on a Mesher at a time; another thread that tries gets an IllegalStateException. {@link #cancel} is
+ * for other threads. Interrupting the thread that makes a call cancels it too. Where options may be null, null stands
+ * for the defaults.
  */
 public final class Mesher extends NativeObject {
     private final Calls calls = new Calls(handle());
@@ -354,8 +354,8 @@ public final class Mesher extends NativeObject {
     // ----------------------------------------------------------------------------------------- what meshes are
 
     /**
-     * What {@link #mesh(Volume, Sizing, Mesh, Options)} will come to with the same arguments: tetrahedra, within 15 %, and
-     * memory. No mesh is made.
+     * What {@link #mesh(Volume, Sizing, Mesh, Options)} will come to with the same arguments: tetrahedra, within 15 %,
+     * and memory. No mesh is made.
      *
      * @param volume the volume
      * @param sizing a sizing field of your own, or null
@@ -368,7 +368,8 @@ public final class Mesher extends NativeObject {
         NativeEstimate figures = new NativeEstimate();
         try {
             run((context, arguments, out) -> CleftNative.cleft_mesh_estimate(
-                    context, arguments[0], arguments[1], arguments[2], arguments[3], figures), volume, sizing, background, options);
+                    context, arguments[0], arguments[1], arguments[2], arguments[3], figures),
+                    volume, sizing, background, options);
             return Estimate.of(figures);
         } finally {
             figures.delete();

@@ -42,7 +42,8 @@ final class NativeLibrary {
     private static void load(String name, List<String> files, String needs) {
         List<String> failures = new ArrayList<>();
         if (!loadFromFolder(name, failures) && !loadFromJar(files, failures) && !loadFromSystem(name, failures))
-            throw new UnsatisfiedLinkError("the native library of Cleft cannot be loaded: " + String.join("; ", failures)
+            throw new UnsatisfiedLinkError(
+                    "the native library of Cleft cannot be loaded: " + String.join("; ", failures)
                     + ". It needs the Debian packages " + needs + ", and " + PROPERTY + " may name its folder");
     }
 
@@ -76,7 +77,8 @@ final class NativeLibrary {
     private static boolean loadFromJar(List<String> files, List<String> failures) {
         if (System.getProperty(PROPERTY) != null)
             return false;
-        String platform = (System.getProperty("os.name") + "-" + System.getProperty("os.arch")).toLowerCase(Locale.ROOT);
+        String platform = (System.getProperty("os.name") + "-" + System.getProperty("os.arch"))
+                .toLowerCase(Locale.ROOT);
         String main = files.get(files.size() - 1);
         if (NativeLibrary.class.getResource(resource(platform, main)) == null) {
             failures.add("the jar has none for " + platform);

@@ -4,9 +4,9 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * The bytes that objects hold outside the heap. The collector does not see them: a mesh is a few bytes to it. So objects
- * that nobody closes would pile up long before the heap fills. When what is held has grown by more than a budget, the
- * collector is asked to find the objects that nobody reaches any more, as the JDK does for direct buffers.
+ * The bytes that objects hold outside the heap. The collector does not see them: a mesh is a few bytes to it. So
+ * objects that nobody closes would pile up long before the heap fills. When what is held has grown by more than a
+ * budget, the collector is asked to find the objects that nobody reaches any more, as the JDK does for direct buffers.
  */
 final class NativeMemory {
     /** The property with the budget in bytes. */

@@ -9,7 +9,8 @@ import java.util.function.LongToIntFunction;
 
 /**
  * What owns memory of the library. It is freed by {@link #close}, or when the object is no longer reachable; but not
- * before the last view of it (a buffer that looks into that memory) is gone too, and the last call that uses it is over.
+ * before the last view of it (a buffer that looks into that memory) is gone too, and the last call that uses it is
+ * over.
  */
 public abstract sealed class NativeObject implements AutoCloseable
         permits Mesher, Options, Volume, Sizing, Mesh, Surface {
@@ -95,7 +96,8 @@ public abstract sealed class NativeObject implements AutoCloseable
     /** The length of an array of `count` times `width` elements, if Java can have one. */
     static int length(long count, int width) {
         if (count > Integer.MAX_VALUE / width)
-            throw new UnsupportedOperationException("an array of Java cannot have " + count + " times " + width + " elements");
+            throw new UnsupportedOperationException(
+                    "an array of Java cannot have " + count + " times " + width + " elements");
         return (int) count * width;
     }
 

@@ -54,7 +54,8 @@ public record OptionDescription(
                 CleftException.check(CleftNative.cleft_option_info(index, row));
                 String choices = row.getChoices();
                 rows.add(new OptionDescription(row.getName(), Type.values()[row.getType() - 1], row.getValue(),
-                        row.getLeast(), row.getGreatest(), choices.isEmpty() ? List.of() : List.of(choices.split("\\|")),
+                        row.getLeast(), row.getGreatest(),
+                        choices.isEmpty() ? List.of() : List.of(choices.split("\\|")),
                         row.getText(), row.getGroup(), List.of(row.getCalls().split("\\|"))));
             }
         } finally {

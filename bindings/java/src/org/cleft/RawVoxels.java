@@ -3,8 +3,8 @@ package org.cleft;
 import java.util.Objects;
 
 /**
- * How voxels without a header lie in a file, x fastest: {@code new RawVoxels(VoxelType.INT16, 64, 64, 40).spacing(0.5, 0.5,
- * 2).bigEndian(true)}. It never changes: the methods that set something answer a new one.
+ * How voxels without a header lie in a file, x fastest: {@code new RawVoxels(VoxelType.INT16, 64, 64, 40).spacing(0.5,
+ * 0.5, 2).bigEndian(true)}. It never changes: the methods that set something answer a new one.
  */
 public final class RawVoxels {
     private final VoxelType type;

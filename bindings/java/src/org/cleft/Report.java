@@ -4,7 +4,9 @@ import java.util.AbstractList;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What became of each label: a row a label, in the order of {@link Volume#labels}; and the labels that came to touch. */
+/**
+ * What became of each label: a row a label, in the order of {@link Volume#labels}; and the labels that came to touch.
+ */
 public final class Report extends AbstractList<LabelReport> {
     private final List<LabelReport> rows;
     private final List<Contact> contacts;

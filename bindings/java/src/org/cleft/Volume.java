@@ -52,8 +52,9 @@ public final class Volume extends NativeObject {
      * @return a copy
      */
     public int[] labels() {
-        IntBuffer view = view(CleftNative::cleft_volume_labels, address -> 4 * CleftNative.cleft_volume_label_count(address))
-                .asIntBuffer();
+        IntBuffer view =
+                view(CleftNative::cleft_volume_labels, address -> 4 * CleftNative.cleft_volume_label_count(address))
+                        .asIntBuffer();
         int[] labels = new int[view.remaining()];
         view.get(labels);
         return labels;
@@ -79,7 +80,8 @@ public final class Volume extends NativeObject {
     }
 
     /**
-     * Names a label. Meshes that are made of the volume after that have the name too. Not while another thread uses the volume.
+     * Names a label. Meshes that are made of the volume after that have the name too. Not while another thread uses the
+     * volume.
      *
      * @param label a label of the volume
      * @param name one line of text; "" takes the name away

@@ -5,7 +5,9 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Objects;
 
-/** Makes volumes and sizing fields from arrays that have an element a voxel, and tells what is wrong with such arrays. */
+/**
+ * Makes volumes and sizing fields from arrays that have an element a voxel, and tells what is wrong with such arrays.
+ */
 final class VoxelArrays {
     private VoxelArrays() {}
 
@@ -47,7 +49,8 @@ final class VoxelArrays {
     }
 
     /** A sizing field of the user's own. */
-    static Sizing sizing(Mesher mesher, Volume volume, VoxelType type, Object values, boolean combine, Options options) {
+    static Sizing sizing(
+            Mesher mesher, Volume volume, VoxelType type, Object values, boolean combine, Options options) {
         Objects.requireNonNull(volume, "volume");
         checkLength("values", values, volume.grid());
         return new Sizing(mesher.make((context, arguments, out) -> CleftNative.cleft_sizing_create_values(

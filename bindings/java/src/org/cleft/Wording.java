@@ -4,7 +4,9 @@ import java.util.Map;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
-/** Sentences of the library, in which options are called as the methods of {@link Options} are: sizeMax for size_max. */
+/**
+ * Sentences of the library, in which options are called as the methods of {@link Options} are: sizeMax for size_max.
+ */
 final class Wording {
     private static final Pattern WORDS = Pattern.compile("\\b[a-z]+(_[a-z]+)+\\b");
     private static final Map<String, String> METHODS = OptionDescription.table().stream()
@@ -18,7 +20,8 @@ final class Wording {
         int end = sentence.lastIndexOf('\'') + 1;
         if (first < 0)
             return renamed(sentence);
-        return renamed(sentence.substring(0, first)) + sentence.substring(first, end) + renamed(sentence.substring(end));
+        return renamed(sentence.substring(0, first)) + sentence.substring(first, end)
+                + renamed(sentence.substring(end));
     }
 
     private static String renamed(String part) {
