@@ -19,7 +19,8 @@ static class LabelStatistics
         using (Volume volume = MeshFiles.ReadVolume(mesher, arguments[0], options))
         using (Mesh mesh = mesher.Mesh(volume, options)) {
             Dictionary<int, double> edges = MeanEdges(mesh);
-            Console.WriteLine("{0,8} {1,10} {2,14} {3,14} {4,12}", "label", "tets", "mesh volume", "voxel volume", "mean edge");
+            Console.WriteLine(
+                "{0,8} {1,10} {2,14} {3,14} {4,12}", "label", "tets", "mesh volume", "voxel volume", "mean edge");
             foreach (LabelReport row in mesher.Report(volume, mesh))
                 Console.WriteLine("{0,8} {1,10} {2,14:F3} {3,14:F3} {4,12:F4}", row.Label, row.Tets, row.MeshVolume,
                     row.VoxelVolume, edges.ContainsKey(row.Label) ? edges[row.Label] : double.NaN);

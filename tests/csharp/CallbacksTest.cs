@@ -58,7 +58,9 @@ sealed class CallbacksTest
         Checks.Thrown<OwnException>(() => mesher.Mesh(volume, tooFew));
     }
 
-    /// <summary>Smoothing is of the volume: given to a later call alone, it changes nothing, and that is told.</summary>
+    /// <summary>
+    /// Smoothing is of the volume: given to a later call alone, it changes nothing, and that is told.
+    /// </summary>
     void TestSmoothWithoutEffect()
     {
         var warnings = new List<string>();

@@ -19,7 +19,9 @@ static class Checks
         ["TryRead"] = () => MeshFiles.ReadVolume(new Mesher(), "a.nrrd")
     };
 
-    /// <summary>Runs an attempt, the golden case, or all methods Test...() of a class, each on an object of its own.</summary>
+    /// <summary>
+    /// Runs an attempt, the golden case, or all methods Test...() of a class, each on an object of its own.
+    /// </summary>
     static int Main(string[] arguments)
     {
         if (arguments[0] == "Golden") {
@@ -113,6 +115,7 @@ static class Checks
 
     internal static bool Same(Mesh a, Mesh b)
     {
-        return a.Points.SequenceEqual(b.Points) && a.Tets.SequenceEqual(b.Tets) && a.TetLabels.SequenceEqual(b.TetLabels);
+        return a.Points.SequenceEqual(b.Points) && a.Tets.SequenceEqual(b.Tets)
+            && a.TetLabels.SequenceEqual(b.TetLabels);
     }
 }

@@ -38,14 +38,19 @@ sealed class FailuresTest
         Mesh mesh = Checks.BallMesh(mesher);
         foreach (Action body in new Action[] {
             () => mesher.Labels((byte[])null, Checks.Grid), () => mesher.Labels(new byte[1], null),
-            () => mesher.Indicators((double[][])null, Checks.Grid), () => mesher.Indicators(new double[][] { null }, Checks.Grid),
+            () => mesher.Indicators((double[][])null, Checks.Grid),
+            () => mesher.Indicators(new double[][] { null }, Checks.Grid),
             () => mesher.Mesh(null), () => mesher.Sizing(null), () => mesher.ConstantSizing(null, 1),
             () => mesher.BackgroundMesh(null), () => mesher.Cleave(volume, null), () => mesher.Improve(null, mesh),
-            () => mesher.Strip(null, null), () => mesher.Quality(null), () => mesher.Validate(null), () => mesher.Surface(null),
-            () => mesher.Report(volume, null), () => mesher.MeshOf(null, new int[4]), () => mesher.MeshOf(new double[3], null),
-            () => volume.Sample(null), () => mesher.Sizing(volume, (float[])null), () => MeshFiles.ReadMesh(mesher, null),
+            () => mesher.Strip(null, null), () => mesher.Quality(null), () => mesher.Validate(null),
+            () => mesher.Surface(null),
+            () => mesher.Report(volume, null), () => mesher.MeshOf(null, new int[4]),
+            () => mesher.MeshOf(new double[3], null),
+            () => volume.Sample(null), () => mesher.Sizing(volume, (float[])null),
+            () => MeshFiles.ReadMesh(mesher, null),
             () => MeshFiles.ReadMesh(null, "a.vtu"), () => MeshFiles.WriteMesh(mesher, null, "a.vtu"),
-            () => MeshFiles.ReadVolume(mesher, (string)null), () => mesh.Points.CopyTo(0, null), () => Checks.Grid.WithAffine(null)
+            () => MeshFiles.ReadVolume(mesher, (string)null), () => mesh.Points.CopyTo(0, null),
+            () => Checks.Grid.WithAffine(null)
         })
             Checks.Thrown<ArgumentNullException>(body);
     }
@@ -55,14 +60,17 @@ sealed class FailuresTest
         Volume volume = Checks.BallVolume(mesher);
         Mesh mesh = Checks.BallMesh(mesher);
         foreach (Action body in new Action[] {
-            () => mesher.Labels(new byte[12 * 13 * 14 - 1], Checks.Grid), () => mesher.Labels(new short[0], Checks.Grid),
+            () => mesher.Labels(new byte[12 * 13 * 14 - 1], Checks.Grid),
+            () => mesher.Labels(new short[0], Checks.Grid),
             () => mesher.Indicators(new double[0][], Checks.Grid),
             () => mesher.Indicators(new[] { new double[3] }, Checks.Grid),
             () => mesher.Indicators(new[] { new float[12 * 13 * 14] }, Checks.Grid, new int[1]),
             () => mesher.Sizing(volume, new float[3]), () => volume.Sample(1, 2),
             () => mesher.MeshOf(new double[4], new int[4]), () => mesher.MeshOf(new double[12], new int[5]),
-            () => mesher.MeshOf(new double[12], new int[4], new int[2]), () => new Grid(0, 1, 1), () => new Grid(1, -1, 1),
-            () => new Grid(long.MaxValue, 2, 2), () => Checks.Grid.WithSpacing(1, 0, 1), () => Checks.Grid.WithAffine(1, 2, 3),
+            () => mesher.MeshOf(new double[12], new int[4], new int[2]), () => new Grid(0, 1, 1),
+            () => new Grid(1, -1, 1),
+            () => new Grid(long.MaxValue, 2, 2), () => Checks.Grid.WithSpacing(1, 0, 1),
+            () => Checks.Grid.WithAffine(1, 2, 3),
             () => Checks.Grid.WithSpacing(1, double.NaN, 1), () => Checks.Grid.WithOrigin(double.NaN, 0, 0),
             () => mesh.CopyTets(2), () => mesh.CopyQuadratic(out int[] tets, -1), () => mesh.Points[-1].ToString(),
             () => mesh.Points[mesh.Points.Count].ToString(), () => mesh.Points.CopyTo(1, new double[mesh.Points.Count])
@@ -134,19 +142,22 @@ sealed class FailuresTest
             ["nx"] = new Action[] { () => new Grid(0, 1, 1) },
             ["ny"] = new Action[] { () => new Grid(1, -1, 1), () => new Grid(long.MaxValue, 2, 1) },
             ["nz"] = new Action[] { () => new Grid(1, 1, 0), () => new Grid(long.MaxValue, 1, 2) },
-            ["x"] = new Action[] { () => Checks.Grid.WithSpacing(0, 1, 1), () => Checks.Grid.WithOrigin(double.NaN, 0, 0) },
+            ["x"] = new Action[] { () => Checks.Grid.WithSpacing(0, 1, 1),
+                () => Checks.Grid.WithOrigin(double.NaN, 0, 0) },
             ["y"] = new Action[] { () => Checks.Grid.WithSpacing(1, double.NaN, 1) },
             ["z"] = new Action[] { () => Checks.Grid.WithOrigin(0, 0, double.PositiveInfinity) },
             ["rows"] = new Action[] { () => Checks.Grid.WithAffine(1, 2), () => Checks.Grid.WithAffine(null) },
             ["voxels"] = new Action[] {
                 () => mesher.Labels((byte[])null, Checks.Grid), () => mesher.Labels(new int[1], Checks.Grid),
                 () => mesher.Labels(IntPtr.Zero, VoxelType.UInt8, Checks.Grid) },
-            ["grid"] = new Action[] { () => mesher.Labels(labels, null), () => mesher.Indicators(new[] { new double[1] }, null) },
+            ["grid"] = new Action[] { () => mesher.Labels(labels, null),
+                () => mesher.Indicators(new[] { new double[1] }, null) },
             ["type"] = new Action[] {
                 () => mesher.Labels(new IntPtr(8), VoxelType.Float32, Checks.Grid),
                 () => mesher.Labels(new IntPtr(8), (VoxelType)99, Checks.Grid) },
             ["fields"] = new Action[] {
-                () => mesher.Indicators((float[][])null, Checks.Grid), () => mesher.Indicators(new float[0][], Checks.Grid),
+                () => mesher.Indicators((float[][])null, Checks.Grid),
+                () => mesher.Indicators(new float[0][], Checks.Grid),
                 () => mesher.Indicators(new[] { new float[voxels], null }, Checks.Grid),
                 () => mesher.Indicators(new[] { new float[voxels], new float[3] }, Checks.Grid) },
             ["labels"] = new Action[] {
@@ -155,18 +166,23 @@ sealed class FailuresTest
             ["values"] = new Action[] {
                 () => mesher.Sizing(volume, (double[])null), () => mesher.Sizing(volume, new float[3]) },
             ["points"] = new Action[] {
-                () => mesher.MeshOf(null, new int[4]), () => mesher.MeshOf(new double[2], new int[4]), () => volume.Sample(1) },
-            ["tets"] = new Action[] { () => mesher.MeshOf(new double[12], null), () => mesher.MeshOf(new double[12], new int[5]) },
+                () => mesher.MeshOf(null, new int[4]), () => mesher.MeshOf(new double[2], new int[4]),
+                () => volume.Sample(1) },
+            ["tets"] = new Action[] { () => mesher.MeshOf(new double[12], null),
+                () => mesher.MeshOf(new double[12], new int[5]) },
             ["indexBase"] = new Action[] {
                 () => mesher.MeshOf(new double[12], new int[4], null, 2), () => mesh.CopyTets(-1),
                 () => mesh.CopyQuadratic(out int[] tets, 2) },
-            ["volume"] = new Action[] { () => mesher.Mesh(null), () => mesher.Report(null, mesh), () => mesher.Sizing(null) },
+            ["volume"] = new Action[] { () => mesher.Mesh(null), () => mesher.Report(null, mesh),
+                () => mesher.Sizing(null) },
             ["mesh"] = new Action[] { () => mesher.Quality(null), () => MeshFiles.WriteMesh(mesher, null, "a.vtu") },
             ["background"] = new Action[] { () => mesher.Cleave(volume, null) },
             ["cleaved"] = new Action[] { () => mesher.Improve(volume, null) },
             ["whole"] = new Action[] { () => mesher.Strip(null, null) },
-            ["sizing"] = new Action[] { () => mesher.BackgroundMesh(null), () => MeshFiles.WriteSizing(mesher, null, "a.nrrd") },
-            ["mesher"] = new Action[] { () => MeshFiles.ReadMesh(null, "a.vtu"), () => MeshFiles.ReadVolume(null, "a.nrrd") },
+            ["sizing"] = new Action[] { () => mesher.BackgroundMesh(null),
+                () => MeshFiles.WriteSizing(mesher, null, "a.nrrd") },
+            ["mesher"] = new Action[] { () => MeshFiles.ReadMesh(null, "a.vtu"),
+                () => MeshFiles.ReadVolume(null, "a.nrrd") },
             ["path"] = new Action[] {
                 () => MeshFiles.ReadMesh(mesher, null), () => MeshFiles.ReadVolume(mesher, (string)null),
                 () => MeshFiles.Guess(null), () => MeshFiles.ReadMesh(mesher, "a\0b.vtu"),
@@ -191,10 +207,13 @@ sealed class FailuresTest
             ["Spacing"] = new Action[] {
                 () => MeshFiles.ReadVolume(mesher, "a.nrrd", null, new Reading { Spacing = new double[2] }),
                 () => MeshFiles.ReadVolume(mesher, "a.nrrd", null, new Reading { Spacing = new[] { 0, -1.0, 0 } }),
-                () => MeshFiles.ReadRaw(mesher, new RawVoxels { Dims = raw.Dims, Spacing = new[] { 1.0 } }, null, "a.raw") },
+                () => MeshFiles.ReadRaw(
+                    mesher, new RawVoxels { Dims = raw.Dims, Spacing = new[] { 1.0 } }, null, "a.raw") },
             ["Scale"] = new Action[] { () => MeshFiles.ReadVolume(mesher, "a.nrrd", null, new Reading { Scale = 0 }) },
-            ["World"] = new Action[] { () => MeshFiles.ReadVolume(mesher, "a.nrrd", null, new Reading { World = (World)5 }) },
-            ["Kind"] = new Action[] { () => MeshFiles.ReadVolume(mesher, "a.nrrd", null, new Reading { Kind = (VoxelKind)5 }),
+            ["World"] = new Action[] {
+                () => MeshFiles.ReadVolume(mesher, "a.nrrd", null, new Reading { World = (World)5 }) },
+            ["Kind"] = new Action[] {
+                () => MeshFiles.ReadVolume(mesher, "a.nrrd", null, new Reading { Kind = (VoxelKind)5 }),
                 () => MeshFiles.ReadRaw(mesher, new RawVoxels { Dims = raw.Dims, Kind = (VoxelKind)5 }, null, "a.raw") }
         };
         foreach (KeyValuePair<string, Action[]> entry in wrong)
@@ -210,12 +229,14 @@ sealed class FailuresTest
     {
         Volume volume = Checks.BallVolume(mesher);
         foreach (var wrong in new Dictionary<string, Action> {
-            ["SizeMax is -1"] = () => new Options { SizeMax = -1 }.Dispose(), ["Size is "] = () => new Options { Size = double.NaN }.Dispose(),
+            ["SizeMax is -1"] = () => new Options { SizeMax = -1 }.Dispose(),
+            ["Size is "] = () => new Options { Size = double.NaN }.Dispose(),
             ["SizeMax is less than SizeMin"] = () => mesher.Mesh(volume, new Options { SizeMin = 3, SizeMax = 2 }),
             ["Strip would leave"] = () => mesher.Mesh(volume, new Options { Strip = volume.Labels.ToArray() }),
             ["Only would leave"] = () => mesher.Mesh(volume, new Options { Only = new[] { 99 } }),
             ["the size of label 3 is -1"] = () => new Options().SetLabelSize(3, -1),
-            ["Threads is 2000"] = () => mesher.Threads = 2000, ["size_max is not a number"] = () => new Options().Set("size_max", "x"),
+            ["Threads is 2000"] = () => mesher.Threads = 2000,
+            ["size_max is not a number"] = () => new Options().Set("size_max", "x"),
             ["'/no/size_max.vtu'"] = () => MeshFiles.ReadMesh(mesher, "/no/size_max.vtu")
         }) {
             var thrown = Checks.Thrown<CleftException>(wrong.Value);

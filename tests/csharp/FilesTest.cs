@@ -64,7 +64,8 @@ sealed class FilesTest
         string name = string.Concat(Enumerable.Repeat("\u00e4\ud83d\ude00", 40));
         string folder = string.Concat(Enumerable.Repeat("/no-" + name, 5));
         foreach (string prefix in new[] { "", "a", "aa", "aaa", "aaaa", "aaaaa" }) {
-            var failure = Checks.Thrown<FileFailureException>(() => MeshFiles.ReadMesh(mesher, "/" + prefix + folder + ".vtu"));
+            var failure =
+                Checks.Thrown<FileFailureException>(() => MeshFiles.ReadMesh(mesher, "/" + prefix + folder + ".vtu"));
             Checks.Check(failure.Message.Contains("/no-" + name), failure.Message);
         }
     }
@@ -77,8 +78,9 @@ sealed class FilesTest
             for (int i = 0; i < labels.Length; ++i)
                 shorts[5 + 2 * i] = labels[i];
             File.WriteAllBytes(path("labels.raw"), shorts);
-            var raw = new RawVoxels { Type = VoxelType.Int16, BigEndian = true, Skip = 4, Dims = new long[] { 12, 13, 14 },
-                                      Spacing = new double[] { 1, 1, 1 } };
+            var raw = new RawVoxels {
+                Type = VoxelType.Int16, BigEndian = true, Skip = 4, Dims = new long[] { 12, 13, 14 },
+                Spacing = new double[] { 1, 1, 1 } };
             Volume volume = MeshFiles.ReadRaw(mesher, raw, null, path("labels.raw"));
             Checks.Check(Checks.Same(Checks.BallMesh(mesher), mesher.Mesh(volume, Checks.Quick())), "another mesh");
             raw.Skip = 0;
@@ -88,19 +90,24 @@ sealed class FilesTest
         });
     }
 
-    /// <summary>The kind decides what voxels mean, not their type; the volume tells how many functions it holds.</summary>
+    /// <summary>
+    /// The kind decides what voxels mean, not their type; the volume tells how many functions it holds.
+    /// </summary>
     void TestRawKinds()
     {
         InFolder(path => {
             var voxels = Enumerable.Range(0, 8);
-            File.WriteAllBytes(path("one.raw"), voxels.SelectMany(v => BitConverter.GetBytes((float)(v % 2))).ToArray());
-            File.WriteAllBytes(path("two.raw"), voxels.SelectMany(v => BitConverter.GetBytes((float)(1 - v % 2))).ToArray());
+            File.WriteAllBytes(
+                path("one.raw"), voxels.SelectMany(v => BitConverter.GetBytes((float)(v % 2))).ToArray());
+            File.WriteAllBytes(
+                path("two.raw"), voxels.SelectMany(v => BitConverter.GetBytes((float)(1 - v % 2))).ToArray());
             foreach (VoxelKind kind in Enum.GetValues(typeof(VoxelKind))) {
                 var raw = new RawVoxels { Type = VoxelType.Float32, Dims = new long[] { 2, 2, 2 }, Kind = kind };
                 bool asFunctions = kind == VoxelKind.Indicators;
-                Checks.Equal(asFunctions ? 1L : 0L, MeshFiles.ReadRaw(mesher, raw, null, path("one.raw")).IndicatorCount);
+                Checks.Equal(asFunctions ? 1L : 0L,
+                    MeshFiles.ReadRaw(mesher, raw, null, path("one.raw")).IndicatorCount);
                 Checks.Equal(asFunctions ? 2L : 0L,
-                             MeshFiles.ReadRaw(mesher, raw, null, path("one.raw"), path("two.raw")).IndicatorCount);
+                    MeshFiles.ReadRaw(mesher, raw, null, path("one.raw"), path("two.raw")).IndicatorCount);
             }
         });
     }

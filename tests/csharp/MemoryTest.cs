@@ -19,7 +19,8 @@ sealed class MemoryTest
     static void Cycle(bool dispose)
     {
         var mesher = new Mesher { Progress = (fraction, stage) => true, Log = (level, sentence) => { } };
-        var options = new Options { Background = Background.Lattice, Size = 4, Improve = Improvement.Off, Strip = new[] { 0 } };
+        var options =
+            new Options { Background = Background.Lattice, Size = 4, Improve = Improvement.Off, Strip = new[] { 0 } };
         Volume volume = Checks.BallVolume(mesher);
         Mesh mesh = mesher.Mesh(volume, options);
         Surface surface = mesher.Surface(mesh);

@@ -85,7 +85,8 @@ sealed class MeshingTest
     {
         double[] affine = { 0.7, 0.1, 0, -3.1, 0.2, -0.9, 0.3, 100.3, 0.1, 0, 1.3, 7.7 };
         Volume volume = mesher.Labels(Checks.BallLabels(), Checks.Grid.WithAffine(affine));
-        Sizing own = mesher.Sizing(volume, Enumerable.Range(0, 12 * 13 * 14).Select(i => 1.5f + 0.1f * (i % 12)).ToArray());
+        Sizing own = mesher.Sizing(
+            volume, Enumerable.Range(0, 12 * 13 * 14).Select(i => 1.5f + 0.1f * (i % 12)).ToArray());
         foreach (Background kind in Enum.GetValues(typeof(Background))) {
             SameByStages(volume, null, new Options { Background = kind });
             SameByStages(volume, null, new Options { Background = kind, Tets = 3000, Strip = new[] { 0 } });
@@ -220,20 +221,25 @@ sealed class MeshingTest
         Volume volume = Checks.BallVolume(mesher).SetLabelName(1, "Herz \u2764 \ud83d\ude00").SetLabelName(7, "slab");
         Checks.Equal("", volume.LabelName(0));
         Checks.Equal("", volume.LabelName(99));
-        Checks.Check(volume.LabelNames.Count == 2 && volume.LabelNames[1] == "Herz \u2764 \ud83d\ude00", "names of the volume");
+        Checks.Check(
+            volume.LabelNames.Count == 2 && volume.LabelNames[1] == "Herz \u2764 \ud83d\ude00", "names of the volume");
         Mesh mesh = mesher.Mesh(volume, Checks.Quick());
-        Checks.Check(mesh.LabelNames.OrderBy(row => row.Key).SequenceEqual(volume.LabelNames.OrderBy(row => row.Key)), "names");
+        Checks.Check(
+            mesh.LabelNames.OrderBy(row => row.Key).SequenceEqual(volume.LabelNames.OrderBy(row => row.Key)), "names");
         Mesh slab = mesher.Strip(mesh, new Options { Only = new[] { 7 } });
         Checks.Check(slab.LabelNames.Count == 1 && slab.LabelName(7) == "slab", "names of the stripped mesh");
         mesh.SetLabelName(1, "").SetLabelName(0, "outside");
-        Checks.Check(mesh.LabelNames.Count == 2 && mesh.LabelName(0) == "outside" && mesh.LabelName(1) == "", "set names");
+        Checks.Check(
+            mesh.LabelNames.Count == 2 && mesh.LabelName(0) == "outside" && mesh.LabelName(1) == "", "set names");
         foreach (Action body in new Action[] {
-            () => volume.SetLabelName(5, "five"), () => mesh.SetLabelName(5, "five"), () => mesh.SetLabelName(0, "two\nlines") })
+            () => volume.SetLabelName(5, "five"), () => mesh.SetLabelName(5, "five"),
+            () => mesh.SetLabelName(0, "two\nlines") })
             Checks.Thrown<InvalidArgumentException>(body);
     }
 
-    /// <summary>No label is special: not -1, nor the extremes of 32 bits, in any place where a label can be given or asked
-    /// for.</summary>
+    /// <summary>
+    /// No label is special: not -1, nor the extremes of 32 bits, in any place where a label can be given or asked for.
+    /// </summary>
     void TestAnyLabels()
     {
         Mesh wanted = Checks.BallMesh(mesher);
@@ -263,13 +269,16 @@ sealed class MeshingTest
             Checks.Equal(3 * found.InterfaceTriangles, surface.InterfaceTriangles.LongCount);
             Checks.Equal(3 * found.HullTriangles, surface.HullTriangles.LongCount);
             for (int m = 0; m < 3; ++m) {
-                Checks.Equal(new[] { names[m] }, mesher.Strip(mesh, new Options { Only = new[] { names[m] } }).Labels.ToArray());
+                Checks.Equal(
+                    new[] { names[m] }, mesher.Strip(mesh, new Options { Only = new[] { names[m] } }).Labels.ToArray());
                 Checks.Equal(2, mesher.Strip(mesh, new Options { Strip = new[] { names[m] } }).Labels.Count);
                 LabelReport row = mesher.Report(volume, mesh)[m];
                 Checks.Check(row.Label == names[m] && row.Voxels == volume.VoxelCounts[names[m]], row.ToString());
                 Func<int, Options> fine = label =>
                     new Options { Background = Background.Lattice, SizeMax = 4 }.SetLabelSize(label, 0.7);
-                Checks.Equal(mesher.Sizing(ball, fine(old[m])).Values.ToArray(), mesher.Sizing(volume, fine(names[m])).Values.ToArray());
+                Checks.Equal(
+                    mesher.Sizing(ball, fine(old[m])).Values.ToArray(),
+                    mesher.Sizing(volume, fine(names[m])).Values.ToArray());
             }
         }
     }
@@ -289,7 +298,9 @@ sealed class MeshingTest
             Report report = mesher.Report(volume, coarse);
             Checks.Check(triangles > 0 && report.Contacts.Count == 1 && report.Count == 3, report.ToString());
             Contact contact = report.Contacts[0];
-            Checks.Check(contact.First == names[0] && contact.Second == names[2] && contact.Triangles == triangles, contact.ToString());
+            Checks.Check(
+                contact.First == names[0] && contact.Second == names[2] && contact.Triangles == triangles,
+                contact.ToString());
             Mesh fine = mesher.Mesh(volume, new Options { Background = Background.Lattice, Size = 1 });
             Checks.Equal(0, mesher.Report(volume, fine).Contacts.Count);
         }

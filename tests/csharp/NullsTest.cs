@@ -6,7 +6,9 @@ using System.Runtime.InteropServices;
 using System.Threading;
 using Cleft;
 
-/// <summary>Null for each parameter of each public method and constructor in turn: it is taken, or refused by its name.</summary>
+/// <summary>
+/// Null for each parameter of each public method and constructor in turn: it is taken, or refused by its name.
+/// </summary>
 sealed class NullsTest
 {
     static readonly Type[] kinds = {
@@ -24,7 +26,8 @@ sealed class NullsTest
         Mesh mesh = Checks.BallMesh(mesher);
         foreach (object sample in new object[] {
             mesher, Checks.Quick(), volume, mesh, mesher.ConstantSizing(volume, 3), mesher.Surface(mesh), Checks.Grid,
-            new RawVoxels { Dims = new long[] { 1, 1, 1 } }, new Reading(), "no such folder/a.vtu", new[] { "no such folder/a.vtu" },
+            new RawVoxels { Dims = new long[] { 1, 1, 1 } }, new Reading(), "no such folder/a.vtu",
+            new[] { "no such folder/a.vtu" },
             new byte[voxels], new short[voxels], new ushort[voxels], new int[voxels], new uint[voxels], new long[3],
             new float[voxels], new double[voxels], new[] { new float[voxels], new float[voxels] },
             new[] { new double[voxels], new double[voxels] }, CancellationToken.None, 0, 1L, 1.0, false,
@@ -51,9 +54,11 @@ sealed class NullsTest
 
     void TryNull(MethodBase one, ParameterInfo at)
     {
-        object[] arguments = one.GetParameters().Select(parameter => parameter == at ? null : Sample(parameter)).ToArray();
+        object[] arguments = one.GetParameters().Select(parameter => parameter == at ? null : Sample(parameter))
+            .ToArray();
         object on = one.IsStatic || one is ConstructorInfo ? null : samples[one.DeclaringType];
-        PropertyInfo property = one.IsSpecialName && on != null ? one.DeclaringType.GetProperty(one.Name.Replace("set_", "")) : null;
+        PropertyInfo property = one.IsSpecialName && on != null
+            ? one.DeclaringType.GetProperty(one.Name.Replace("set_", "")) : null;
         object former = property?.GetValue(on);
         string who = one.DeclaringType.Name + "." + one.Name + "(" + at.Name + ")";
         try {
@@ -67,8 +72,10 @@ sealed class NullsTest
             if (thrown.InnerException is ArgumentNullException failure)
                 Checks.Check(failure.ParamName == name, who + " names " + failure.ParamName);
             else
-                Checks.Check(!(thrown.InnerException is NullReferenceException) && !thrown.InnerException.Message.Contains("NULL"),
-                             who + ": " + thrown.InnerException);
+                Checks.Check(
+                    !(thrown.InnerException is NullReferenceException)
+                        && !thrown.InnerException.Message.Contains("NULL"),
+                    who + ": " + thrown.InnerException);
         }
     }
 

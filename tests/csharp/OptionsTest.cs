@@ -33,8 +33,10 @@ sealed class OptionsTest
 
     void TestValuesAreKept()
     {
-        var options = new Options { Size = 2, Tets = 1000000000, Smooth = 3, Strict = true, Seed = 1L << 40,
-                                    Strip = new[] { 0, 5 }, Only = new[] { 3 } }.SetLabelSize(3, 0.5).Set("snap", "safe");
+        var options = new Options {
+            Size = 2, Tets = 1000000000, Smooth = 3, Strict = true, Seed = 1L << 40,
+            Strip = new[] { 0, 5 }, Only = new[] { 3 } };
+        options.SetLabelSize(3, 0.5).Set("snap", "safe");
         Checks.Equal(2.0, options.Size);
         Checks.Equal(1000000000L, options.Tets);
         Checks.Equal(3, options.Smooth);

@@ -6,18 +6,22 @@ using System.Reflection;
 using System.Xml.Linq;
 using Cleft;
 
-/// <summary>The NuGet package is laid out as NuGet wants it, and the native libraries that run are those in it.</summary>
+/// <summary>
+/// The NuGet package is laid out as NuGet wants it, and the native libraries that run are those in it.
+/// </summary>
 sealed class PackageTest
 {
     static readonly string Folder = Environment.GetEnvironmentVariable("NUPKG_FOLDER");
 
     void TestLayout()
     {
-        foreach (string file in new[] { "[Content_Types].xml", "_rels/.rels", "Cleft.nuspec", "LICENSE.txt",
-                                        "lib/netstandard2.0/Cleft.dll", "lib/netstandard2.0/Cleft.xml", "build/netstandard2.0/Cleft.targets" })
+        foreach (string file in new[] {
+            "[Content_Types].xml", "_rels/.rels", "Cleft.nuspec", "LICENSE.txt", "lib/netstandard2.0/Cleft.dll",
+            "lib/netstandard2.0/Cleft.xml", "build/netstandard2.0/Cleft.targets" })
             Checks.Check(File.Exists(Path.Combine(Folder, file)), file);
         string native = Path.Combine(Directory.GetDirectories(Path.Combine(Folder, "runtimes")).Single(), "native");
-        foreach (string file in new[] { "libcleft.so.0", "libcleft_io.so.0", "libcleft_csharp.so", "libcleft_io_csharp.so" })
+        foreach (string file in new[] {
+            "libcleft.so.0", "libcleft_io.so.0", "libcleft_csharp.so", "libcleft_io_csharp.so" })
             Checks.Check(File.Exists(Path.Combine(native, file)), file);
     }
 
@@ -39,7 +43,8 @@ sealed class PackageTest
         Assembly assembly = typeof(Mesher).Assembly;
         Checks.Equal(Library.Version + ".0", assembly.GetName().Version.ToString());
         Checks.Equal(Library.Version + ".0", assembly.GetCustomAttribute<AssemblyFileVersionAttribute>().Version);
-        Checks.Equal(Library.Version, assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>().InformationalVersion);
+        Checks.Equal(
+            Library.Version, assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>().InformationalVersion);
     }
 
     void TestOnlyTheCoreLibraryIsNeeded()
@@ -71,7 +76,8 @@ sealed class PackageTest
     static string Run(string folder, string program, string arguments)
     {
         var start = new ProcessStartInfo(program, arguments) {
-            WorkingDirectory = folder, UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true };
+            WorkingDirectory = folder, UseShellExecute = false, RedirectStandardOutput = true,
+            RedirectStandardError = true };
         start.EnvironmentVariables.Remove("LD_LIBRARY_PATH");
         using (Process process = Process.Start(start)) {
             var errors = process.StandardError.ReadToEndAsync();
@@ -95,12 +101,15 @@ sealed class PackageTest
         }
     }
 
-    /// <summary>What a program in a folder with these libraries fails with: one sentence that names what is missing.</summary>
+    /// <summary>
+    /// What a program in a folder with these libraries fails with: one sentence that names what is missing.
+    /// </summary>
     static void Missing(string[] libraries, string body, params string[] wanted)
     {
         InFolder(libraries.Concat(new[] { "Cleft.dll", "Tests.exe" }).ToArray(), folder => {
             string output = Run(folder, Environment.GetEnvironmentVariable("MONO"), "Tests.exe " + body);
-            foreach (string text in wanted.Concat(new[] { "System.DllNotFoundException: the native library '", folder }))
+            foreach (string text in wanted.Concat(
+                new[] { "System.DllNotFoundException: the native library '", folder }))
                 Checks.Check(output.Contains(text), "no '" + text + "' in: " + output);
             Checks.Check(!output.Contains("TypeInitializationException"), output);
         });
@@ -124,7 +133,8 @@ sealed class PackageTest
             string sources = Environment.GetEnvironmentVariable("TEST_SOURCES");
             File.Copy(Path.Combine(sources, "Program.csproj"), Path.Combine(folder, "Program.csproj"));
             File.WriteAllText(Path.Combine(folder, "Program.cs"),
-                "static class Program { static void Main() { System.Console.WriteLine(Cleft.MeshFiles.Formats().Count); } }");
+                "static class Program { static void Main() { "
+                + "System.Console.WriteLine(Cleft.MeshFiles.Formats().Count); } }");
             Run(folder, "cp", "-r " + Folder + " cleft");
             string output = Run(folder, Environment.GetEnvironmentVariable("XBUILD"), "/nologo Program.csproj");
             Checks.Check(File.Exists(Path.Combine(folder, "bin/Program.exe")), output);

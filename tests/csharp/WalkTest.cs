@@ -3,8 +3,10 @@ using System.IO;
 using System.Linq;
 using Cleft;
 
-/// <summary>Meshes, looks and reads and writes again and again, until nothing fails any more; tells how often it failed.
-/// tests/faults/walk.py lets allocations fail meanwhile.</summary>
+/// <summary>
+/// Meshes, looks and reads and writes again and again, until nothing fails any more; tells how often it failed.
+/// tests/faults/walk.py lets allocations fail meanwhile.
+/// </summary>
 sealed class WalkTest
 {
     const int Calm = 20;  // runs on end that do not fail

@@ -7,7 +7,7 @@ from . import option_table, text
 
 HEADER = "include/cleft/cleft.h"
 ROWS = "src/capi/options.inc"
-WIDTH = 120
+WIDTH = text.WIDTH
 
 
 def _enumeration(rows):

@@ -2,7 +2,7 @@
 from . import option_table, plain_values, text
 
 FOLDER = "bindings/csharp/src"
-WIDTH = 130
+WIDTH = text.WIDTH
 
 
 def summary(sentences, indent):

@@ -4,7 +4,7 @@ import re
 from . import c_header, headers, text
 
 FOLDER = "bindings/fortran"
-WIDTH = 120
+WIDTH = text.WIDTH
 SCALARS = {
     "int": "integer(c_int)",
     "int32_t": "integer(c_int32_t)",

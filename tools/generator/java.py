@@ -2,7 +2,7 @@
 from . import option_table, plain_values, text
 
 FOLDER = "bindings/java/src/org/cleft"
-WIDTH = 120
+WIDTH = text.WIDTH
 
 
 def javadoc(sentences, tags=(), indent=4):

@@ -58,7 +58,8 @@ namespace Cleft
         internal static T Defined<T>(T value, string name)
         {
             if (!Enum.IsDefined(typeof(T), value))
-                throw new ArgumentOutOfRangeException(name, value, name + " is none of " + string.Join(", ", Enum.GetNames(typeof(T))));
+                throw new ArgumentOutOfRangeException(
+                    name, value, name + " is none of " + string.Join(", ", Enum.GetNames(typeof(T))));
             return value;
         }
 

@@ -6,8 +6,8 @@ using System.Runtime.InteropServices;
 namespace Cleft
 {
     /// <summary>
-    /// A read-only array that looks into the library's memory, without a copy. It keeps that memory: it stays good when the
-    /// object that it came from is disposed of, and the memory is freed when the view is collected too.
+    /// A read-only array that looks into the library's memory, without a copy. It keeps that memory: it stays good when
+    /// the object that it came from is disposed of, and the memory is freed when the view is collected too.
     /// </summary>
     public abstract class ArrayView<T> : IReadOnlyList<T>
     {
@@ -30,8 +30,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Where the elements lie, one after the other, for code that wants no copy: good as long as this view is reachable
-        /// (GC.KeepAlive). Never write there.
+        /// Where the elements lie, one after the other, for code that wants no copy: good as long as this view is
+        /// reachable (GC.KeepAlive). Never write there.
         /// </summary>
         public IntPtr Pointer { get; }
 

@@ -109,9 +109,9 @@ namespace Cleft
     public enum VoxelKind
     {
         /// <summary>
-        /// By the values. One file: whole numbers are labels, also where they are up to 1/50 off; fractions on both sides of 0
-        /// that change from voxel to voxel are a signed function. Several files or frames: 0 and one other whole number each are
-        /// masks; fractions are indicator functions. Anything else is refused.
+        /// By the values. One file: whole numbers are labels, also where they are up to 1/50 off; fractions on both
+        /// sides of 0 that change from voxel to voxel are a signed function. Several files or frames: 0 and one other
+        /// whole number each are masks; fractions are indicator functions. Anything else is refused.
         /// </summary>
         Auto = CleftIoNative.CLEFT_IO_KIND_AUTO,
         /// <summary>Labels: fractions are rounded to the nearest; or several masks.</summary>

@@ -42,8 +42,8 @@ namespace Cleft
     }
 
     /// <summary>
-    /// The progress function answered false, or the call was cancelled from outside: as everywhere in .NET, not a failure but
-    /// an OperationCanceledException. Its token is that of the Mesher if it was the one that cancelled.
+    /// The progress function answered false, or the call was cancelled from outside: as everywhere in .NET, not a
+    /// failure but an OperationCanceledException. Its token is that of the Mesher if it was the one that cancelled.
     /// </summary>
     public sealed class CancelledException : OperationCanceledException
     {

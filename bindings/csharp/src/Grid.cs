@@ -3,8 +3,8 @@ using System;
 namespace Cleft
 {
     /// <summary>
-    /// How many voxels there are, and where they lie: new Grid(64, 64, 40).WithSpacing(0.5, 0.5, 2).WithOrigin(0, 0, 0). It
-    /// never changes. Voxel (i, j, k) is number i + nx * (j + ny * k) of an array: x runs fastest.
+    /// How many voxels there are, and where they lie: new Grid(64, 64, 40).WithSpacing(0.5, 0.5, 2).WithOrigin(0, 0,
+    /// 0). It never changes. Voxel (i, j, k) is number i + nx * (j + ny * k) of an array: x runs fastest.
     /// </summary>
     public sealed class Grid
     {
@@ -56,8 +56,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// The grid with this matrix from voxel indices to the world, 3 rows of 4 numbers. A grid has either a matrix or
-        /// spacing and origin: one beside the other is an InvalidOperationException.
+        /// The grid with this matrix from voxel indices to the world, 3 rows of 4 numbers. A grid has either a matrix
+        /// or spacing and origin: one beside the other is an InvalidOperationException.
         /// </summary>
         public Grid WithAffine(params double[] rows)
         {
@@ -103,7 +103,9 @@ namespace Cleft
                     "spacing or origin is given beside an affine: a grid has one or the other");
         }
 
-        /// <summary>Throws unless an argument of this name has an element a voxel; <paramref name="part"/>: which of it.</summary>
+        /// <summary>
+        /// Throws unless an argument of this name has an element a voxel; <paramref name="part"/>: which of it.
+        /// </summary>
         internal void CheckLength(Array array, string name, string part = "")
         {
             if (array == null)

@@ -4,12 +4,14 @@ using System.Collections.Generic;
 namespace Cleft
 {
     /// <summary>
-    /// Points, tetrahedra and their labels; a background mesh has the label 0 only. Made by a Mesher or read by MeshFiles; it
-    /// never changes, but for the names of its labels, and may be used by many threads. Arrays come as views, without a copy, or as copies of your own.
+    /// Points, tetrahedra and their labels; a background mesh has the label 0 only. Made by a Mesher or read by
+    /// MeshFiles; it never changes, but for the names of its labels, and may be used by many threads. Arrays come as
+    /// views, without a copy, or as copies of your own.
     /// </summary>
     public sealed class Mesh : NativeObject
     {
-        internal Mesh(IntPtr address) : base(new NativeHandle(address, CleftNative.cleft_mesh_destroy, NativeSize.OfMesh)) { }
+        internal Mesh(IntPtr address)
+            : base(new NativeHandle(address, CleftNative.cleft_mesh_destroy, NativeSize.OfMesh)) { }
 
         /// <summary>How many points there are.</summary>
         public long PointCount => CleftNative.cleft_mesh_point_count(Handle);
@@ -34,8 +36,8 @@ namespace Cleft
             new IntView(Handle, CleftNative.cleft_mesh_labels, CleftNative.cleft_mesh_label_count);
 
         /// <summary>
-        /// The names of the labels that have one. A mesh begins with the names of its volume; formats that have names for groups
-        /// write them.
+        /// The names of the labels that have one. A mesh begins with the names of its volume; formats that have names
+        /// for groups write them.
         /// </summary>
         public IReadOnlyDictionary<int, string> LabelNames => Cleft.LabelNames.Of(Labels, LabelName);
 
@@ -43,7 +45,8 @@ namespace Cleft
         public string LabelName(int label) { return CleftNative.cleft_mesh_label_name(Handle, label); }
 
         /// <summary>
-        /// Names a label of the mesh, in one line of text; "" takes the name away. Not while another thread uses the mesh.
+        /// Names a label of the mesh, in one line of text; "" takes the name away. Not while another thread uses the
+        /// mesh.
         /// </summary>
         public Mesh SetLabelName(int label, string name)
         {
@@ -78,8 +81,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Tetrahedra of ten nodes: 4 corners, then the middles of the edges 01, 12, 02, 03, 13, 23. Answers the points, those
-        /// of the mesh first.
+        /// Tetrahedra of ten nodes: 4 corners, then the middles of the edges 01, 12, 02, 03, 13, 23. Answers the
+        /// points, those of the mesh first.
         /// </summary>
         public double[] CopyQuadratic(out int[] tets, int indexBase = 0)
         {
@@ -98,15 +101,17 @@ namespace Cleft
     }
 
     /// <summary>
-    /// The triangles of a mesh: those between labels, and those of the hull. They number the points of the mesh. All arrays are
-    /// views.
+    /// The triangles of a mesh: those between labels, and those of the hull. They number the points of the mesh. All
+    /// arrays are views.
     /// </summary>
     public sealed class Surface : NativeObject
     {
         internal Surface(IntPtr address)
             : base(new NativeHandle(address, CleftNative.cleft_surface_destroy, NativeSize.OfSurface)) { }
 
-        /// <summary>Triangles between labels, 3 points each; normals point from the first label to the second.</summary>
+        /// <summary>
+        /// Triangles between labels, 3 points each; normals point from the first label to the second.
+        /// </summary>
         public ArrayView<int> InterfaceTriangles => new IntView(Handle, CleftNative.cleft_surface_interface_triangles,
             handle => 3 * CleftNative.cleft_surface_interface_count(handle));
 

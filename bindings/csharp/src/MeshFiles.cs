@@ -25,7 +25,8 @@ namespace Cleft
                     Arguments.Positive(Spacing[axis], nameof(Spacing));
             Arguments.Positive(Scale, nameof(Scale));
             var reading = new NativeReading {
-                world = (int)Arguments.Defined(World, nameof(World)), kind = (int)Arguments.Defined(Kind, nameof(Kind)), scale = Scale
+                world = (int)Arguments.Defined(World, nameof(World)), kind = (int)Arguments.Defined(Kind, nameof(Kind)),
+                scale = Scale
             };
             for (int axis = 0; Spacing != null && axis < 3; ++axis)
                 reading.set_spacing(axis, Spacing[axis]);
@@ -102,7 +103,10 @@ namespace Cleft
         public bool WritesSizing { get; }
     }
 
-    /// <summary>Reads and writes files. The native part is loaded when it is first used; it needs GDCM and libraries of pictures.</summary>
+    /// <summary>
+    /// Reads and writes files. The native part is loaded when it is first used; it needs GDCM and libraries of
+    /// pictures.
+    /// </summary>
     public static class MeshFiles
     {
         /// <summary>The formats that are read and written.</summary>
@@ -125,7 +129,9 @@ namespace Cleft
             return (Content)CleftIoNative.cleft_io_guess(Utf8.Write(path, nameof(path)));
         }
 
-        /// <summary>Reads a volume as its file says: NIfTI, NRRD, MetaImage, TIFF, a folder with a DICOM series ...</summary>
+        /// <summary>
+        /// Reads a volume as its file says: NIfTI, NRRD, MetaImage, TIFF, a folder with a DICOM series ...
+        /// </summary>
         public static Volume ReadVolume(Mesher mesher, string path, Options options = null, Reading reading = null)
         {
             Arguments.NotNull(path, nameof(path));
@@ -156,7 +162,9 @@ namespace Cleft
                     CleftIoNative.cleft_io_read_raw(context, how, names, names.Length, native, out made))));
         }
 
-        /// <summary>Reads a field of one number a voxel, x fastest; <paramref name="grid"/>: where the voxels lie.</summary>
+        /// <summary>
+        /// Reads a field of one number a voxel, x fastest; <paramref name="grid"/>: where the voxels lie.
+        /// </summary>
         public static double[] ReadField(Mesher mesher, string path, out Grid grid, Reading reading = null)
         {
             Arguments.NotNull(mesher, nameof(mesher));
@@ -198,7 +206,8 @@ namespace Cleft
             byte[] name = Utf8.Write(path, nameof(path));
             NativeModules.Files();
             NativeHandle of = NativeObject.Required(sizing, nameof(sizing));
-            mesher.Run(context => CleftIoNative.cleft_io_write_sizing(context, of, name, (int)Arguments.Defined(world, nameof(world))));
+            mesher.Run(context =>
+                CleftIoNative.cleft_io_write_sizing(context, of, name, (int)Arguments.Defined(world, nameof(world))));
         }
 
         /// <summary>Reads a mesh of tetrahedra: .vtu, .vtk, .mesh, .msh, .node with .ele.</summary>

@@ -6,9 +6,9 @@ using System.Threading;
 namespace Cleft
 {
     /// <summary>
-    /// Makes volumes, sizing fields and meshes, and tells how they are made: with how many threads, with what progress. One call
-    /// runs on a Mesher at a time; another thread that tries gets an InvalidOperationException. <see cref="Cancel"/> is for
-    /// other threads. Where options may be null, null stands for the defaults.
+    /// Makes volumes, sizing fields and meshes, and tells how they are made: with how many threads, with what progress.
+    /// One call runs on a Mesher at a time; another thread that tries gets an InvalidOperationException. <see
+    /// cref="Cancel"/> is for other threads. Where options may be null, null stands for the defaults.
     /// </summary>
     public sealed partial class Mesher : NativeObject
     {
@@ -44,13 +44,14 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Is told the fraction done and the stage in words, on the thread that made the call: true to go on, false to stop with
-        /// a CancelledException. What it throws stops the call and comes out of it. May be null.
+        /// Is told the fraction done and the stage in words, on the thread that made the call: true to go on, false to
+        /// stop with a CancelledException. What it throws stops the call and comes out of it. May be null.
         /// </summary>
         public Func<double, string, bool> Progress { get; set; }
 
         /// <summary>
-        /// Is told what is worth knowing, on the thread that made the call: at first <see cref="ShowWarnings"/>. May be null.
+        /// Is told what is worth knowing, on the thread that made the call: at first <see cref="ShowWarnings"/>. May be
+        /// null.
         /// </summary>
         public Action<LogLevel, string> Log { get; set; } = ShowWarnings;
 

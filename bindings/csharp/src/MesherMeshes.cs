@@ -54,8 +54,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// A mesh from arrays, which are copied: x y z of each point, 4 numbers of points a tetrahedron counted from indexBase
-        /// (0 or 1), and their labels, or null for 0.
+        /// A mesh from arrays, which are copied: x y z of each point, 4 numbers of points a tetrahedron counted from
+        /// indexBase (0 or 1), and their labels, or null for 0.
         /// </summary>
         public Mesh MeshOf(double[] points, int[] tets, int[] labels = null, int indexBase = 0)
         {
@@ -71,7 +71,8 @@ namespace Cleft
         // ------------------------------------------------------------------------------------- what meshes are
 
         /// <summary>
-        /// What Mesh(volume, sizing, background, options) will come to: tetrahedra, within 15 %, and memory. No mesh is made.
+        /// What Mesh(volume, sizing, background, options) will come to: tetrahedra, within 15 %, and memory. No mesh is
+        /// made.
         /// </summary>
         public Estimate Estimate(Volume volume, Sizing sizing = null, Mesh background = null, Options options = null)
         {
@@ -117,8 +118,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// What became of each label, for a mesh that was not stripped, in the order of Volume.Labels; and which labels touch in the
-        /// mesh alone.
+        /// What became of each label, for a mesh that was not stripped, in the order of Volume.Labels; and which labels
+        /// touch in the mesh alone.
         /// </summary>
         public Report Report(Volume volume, Mesh mesh)
         {

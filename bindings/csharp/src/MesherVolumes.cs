@@ -40,7 +40,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// A label map in memory of yours, x fastest, as many voxels as the grid has; copied. For volumes outside the heap.
+        /// A label map in memory of yours, x fastest, as many voxels as the grid has; copied. For volumes outside the
+        /// heap.
         /// </summary>
         public Volume Labels(IntPtr voxels, VoxelType type, Grid grid, Options options = null)
         {
@@ -69,9 +70,9 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Indicator functions, one for each material, x fastest; copied: the greatest wins. One alone is a signed function,
-        /// inside where it is above 0. Labels: what the materials are called, two for one function, the outside first; or null
-        /// for 0, 1, 2, ...
+        /// Indicator functions, one for each material, x fastest; copied: the greatest wins. One alone is a signed
+        /// function, inside where it is above 0. Labels: what the materials are called, two for one function, the
+        /// outside first; or null for 0, 1, 2, ...
         /// </summary>
         public Volume Indicators(double[][] fields, Grid grid, int[] labels = null)
         {
@@ -118,8 +119,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// A sizing field of your own, one edge length above 0 a voxel, x fastest; copied. With combine, the lesser of it and of
-        /// the computed field, for which the options are read.
+        /// A sizing field of your own, one edge length above 0 a voxel, x fastest; copied. With combine, the lesser of
+        /// it and of the computed field, for which the options are read.
         /// </summary>
         public Sizing Sizing(Volume volume, double[] values, bool combine = false, Options options = null)
         {
@@ -137,7 +138,8 @@ namespace Cleft
             NativeHandle of = Required(volume, nameof(volume)), how = HandleOf(options);
             volume.Grid.CheckLength(values, nameof(values));
             return Pinned(new[] { values }, addresses => new Sizing(Make((NativeHandle context, out IntPtr made) =>
-                CleftNative.cleft_sizing_create_values(context, of, (int)type, addresses[0], combine ? 1 : 0, how, out made))));
+                CleftNative.cleft_sizing_create_values(
+                    context, of, (int)type, addresses[0], combine ? 1 : 0, how, out made))));
         }
 
         /// <summary>Runs something with the addresses of arrays that the collector leaves where they are.</summary>

@@ -4,8 +4,8 @@ using System.Runtime.InteropServices;
 namespace Cleft
 {
     /// <summary>
-    /// The address of an object of the library. The runtime counts who needs it (calls while they run, views until they are
-    /// collected), and destroys the object when its owner is disposed of or collected and nobody needs it any more.
+    /// The address of an object of the library. The runtime counts who needs it (calls while they run, views until they
+    /// are collected), and destroys the object when its owner is disposed of or collected and nobody needs it any more.
     /// </summary>
     internal sealed class NativeHandle : SafeHandle
     {
@@ -16,7 +16,8 @@ namespace Cleft
         private readonly long bytes;  // that are counted as held
 
         /// <summary>Owns the object at the address. <paramref name="size"/>: about how many bytes it holds.</summary>
-        internal NativeHandle(IntPtr address, Action<IntPtr> destroy, Func<NativeHandle, long> size) : base(IntPtr.Zero, true)
+        internal NativeHandle(IntPtr address, Action<IntPtr> destroy, Func<NativeHandle, long> size)
+            : base(IntPtr.Zero, true)
         {
             this.destroy = destroy;
             SetHandle(address);
@@ -27,7 +28,8 @@ namespace Cleft
         }
 
         /// <summary>Owns an object without large arrays.</summary>
-        internal NativeHandle(IntPtr address, Action<IntPtr> destroy) : this(address, destroy, owned => NativeSize.Small) { }
+        internal NativeHandle(IntPtr address, Action<IntPtr> destroy)
+            : this(address, destroy, owned => NativeSize.Small) { }
 
         public override bool IsInvalid => handle == IntPtr.Zero;
 
@@ -41,8 +43,8 @@ namespace Cleft
     }
 
     /// <summary>
-    /// What owns memory of the library. It is freed by <see cref="Dispose"/>, or when the object is collected; but not before
-    /// the last view of it is collected too, and the last call that uses it is over.
+    /// What owns memory of the library. It is freed by <see cref="Dispose"/>, or when the object is collected; but not
+    /// before the last view of it is collected too, and the last call that uses it is over.
     /// </summary>
     public abstract class NativeObject : IDisposable
     {

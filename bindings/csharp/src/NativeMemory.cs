@@ -4,10 +4,10 @@ using System.Threading;
 namespace Cleft
 {
     /// <summary>
-    /// The bytes that objects hold outside the heap, which the collector does not see: a mesh is a few bytes to it. So objects
-    /// that nobody disposes of would pile up long before the heap fills. .NET is told by GC.AddMemoryPressure; Mono does not
-    /// listen to that. So when what is held has grown by more than a budget, the collector is asked to find the objects that
-    /// nobody reaches any more.
+    /// The bytes that objects hold outside the heap, which the collector does not see: a mesh is a few bytes to it. So
+    /// objects that nobody disposes of would pile up long before the heap fills. .NET is told by GC.AddMemoryPressure;
+    /// Mono does not listen to that. So when what is held has grown by more than a budget, the collector is asked to
+    /// find the objects that nobody reaches any more.
     /// </summary>
     internal static class NativeMemory
     {
@@ -32,7 +32,9 @@ namespace Cleft
                 Interlocked.CompareExchange(ref least, now, before);
         }
 
-        /// <summary>Makes room if more than the budget may be garbage; with much in use, if it may be a third of all.</summary>
+        /// <summary>
+        /// Makes room if more than the budget may be garbage; with much in use, if it may be a third of all.
+        /// </summary>
         internal static void MakeRoom()
         {
             if (!IsOverBudget)
@@ -51,8 +53,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// First lets the finalizers end what they are about to free; only then asks for a collection, which costs more. Does not
-        /// wait for all finalizers, since one of the user's may wait for a lock that this thread holds.
+        /// First lets the finalizers end what they are about to free; only then asks for a collection, which costs
+        /// more. Does not wait for all finalizers, since one of the user's may wait for a lock that this thread holds.
         /// </summary>
         private static void Collect()
         {
@@ -85,7 +87,9 @@ namespace Cleft
             ~Witness() { Volatile.Write(ref finalized[0], true); }
         }
 
-        /// <summary>An object that the next collection finds. On a thread of its own, for no stack may hold it.</summary>
+        /// <summary>
+        /// An object that the next collection finds. On a thread of its own, for no stack may hold it.
+        /// </summary>
         private static void MakeGarbage(bool[] finalized)
         {
             var thread = new Thread(() => new Witness(finalized).ToString());
@@ -101,7 +105,8 @@ namespace Cleft
         internal const long Small = 2048;
 
         /// <summary>
-        /// One number of single precision a voxel and function; of a label map one or two bytes, and two for the weight.
+        /// One number of single precision a voxel and function; of a label map one or two bytes, and two for the
+        /// weight.
         /// </summary>
         internal static long OfVolume(NativeHandle volume)
         {

@@ -6,8 +6,8 @@ using System.Runtime.InteropServices;
 namespace Cleft
 {
     /// <summary>
-    /// Loads the native modules before the first call into each. Where one cannot be loaded, a DllNotFoundException tells what is
-    /// missing and where it was looked for.
+    /// Loads the native modules before the first call into each. Where one cannot be loaded, a DllNotFoundException
+    /// tells what is missing and where it was looked for.
     /// </summary>
     internal static class NativeModules
     {
@@ -39,7 +39,8 @@ namespace Cleft
         {
             Core();
             if (!filesAreLoaded)
-                Load(FilesModule, TouchFiles, "the Debian packages libgdcm3.0, libtiff6, libpng16-16, libjpeg62-turbo, libdeflate0 and zlib1g");
+                Load(FilesModule, TouchFiles,
+                    "the Debian packages libgdcm3.0, libtiff6, libpng16-16, libjpeg62-turbo, libdeflate0 and zlib1g");
             filesAreLoaded = true;
         }
 
@@ -61,22 +62,27 @@ namespace Cleft
             foreach (string folder in folders)
                 if (!string.IsNullOrEmpty(folder) && File.Exists(Path.Combine(folder, file)))
                     return "the native library '" + Path.Combine(folder, file) + "' cannot be loaded ("
-                        + (LoaderReason(Path.Combine(folder, file)) ?? reason) + "); it needs libcleft.so.0 and libcleft_io.so.0 "
+                        + (LoaderReason(Path.Combine(folder, file)) ?? reason)
+                        + "); it needs libcleft.so.0 and libcleft_io.so.0 "
                         + "of the Cleft package beside it, and " + needs;
-            return "the native library '" + file + "' of Cleft is missing: it was looked for beside Cleft.dll in '" + folders[0]
-                + "', in the folders of LD_LIBRARY_PATH (" + (string.IsNullOrEmpty(more) ? "not set" : "'" + more + "'")
-                + ") and in those of the system; copy the files of runtimes/*/native in the Cleft package beside Cleft.dll, "
-                + "or name their folder in LD_LIBRARY_PATH";
+            return "the native library '" + file + "' of Cleft is missing: it was looked for beside Cleft.dll in '"
+                + folders[0] + "', in the folders of LD_LIBRARY_PATH ("
+                + (string.IsNullOrEmpty(more) ? "not set" : "'" + more + "'")
+                + ") and in those of the system; copy the files of runtimes/*/native in the Cleft package beside "
+                + "Cleft.dll, or name their folder in LD_LIBRARY_PATH";
         }
 
-        /// <summary>What the dynamic loader says, which names the library that is missing; null where there is no such loader.</summary>
+        /// <summary>
+        /// What the dynamic loader says, which names the library that is missing; null where there is no such loader.
+        /// </summary>
         private static string LoaderReason(string path)
         {
             const int now = 2;
             try {
                 dlerror();  // so that nothing is looked up between the next two calls
                 return dlopen(Utf8.Write(path, nameof(path)), now) == IntPtr.Zero ? Utf8.Read(dlerror()) : null;
-            } catch (Exception failure) when (failure is DllNotFoundException || failure is EntryPointNotFoundException) {
+            } catch (Exception failure) when (
+                failure is DllNotFoundException || failure is EntryPointNotFoundException) {
                 return null;
             }
         }

@@ -3,9 +3,9 @@ using System;
 namespace Cleft
 {
     /// <summary>
-    /// How to mesh: new Options { SizeMax = 3, Background = Background.Octree, Strip = new[] { 0 } }. Values that are not set
-    /// are the library's defaults; OptionDescription.Table() lists them with their ranges. A value out of its range throws an
-    /// InvalidOptionException, and leaves the option as it was. For one thread at a time.
+    /// How to mesh: new Options { SizeMax = 3, Background = Background.Octree, Strip = new[] { 0 } }. Values that are
+    /// not set are the library's defaults; OptionDescription.Table() lists them with their ranges. A value out of its
+    /// range throws an InvalidOptionException, and leaves the option as it was. For one thread at a time.
     /// </summary>
     public sealed class Options : NativeObject
     {
@@ -32,8 +32,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// One wanted edge length everywhere, in world units; 0: computed from the features of the volume (at least 0; default
-        /// 0).
+        /// One wanted edge length everywhere, in world units; 0: computed from the features of the volume (at least 0;
+        /// default 0).
         /// </summary>
         public double Size
         {
@@ -41,7 +41,9 @@ namespace Cleft
             set { Set(CleftNative.CLEFT_OPTION_SIZE, value); }
         }
 
-        /// <summary>Least wanted edge length, in world units; 0: the least voxel spacing (at least 0; default 0).</summary>
+        /// <summary>
+        /// Least wanted edge length, in world units; 0: the least voxel spacing (at least 0; default 0).
+        /// </summary>
         public double SizeMin
         {
             get { return Real(CleftNative.CLEFT_OPTION_SIZE_MIN); }
@@ -49,8 +51,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Greatest wanted edge length, in world units (single edges come out up to 2.3 times as long); 0: a quarter of the
-        /// longest side of the box, or its thickness times 1.5 if that is less (at least 0; default 0).
+        /// Greatest wanted edge length, in world units (single edges come out up to 2.3 times as long); 0: a quarter of
+        /// the longest side of the box, or its thickness times 1.5 if that is less (at least 0; default 0).
         /// </summary>
         public double SizeMax
         {
@@ -59,7 +61,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Edge length at an interface over the local feature size; 0.5 is fine, 2 is coarse (0.001 to 1000; default 1).
+        /// Edge length at an interface over the local feature size; 0.5 is fine, 2 is coarse (0.001 to 1000; default
+        /// 1).
         /// </summary>
         public double FeatureScale
         {
@@ -68,8 +71,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Greatest growth of the edge length over a distance (Lipschitz constant of the sizing field); 0.15 is gentle, 1 is
-        /// steep (0.01 to 1; default 0.3).
+        /// Greatest growth of the edge length over a distance (Lipschitz constant of the sizing field); 0.15 is gentle,
+        /// 1 is steep (0.01 to 1; default 0.3).
         /// </summary>
         public double Gradation
         {
@@ -77,7 +80,9 @@ namespace Cleft
             set { Set(CleftNative.CLEFT_OPTION_GRADATION, value); }
         }
 
-        /// <summary>Greatest wanted edge length at interfaces, in world units; 0: none (at least 0; default 0).</summary>
+        /// <summary>
+        /// Greatest wanted edge length at interfaces, in world units; 0: none (at least 0; default 0).
+        /// </summary>
         public double InterfaceSize
         {
             get { return Real(CleftNative.CLEFT_OPTION_INTERFACE_SIZE); }
@@ -85,8 +90,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Edges of half the least voxel spacing, or of SizeMin, where a label is one voxel thick, so that such parts come out
-        /// whole (on or off; default off).
+        /// Edges of half the least voxel spacing, or of SizeMin, where a label is one voxel thick, so that such parts
+        /// come out whole (on or off; default off).
         /// </summary>
         public bool KeepThin
         {
@@ -95,8 +100,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Wanted number of tetrahedra, of the labels that are kept, met within 10 %; 0: as the sizes say (0 to 2147483647;
-        /// default 0).
+        /// Wanted number of tetrahedra, of the labels that are kept, met within 10 %; 0: as the sizes say (0 to
+        /// 2147483647; default 0).
         /// </summary>
         public long Tets
         {
@@ -105,9 +110,9 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Where SizeMin is 0, the least edge length is raised until no more background tetrahedra than about these are expected,
-        /// and where tets counts some labels only, the whole mesh keeps to these; 0: no limit (0 to 2147483647; default
-        /// 10000000).
+        /// Where SizeMin is 0, the least edge length is raised until no more background tetrahedra than about these are
+        /// expected, and where tets counts some labels only, the whole mesh keeps to these; 0: no limit (0 to
+        /// 2147483647; default 10000000).
         /// </summary>
         public long MaxTets
         {
@@ -116,8 +121,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Width in voxels of the kernel that smooths label maps, when the volume is made (2 to 6; default 5). It counts where a
-        /// volume is made or read: a finished volume keeps its own.
+        /// Width in voxels of the kernel that smooths label maps, when the volume is made (2 to 6; default 5). It
+        /// counts where a volume is made or read: a finished volume keeps its own.
         /// </summary>
         public int Smooth
         {
@@ -126,8 +131,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Rule that moves background points onto interfaces: quality of the elements around, the paper's safe distances, or none
-        /// (quality, safe or none; default quality).
+        /// Rule that moves background points onto interfaces: quality of the elements around, the paper's safe
+        /// distances, or none (quality, safe or none; default quality).
         /// </summary>
         public Cleft.Snap Snap
         {
@@ -135,7 +140,9 @@ namespace Cleft
             set { Set(CleftNative.CLEFT_OPTION_SNAP, (long)value); }
         }
 
-        /// <summary>Effort spent on the worst dihedral angles after cleaving (off, fast or best; default fast).</summary>
+        /// <summary>
+        /// Effort spent on the worst dihedral angles after cleaving (off, fast or best; default fast).
+        /// </summary>
         public Cleft.Improvement Improve
         {
             get { return (Cleft.Improvement)Integer(CleftNative.CLEFT_OPTION_IMPROVE); }
@@ -149,7 +156,9 @@ namespace Cleft
             set { Set(CleftNative.CLEFT_OPTION_STEPS, (long)value); }
         }
 
-        /// <summary>Varies the arrangement of the particles; the same seed gives the same mesh (at least 0; default 0).</summary>
+        /// <summary>
+        /// Varies the arrangement of the particles; the same seed gives the same mesh (at least 0; default 0).
+        /// </summary>
         public long Seed
         {
             get { return Integer(CleftNative.CLEFT_OPTION_SEED); }
@@ -157,8 +166,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Fail when a kept label, or a piece of more than 30 voxels of one, is lost or breaks, or when two kept labels meet that
-        /// do not in the voxels (on or off; default off).
+        /// Fail when a kept label, or a piece of more than 30 voxels of one, is lost or breaks, or when two kept labels
+        /// meet that do not in the voxels (on or off; default off).
         /// </summary>
         public bool Strict
         {
@@ -167,8 +176,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Dihedral angle in degrees below which tetrahedra of a background from a file are repaired before cleaving; 0: none (0
-        /// to 35; default 30).
+        /// Dihedral angle in degrees below which tetrahedra of a background from a file are repaired before cleaving;
+        /// 0: none (0 to 35; default 30).
         /// </summary>
         public double Repair
         {
@@ -200,7 +209,9 @@ namespace Cleft
             }
         }
 
-        /// <summary>Sets the greatest wanted edge length inside one label, in world units; 0 takes the wish back.</summary>
+        /// <summary>
+        /// Sets the greatest wanted edge length inside one label, in world units; 0 takes the wish back.
+        /// </summary>
         public Options SetLabelSize(int label, double size)
         {
             Refused(CleftNative.cleft_options_set_label_size(Handle, label, size));

@@ -165,13 +165,13 @@ namespace Cleft
         /// <summary>True if the label has voxels but no tetrahedron.</summary>
         public bool Lost { get; }
         /// <summary>
-        /// Of the large components, those that lie in several components of the mesh, each with half a voxel or more: parts
-        /// thinner than the tetrahedra around broke; a smaller size there keeps them.
+        /// Of the large components, those that lie in several components of the mesh, each with half a voxel or more:
+        /// parts thinner than the tetrahedra around broke; a smaller size there keeps them.
         /// </summary>
         public long LargeComponentsBroken { get; }
         /// <summary>
-        /// Of the large components, those that lie in one component of the mesh with another of them, each with half a voxel or
-        /// more. They touch over an edge or a corner of voxels, or are nearer than an element tells apart.
+        /// Of the large components, those that lie in one component of the mesh with another of them, each with half a
+        /// voxel or more. They touch over an edge or a corner of voxels, or are nearer than an element tells apart.
         /// </summary>
         public long LargeComponentsJoined { get; }
     }

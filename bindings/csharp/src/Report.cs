@@ -25,7 +25,9 @@ namespace Cleft
             Contacts = contacts;
         }
 
-        /// <summary>Pairs of labels that touch in the mesh, but not in the volume, ascending; empty if all is well.</summary>
+        /// <summary>
+        /// Pairs of labels that touch in the mesh, but not in the volume, ascending; empty if all is well.
+        /// </summary>
         public IReadOnlyList<Contact> Contacts { get; }
 
         /// <summary>Row <paramref name="index"/>.</summary>
@@ -44,8 +46,8 @@ namespace Cleft
     }
 
     /// <summary>
-    /// Two labels that share triangles in the mesh, but of which no two voxels share a face or an edge. The gap between them is
-    /// narrower than the tetrahedra there, and a smaller size opens it.
+    /// Two labels that share triangles in the mesh, but of which no two voxels share a face or an edge. The gap between
+    /// them is narrower than the tetrahedra there, and a smaller size opens it.
     /// </summary>
     public sealed partial class Contact
     {

@@ -34,7 +34,10 @@ namespace Cleft
         public string FirstFault { get; }
 
         /// <summary>What this is, in a few words.</summary>
-        public override string ToString() { return IsValid ? "Validation: nothing is wrong" : "Validation: " + FirstFault; }
+        public override string ToString()
+        {
+            return IsValid ? "Validation: nothing is wrong" : "Validation: " + FirstFault;
+        }
     }
 
     /// <summary>What became of one label. Volumes are in world units cubed.</summary>
@@ -80,7 +83,9 @@ namespace Cleft
         public string Text { get; }
         /// <summary>The heading under which help lists it.</summary>
         public string Group { get; }
-        /// <summary>The calls that read it, as C names them: "volume", "sizing", "background", "cleave", "improve", "mesh".</summary>
+        /// <summary>
+        /// The calls that read it, as C names them: "volume", "sizing", "background", "cleave", "improve", "mesh".
+        /// </summary>
         public IReadOnlyList<string> Calls { get; }
 
         /// <summary>All options that have one value.</summary>

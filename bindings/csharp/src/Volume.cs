@@ -4,12 +4,13 @@ using System.Collections.Generic;
 namespace Cleft
 {
     /// <summary>
-    /// A labelled volume, or indicator functions; made by a Mesher or read by MeshFiles. It never changes, but for the names
-    /// of its labels, and may be used by many threads.
+    /// A labelled volume, or indicator functions; made by a Mesher or read by MeshFiles. It never changes, but for the
+    /// names of its labels, and may be used by many threads.
     /// </summary>
     public sealed class Volume : NativeObject
     {
-        internal Volume(IntPtr address) : base(new NativeHandle(address, CleftNative.cleft_volume_destroy, NativeSize.OfVolume)) { }
+        internal Volume(IntPtr address)
+            : base(new NativeHandle(address, CleftNative.cleft_volume_destroy, NativeSize.OfVolume)) { }
 
         /// <summary>Voxels, and where they lie.</summary>
         public Grid Grid
@@ -39,8 +40,8 @@ namespace Cleft
         public string LabelName(int label) { return CleftNative.cleft_volume_label_name(Handle, label); }
 
         /// <summary>
-        /// Names a label of the volume, in one line of text; "" takes the name away. Meshes that are made of the volume after that
-        /// have the name too. Not while another thread uses the volume.
+        /// Names a label of the volume, in one line of text; "" takes the name away. Meshes that are made of the volume
+        /// after that have the name too. Not while another thread uses the volume.
         /// </summary>
         public Volume SetLabelName(int label, string name)
         {
@@ -77,10 +78,13 @@ namespace Cleft
         internal override string Description => " of " + Grid.Size + " voxels, " + Labels.Count + " labels";
     }
 
-    /// <summary>The wanted edge length at each point; made by a Mesher or read by MeshFiles. It never changes.</summary>
+    /// <summary>
+    /// The wanted edge length at each point; made by a Mesher or read by MeshFiles. It never changes.
+    /// </summary>
     public sealed class Sizing : NativeObject
     {
-        internal Sizing(IntPtr address) : base(new NativeHandle(address, CleftNative.cleft_sizing_destroy, NativeSize.OfSizing)) { }
+        internal Sizing(IntPtr address)
+            : base(new NativeHandle(address, CleftNative.cleft_sizing_destroy, NativeSize.OfSizing)) { }
 
         /// <summary>Values, and where they lie.</summary>
         public Grid Grid

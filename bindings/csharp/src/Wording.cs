@@ -30,7 +30,9 @@ namespace Cleft
                 + Renamed(sentence.Substring(end), false);
         }
 
-        /// <summary>Names of one word are plain words as well: they are renamed only where they begin the sentence.</summary>
+        /// <summary>
+        /// Names of one word are plain words as well: they are renamed only where they begin the sentence.
+        /// </summary>
         private static string Renamed(string part, bool beginsSentence)
         {
             var text = new StringBuilder();
