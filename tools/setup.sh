@@ -26,7 +26,9 @@ is_installed() { [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" 
 
 # install_missing PACKAGE...: installs what is missing, as root or with sudo; asks nothing.
 install_missing() {
-    command -v dpkg-query >/dev/null || fail "this script is for Debian and its children; elsewhere, install $* and build with cmake --preset release"
+    command -v dpkg-query >/dev/null ||
+        fail "this script is for Debian and its children; elsewhere, install $*" \
+            "and build with cmake --preset release"
     missing=
     for package in "$@"; do
         is_installed "$package" || missing="$missing $package"
@@ -37,14 +39,16 @@ install_missing() {
     elif command -v sudo >/dev/null; then
         as_root=sudo
     else
-        fail "these packages are missing, and you are neither root nor have sudo. Have them installed by: apt-get install$missing"
+        fail "these packages are missing, and you are neither root nor have sudo." \
+            "Have them installed by: apt-get install$missing"
     fi
     say "Installing$missing"
     apt_get update && apt_get install -y --no-install-recommends $missing || fail "apt-get could not install$missing"
 }
 
 # apt_get ARGUMENT...: runs apt-get, and waits for another process that holds one of its locks, ten minutes at most.
-# DPkg::Lock::Timeout alone is not enough: apt-get obeys it for the lock of dpkg, not for those of its lists and archives.
+# DPkg::Lock::Timeout alone is not enough: apt-get obeys it for the lock of dpkg, not for those of its lists and
+# archives.
 apt_get() {
     apt_log=$(mktemp)
     apt_deadline=$(($(date +%s) + 600))

@@ -1,5 +1,5 @@
-# Lays out and zips a NuGet package: the assembly, the native libraries of one system, and the three files that make a zip
-# archive a package.
+# Lays out and zips a NuGet package: the assembly, the native libraries of one system, and the three files that make a
+# zip archive a package.
 file(REMOVE_RECURSE ${FOLDER})
 foreach(file ${ASSEMBLY} ${DOCUMENTATION})
     file(COPY ${file} DESTINATION ${FOLDER}/lib/netstandard2.0)
@@ -48,5 +48,6 @@ file(WRITE ${FOLDER}/_rels/.rels [[<?xml version="1.0" encoding="utf-8"?>
 ]])
 
 execute_process(
-    COMMAND ${CMAKE_COMMAND} -E tar cf ${OUTPUT} --format=zip [Content_Types].xml _rels Cleft.nuspec LICENSE.txt build lib runtimes
+    COMMAND ${CMAKE_COMMAND} -E tar cf ${OUTPUT} --format=zip [Content_Types].xml _rels Cleft.nuspec LICENSE.txt build
+        lib runtimes
     WORKING_DIRECTORY ${FOLDER} COMMAND_ERROR_IS_FATAL ANY)

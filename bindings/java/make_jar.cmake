@@ -17,5 +17,7 @@ endforeach()
 
 file(GLOB_RECURSE licence ${STAGE}/LICENSE ${STAGE}/NOTICE)
 file(COPY ${licence} DESTINATION ${CLASSES}/META-INF)
-file(WRITE ${CLASSES}/../manifest.txt "Implementation-Title: Cleft\nImplementation-Version: ${VERSION}\nAutomatic-Module-Name: org.cleft\nBundle-License: ${LICENCE}\n")
+file(WRITE ${CLASSES}/../manifest.txt
+    "Implementation-Title: Cleft\nImplementation-Version: ${VERSION}\n"
+    "Automatic-Module-Name: org.cleft\nBundle-License: ${LICENCE}\n")
 run(${JAR} --create --file ${OUTPUT} --manifest ${CLASSES}/../manifest.txt -C ${CLASSES} .)

@@ -1,5 +1,5 @@
-# What the Python, Java and C# packages share: SWIG makes the low level of each from the interface in this folder, and the
-# classes on top are written by hand.
+# What the Python, Java and C# packages share: SWIG makes the low level of each from the interface in this folder, and
+# the classes on top are written by hand.
 find_package(SWIG 4.1 REQUIRED)
 
 # SWIG must know what int64_t is: `long` where that has 64 bits, but for macOS.

@@ -5,8 +5,8 @@
 #   command                      the cleft command, its manual pages and shell completion
 #   fortran                      the Fortran modules
 #
-# Every path is relative to the prefix, and so is what the files say of each other: the tree can be moved. Within another
-# project, which has an install tree of its own, nothing is installed unless CLEFT_INSTALL asks for it.
+# Every path is relative to the prefix, and so is what the files say of each other: the tree can be moved. Within
+# another project, which has an install tree of its own, nothing is installed unless CLEFT_INSTALL asks for it.
 include(CMakePackageConfigHelpers)
 include(CleftPkgConfig)
 
@@ -55,7 +55,8 @@ function(cleft_install_core)
     cleft_install_library(cleft_shared shared runtime development)
     cleft_install_library(cleft_static static development development)
     cleft_install_headers(development cleft.h cleft_status.h cleft.hpp cleft_context.hpp)
-    install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_BINARY_DIR}/install/NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+    install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_BINARY_DIR}/install/NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        COMPONENT runtime)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development
         FILES_MATCHING PATTERN *.md PATTERN decisions EXCLUDE PATTERN images EXCLUDE)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development
@@ -118,7 +119,8 @@ function(cleft_install_command manual)
     endif()
 endfunction()
 
-# cleft_install_fortran(MODULE_FOLDER SOURCES IO_SOURCES): the modules as compiled, and their sources for other compilers.
+# cleft_install_fortran(MODULE_FOLDER SOURCES IO_SOURCES): the modules as compiled, and their sources for other
+# compilers.
 function(cleft_install_fortran modules sources io_sources)
     if(NOT CLEFT_INSTALL)
         return()

@@ -25,9 +25,10 @@ function(cleft_package component name section text)
     string(TOUPPER ${component} upper)
     set(CPACK_DEBIAN_${upper}_PACKAGE_NAME ${name} PARENT_SCOPE)
     set(CPACK_DEBIAN_${upper}_PACKAGE_SECTION ${section} PARENT_SCOPE)
-    set(CPACK_COMPONENT_${upper}_DESCRIPTION
-        "Cleft makes conforming meshes of tetrahedra from labelled volumes, such as\nsegmented scans and microstructures.\n\n${text}"
-        PARENT_SCOPE)
+    string(CONCAT description
+        "Cleft makes conforming meshes of tetrahedra from labelled volumes, such as\n"
+        "segmented scans and microstructures.\n\n${text}")
+    set(CPACK_COMPONENT_${upper}_DESCRIPTION "${description}" PARENT_SCOPE)
     set(CPACK_COMPONENT_${upper}_DEPENDS ${package_NEEDS} PARENT_SCOPE)
     foreach(relation DEPENDS RECOMMENDS SUGGESTS)
         list(JOIN package_${relation} ", " packages)

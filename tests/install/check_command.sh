@@ -1,5 +1,6 @@
 #!/bin/bash
-# The installed command: does it run where it was moved to, are its manual pages in order, does completion know its words?
+# The installed command: does it run where it was moved to, are its manual pages in order, does completion know its
+# words?
 set -eu
 prefix=$1
 cleft=$prefix/bin/cleft

@@ -1,5 +1,5 @@
-# Installs into lib64, a multiarch folder and an absolute one, and builds PROGRAM against each by pkg-config and by CMake.
-# Configuring anew is cheap; what it would compile is taken from BUILD, since only the places differ.
+# Installs into lib64, a multiarch folder and an absolute one, and builds PROGRAM against each by pkg-config and by
+# CMake. Configuring anew is cheap; what it would compile is taken from BUILD, since only the places differ.
 file(REMOVE_RECURSE ${FOLDER})
 
 function(run)
@@ -8,7 +8,8 @@ endfunction()
 
 function(check_layout name libdir prefix)
     set(build ${FOLDER}/${name}/build)
-    run(${CMAKE_COMMAND} -S ${SOURCE} -B ${build} -G ${GENERATOR} -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_LIBDIR=${libdir}
+    run(${CMAKE_COMMAND} -S ${SOURCE} -B ${build} -G ${GENERATOR} -DCMAKE_BUILD_TYPE=Release
+        -DCMAKE_INSTALL_LIBDIR=${libdir}
         -DCMAKE_INSTALL_PREFIX=${FOLDER}/${name}/first -DCLEFT_WITH_TETGEN=${TETGEN}
         -DCLEFT_BUILD_TESTS=OFF -DCLEFT_WITH_IO=OFF -DCLEFT_BUILD_CLI=OFF -DCLEFT_BUILD_FORTRAN=OFF)
     file(GLOB libraries ${BUILD}/src/libcleft.*)

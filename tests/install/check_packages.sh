@@ -1,6 +1,6 @@
 #!/bin/sh
-# Do the Debian packages install, work and go away again? check_packages.sh BUILD FOLDER PROGRAM.c TETGEN (ON or OFF): makes them, installs them
-# into a root of their own, builds and runs PROGRAM with what is there, and removes them.
+# Do the Debian packages install, work and go away again? check_packages.sh BUILD FOLDER PROGRAM.c TETGEN (ON or OFF):
+# makes them, installs them into a root of their own, builds and runs PROGRAM with what is there, and removes them.
 set -eu
 build=$1
 folder=$2

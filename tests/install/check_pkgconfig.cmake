@@ -1,5 +1,5 @@
-# Are the .pc files valid, do they name private libraries where they are needed and only there, and can a C compiler build
-# PROGRAM by them, from the installed tree and from the build tree?
+# Are the .pc files valid, do they name private libraries where they are needed and only there, and can a C compiler
+# build PROGRAM by them, from the installed tree and from the build tree?
 file(REMOVE_RECURSE ${FOLDER})
 file(MAKE_DIRECTORY ${FOLDER})
 

@@ -1,5 +1,5 @@
-# Has a project that takes Cleft in as a subproject what it needs, and nothing else: no tests of Cleft, no files of Cleft in its
-# install tree unless it asks for them? Compiling all anew would take minutes: the build is only planned.
+# Has a project that takes Cleft in as a subproject what it needs, and nothing else: no tests of Cleft, no files of
+# Cleft in its install tree unless it asks for them? Compiling all anew would take minutes: the build is only planned.
 file(REMOVE_RECURSE ${FOLDER})
 set(build ${FOLDER}/build)
 
@@ -9,7 +9,8 @@ function(run)
 endfunction()
 
 function(configure)
-    run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/parent -B ${build} -G ${GENERATOR} -DCLEFT=${SOURCE} -DPROGRAM=${PROGRAM}
+    run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/parent -B ${build} -G ${GENERATOR} -DCLEFT=${SOURCE}
+        -DPROGRAM=${PROGRAM}
         -DCMAKE_BUILD_TYPE=Release -DCLEFT_WITH_TETGEN=${TETGEN} ${ARGN})
 endfunction()
 
