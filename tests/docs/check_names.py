@@ -10,6 +10,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDERS = ("benchmarks/", "bindings/", "docs/", "examples/", "include/", "src/", "tests/", "tools/")
 PLACEHOLDER = re.compile(r"NAME|PROGRAM|\*")  # in recipes and patterns
+SPECIFICATIONS = {"metaTypes.h", "nifti1.h"}  # of others, which define a format
 SOURCE_NAME = re.compile(r"(?<![\w./<\"])((?:[\w-]+/)*[\w-]+\.(?:hpp|cpp|h))\b(?!\")")
 
 
@@ -56,7 +57,7 @@ def lost_sources(source, names):
     """Sources that its comments name, by their name alone or with folders before it."""
     for comment in re.findall(r"//.*$", source.read_text(), re.MULTILINE):
         for name in SOURCE_NAME.findall(comment):
-            if not any(known == name or known.endswith("/" + name) for known in names):
+            if name not in SPECIFICATIONS and not any(known == name or known.endswith("/" + name) for known in names):
                 yield f"the source {name}"
 
 
