@@ -34,18 +34,19 @@ constexpr BackgroundRow kRows[] = {
      nullptr, 10},
 };
 
-}  // namespace
-
-const BackgroundRow& row_of(BackgroundKind kind) { return kRows[static_cast<size_t>(kind)]; }
-
+// The share of the voxels that are in materials with keep[material] != 0.
 double kept_share_of_voxels(const Volume& volume, const std::vector<char>& keep)
 {
     const std::vector<int64_t> voxels = volume.voxel_counts();
     double kept = 0;
     for (size_t m = 0; m < voxels.size(); ++m)
-        kept += keep.empty() || keep[m] != 0 ? static_cast<double>(voxels[m]) : 0;
+        kept += keep[m] != 0 ? static_cast<double>(voxels[m]) : 0;
     return kept / static_cast<double>(volume.grid().size());
 }
+
+}  // namespace
+
+const BackgroundRow& row_of(BackgroundKind kind) { return kRows[static_cast<size_t>(kind)]; }
 
 ExpectedTets expected_tets(const SizingField& field, const BackgroundOptions& options, const Volume& volume,
                            const std::vector<char>& keep, const Run& run)

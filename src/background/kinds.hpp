@@ -32,9 +32,6 @@ const BackgroundRow& row_of(BackgroundKind kind);
 
 inline bool is_graded(BackgroundKind kind) { return !row_of(kind).uniform_size; }
 
-// The share of the voxels that are in materials with keep[material] != 0; all if it is empty.
-double kept_share_of_voxels(const Volume& volume, const std::vector<char>& keep);
-
 // Of a background, of which some tetrahedra lie in materials with keep[material] != 0 (all if it is empty).
 struct ExpectedTets {
     double all = 0, kept = 0;

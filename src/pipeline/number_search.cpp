@@ -2,6 +2,7 @@
 
 #include "base/number_text.hpp"
 #include "base/stage.hpp"
+#include "pipeline/expected_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,20 +14,6 @@ namespace cleft
 namespace
 {
 
-// A finished mesh has from 1.1 times the tetrahedra of its background (few interfaces) to 2.2 times (many).
-constexpr double kCleavedOverBackground = 1.3;
-
-double expected_kept(const SizingField& field, const Volume& volume, const PipelineOptions& options)
-{
-    return kCleavedOverBackground * expected_background_tets(field, volume, options.keep);
-}
-
-double expected_of_all(const SizingField& field, const PipelineOptions& options, const Run& run)
-{
-    const BackgroundOptions& background = options.background;
-    return kCleavedOverBackground * row_of(background.kind).expected_tets(field, background, run);
-}
-
 // The number of tetrahedra that no round may pass; 0: none. Without it, those of a label of a few voxels would have the
 // others fill the memory.
 double limit_of(const PipelineOptions& options)
@@ -34,17 +21,6 @@ double limit_of(const PipelineOptions& options)
     if (options.keep.empty() || options.max_tets <= 0)
         return 0;
     return std::max(options.max_tets, static_cast<double>(options.tets));
-}
-
-// Where the search for a number begins: one size everywhere, as fine as the field's least, could fill the memory.
-double first_factor(const SizingField& field, const Volume& volume, const PipelineOptions& options, const Run& run)
-{
-    if (is_graded(options.background.kind))
-        return 1;
-    const double one_voxel = 1 / static_cast<double>(volume.grid().size());
-    const double share = std::max(kept_share_of_voxels(volume, options.keep), one_voxel);
-    const double wanted = static_cast<double>(options.tets) / share;
-    return std::max(1.0, std::cbrt(expected_of_all(field, options, run) / wanted));
 }
 
 int64_t kept_count(const LabelledMesh& mesh, const PipelineOptions& options)
@@ -116,6 +92,13 @@ Run silenced(Run run)
 // The least factor that keeps a mesh to the limit, where `all` tetrahedra came (or are expected) of `factor`.
 double least_factor(double factor, double all, double limit) { return limit > 0 ? factor * std::cbrt(all / limit) : 0; }
 
+// max_tets bounds the size of a lattice where no number is wanted.
+PipelineOptions without_limit(PipelineOptions options)
+{
+    options.background.lattice.max_tets = 0;
+    return options;
+}
+
 void warn_of_number(const LabelledMesh& mesh, const PipelineOptions& options, bool is_limited, const Run& run)
 {
     const int64_t kept = kept_count(mesh, options);
@@ -134,14 +117,20 @@ void warn_of_number(const LabelledMesh& mesh, const PipelineOptions& options, bo
 
 void fit_to_number(SizingField& field, const Volume& volume, const PipelineOptions& options, const Run& run)
 {
-    constexpr int kFittingRounds = 4;  // the gradation limit bends the power law
+    constexpr int kFittingRounds = 6;  // the gradation limit bends the power law
+    constexpr double kFitted = 0.01;   // of the factor: 3 % of the number
+    constexpr double kMostOff = 1.1;   // what comes out is hardly ever more than so many times what is expected
     if (options.tets <= 0 || field.found_for == options.tets)
         return;
+    const PipelineOptions unlimited = without_limit(options);
+    const double wanted = static_cast<double>(options.tets), limit = limit_of(options);
     for (int round = 0; round < kFittingRounds; ++round) {
-        const double ratio = expected_kept(field, volume, options) / static_cast<double>(options.tets);
-        if (std::abs(ratio - 1) < 0.05)
+        const ExpectedMesh expected = expected_mesh(volume, field, unlimited, run);
+        const double for_number = expected.kept > 0 ? std::cbrt(expected.kept / wanted) : 1;
+        const double factor = std::max(for_number, least_factor(1, kMostOff * expected.whole, limit));
+        if (std::abs(factor - 1) < kFitted)
             return;
-        scale_sizing(field, std::cbrt(ratio), run);
+        scale_sizing(field, factor, run);
     }
 }
 
@@ -155,9 +144,6 @@ LabelledMesh mesh_of_number(const Volume& volume, SizingField& field, const Pipe
     const bool was_found = field.found_for == options.tets;
     double factor = 1, next = 1;
     fit_to_number(field, volume, options, steps.next());
-    if (!was_found)
-        next = std::max({1.0, least_factor(1, expected_of_all(field, options, run), limit),
-                         first_factor(field, volume, options, run)});
     bool is_limited = false;
     LabelledMesh mesh;
     for (int round = 0; round < kRounds && !is_limited; ++round) {

@@ -1,0 +1,215 @@
+// Looks at tetrahedra of the wanted sizes at random places, or at those of a background: how many materials do their
+// corners have?
+#include "pipeline/expected_mesh.hpp"
+
+#include "background/charge.hpp"
+#include "background/random.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace cleft
+{
+
+namespace
+{
+
+// Of one background tetrahedron, by the number of materials at its corners. Snapping takes nearly all cuts away; but a
+// label keeps its last point where it is, so that of tetrahedra whose points have a label each all pieces stay. The
+// figures are those of balls, grains, noise, checkers and sheets at several sizes.
+constexpr std::array<double, 4> kSnapped = {1.03, 1.28, 1.63, 1.63}, kWhole = {1, 6, 12, 24};
+// The share of points that are the only one of their label from which on all pieces may stay, and up to which none do.
+constexpr double kAllStay = 0.35, kNoneStay = 0.05;
+
+constexpr int kSamples = 5000;
+
+// What one tetrahedron of the background becomes.
+struct Pieces {
+    double all = 0, kept = 0;
+};
+
+class Cutter
+{
+public:
+    // `points`: how many points the background has in each material.
+    Cutter(const Volume& volume, const std::vector<char>& keep, const std::vector<double>& points)
+        : volume_(volume), keep_(keep)
+    {
+        double lone = 0, all = 0;
+        for (const double n : points) {
+            lone += 1 - std::exp(-n);  // materials with one point, where points lie at random
+            all += n;
+        }
+        stay_ = std::clamp((lone / all - kNoneStay) / (kAllStay - kNoneStay), 0.0, 1.0);
+    }
+
+    // The part of the cuts that snapping cannot take away.
+    double stay() const { return stay_; }
+
+    Pieces pieces(const std::array<Vec3, 4>& corners) const
+    {
+        std::array<Material, 4> materials{};
+        double kept = 0;
+        for (size_t i = 0; i < 4; ++i) {
+            materials[i] = volume_.material_at(corners[i]);
+            kept += keep_.empty() || keep_[static_cast<size_t>(materials[i])] != 0 ? 0.25 : 0;
+        }
+        std::sort(materials.begin(), materials.end());
+        const auto different = static_cast<size_t>(std::unique(materials.begin(), materials.end()) - materials.begin());
+        const double all = (1 - stay_) * kSnapped[different - 1] + stay_ * kWhole[different - 1];
+        return {all, all * kept};
+    }
+
+private:
+    const Volume& volume_;
+    const std::vector<char>& keep_;
+    double stay_ = 0;
+};
+
+// The corners of a regular tetrahedron around x, turned at random.
+std::array<Vec3, 4> corners_around(const Vec3& x, double edge, uint64_t sample)
+{
+    const auto random = [&](uint64_t i) { return unit_random(sample, i); };
+    const double angle = 2 * M_PI * random(0), z = 2 * random(1) - 1, turn = 2 * M_PI * random(2);
+    const double r = std::sqrt(std::max(0.0, 1 - z * z));
+    const Vec3 axis(r * std::cos(angle), r * std::sin(angle), z);
+    const Vec3 u = (std::abs(z) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0)).cross(axis).normalized(), v = axis.cross(u);
+    const double height = std::sqrt(2.0 / 3.0), radius = 1 / std::sqrt(3.0);
+    std::array<Vec3, 4> corners;
+    corners[3] = x + 0.75 * height * edge * axis;
+    for (size_t i = 0; i < 3; ++i) {
+        const double a = turn + 2 * M_PI * static_cast<double>(i) / 3;
+        corners[i] = x + edge * (radius * (std::cos(a) * u + std::sin(a) * v) - 0.25 * height * axis);
+    }
+    return corners;
+}
+
+// A place in a voxel.
+Vec3 place_in(int64_t voxel, const Grid& grid, uint64_t sample)
+{
+    const int64_t row = grid.dims[0], rows = grid.dims[1];
+    Vec3 place(static_cast<double>(voxel % row), static_cast<double>(voxel / row % rows),
+               static_cast<double>(voxel / row / rows));
+    for (int axis = 0; axis < 3; ++axis)
+        place[axis] += unit_random(sample, 3 + static_cast<uint64_t>(axis));
+    return place.cwiseProduct(grid.spacing);
+}
+
+double density(const SizingField& field, int64_t voxel)
+{
+    return 1 / std::pow(static_cast<double>(field.h[static_cast<size_t>(voxel)]), 3);
+}
+
+std::vector<double> expected_points(const SizingField& field, const Volume& volume)
+{
+    std::vector<double> points(static_cast<size_t>(volume.material_count()), 0);
+    const double charge = kParticleDensity[3] * field.grid.spacing.prod();
+    for (int64_t v = 0; v < field.grid.size(); ++v)
+        points[static_cast<size_t>(volume.voxel_material(v))] += charge * density(field, v);
+    return points;
+}
+
+// Tetrahedra of the sizes of a field at random places (the same ones each time), more where they are smaller. Half of
+// them or more are in kept voxels, however few these are.
+class Sampling
+{
+public:
+    Sampling(const SizingField& field, const Volume& volume, const std::vector<char>& keep)
+        : field_(field), volume_(volume), keep_(keep)
+    {
+        for (int64_t v = 0; v < field.grid.size(); ++v)
+            (is_kept(v) ? kept_ : other_) += density(field, v);
+        boost_ = kept_ > 0 ? std::max(1.0, other_ / kept_) : 1;
+    }
+
+    Pieces mean_pieces(const Cutter& cutter, const Run& run) const
+    {
+        const double whole = boost_ * kept_ + other_;
+        Pieces sum;
+        uint64_t samples = 0;
+        double passed = 0, weights = 0;
+        for (int64_t v = 0; v < field_.grid.size(); ++v) {
+            run.check_at(v, 1 << 20);
+            const double boost = is_kept(v) ? boost_ : 1;
+            passed += kSamples / whole * boost * density(field_, v);
+            for (; static_cast<double>(samples) + 0.5 < passed; ++samples) {
+                const Vec3 x = place_in(v, field_.grid, samples);
+                const Pieces pieces = cutter.pieces(corners_around(x, field_.at(x), samples));
+                sum.all += pieces.all / boost;
+                sum.kept += pieces.kept / boost;
+                weights += 1 / boost;
+            }
+        }
+        const double each = weights > 0 ? 1 / weights : 0;
+        return {each * sum.all, each * sum.kept};
+    }
+
+private:
+    bool is_kept(int64_t voxel) const
+    {
+        return keep_.empty() || keep_[static_cast<size_t>(volume_.voxel_material(voxel))] != 0;
+    }
+
+    const SizingField& field_;
+    const Volume& volume_;
+    const std::vector<char>& keep_;
+    double kept_ = 0, other_ = 0,
+           boost_ = 1;  // sums of the density, and how much denser the samples are in kept voxels
+};
+
+// The same of tetrahedra that are there.
+Pieces mean_pieces(const TetMesh& background, const Cutter& cutter)
+{
+    const size_t count = background.tets.size(), step = std::max<size_t>(1, count / kSamples);
+    Pieces sum;
+    double samples = 0;
+    for (size_t t = 0; t < count; t += step, ++samples) {
+        std::array<Vec3, 4> corners;
+        for (size_t i = 0; i < 4; ++i)
+            corners[i] = background.points[static_cast<size_t>(background.tets[t][i])];
+        const Pieces pieces = cutter.pieces(corners);
+        sum.all += pieces.all;
+        sum.kept += pieces.kept;
+    }
+    return {sum.all / samples, sum.kept / samples};
+}
+
+ExpectedMesh of_pieces(double background_tets, const Pieces& mean, const Cutter& cutter)
+{
+    return {background_tets, background_tets * mean.all, background_tets * mean.kept, cutter.stay() > 0};
+}
+
+ExpectedMesh of_sizes(const Volume& volume, const SizingField& field, const std::vector<char>& keep,
+                      double background_tets, const Run& run)
+{
+    const Cutter cutter(volume, keep, expected_points(field, volume));
+    return of_pieces(background_tets, Sampling(field, volume, keep).mean_pieces(cutter, run), cutter);
+}
+
+}  // namespace
+
+ExpectedMesh expected_mesh(const Volume& volume, const SizingField& field, const PipelineOptions& options,
+                           const Run& run)
+{
+    const BackgroundRow& row = row_of(options.background.kind);
+    const double tets = row.expected_tets(field, options.background, run);
+    if (!row.uniform_size)
+        return of_sizes(volume, field, options.keep, tets, run);
+    return of_sizes(volume, constant_sizing(field.grid, row.uniform_size(field, options.background)), options.keep,
+                    tets, run);
+}
+
+ExpectedMesh expected_mesh(const Volume& volume, const TetMesh& background, const std::vector<char>& keep,
+                           const Run& run)
+{
+    std::vector<double> points(static_cast<size_t>(volume.material_count()), 0);
+    for (size_t p = 0; p < background.points.size(); ++p) {
+        run.check_at(p);
+        points[static_cast<size_t>(volume.material_at(background.points[p]))] += 1;
+    }
+    const Cutter cutter(volume, keep, points);
+    return of_pieces(static_cast<double>(background.tets.size()), mean_pieces(background, cutter), cutter);
+}
+
+}  // namespace cleft
