@@ -13,7 +13,7 @@ binding_packages="
     mono-devel"
 
 test_packages="
-    clang clang-format black findent libclang-rt-dev gcovr libcmocka-dev python3 mypy
+    clang clang-format clang-tidy black findent libclang-rt-dev gcovr libcmocka-dev python3 mypy
     gmsh calculix-ccx openfoam getdp python3-dolfinx-real python3-gmsh
     gfortran make abigail-tools freefem++ man-db lintian
     python3-numpy python3-meshio python3-vtk9 python3-nibabel python3-pydicom
