@@ -6,7 +6,6 @@
 enum { N = 32 };
 
 static const char* const kBackgrounds[3] = {"particles", "lattice", "octree"};
-enum { kOctree = 2 };
 
 static cleft_options* options_of(const char* background, const char* tets)
 {
@@ -58,8 +57,8 @@ static void numbers_are_those_of_the_mesh(void** state)
                 /* an octree of nearly one size comes in powers of two, and may miss a number */
                 assert_near(found.tets, (double)cleft_mesh_tet_count(mesh), numbered ? 0.25 : 0.15);
                 assert_near(found.background_tets, metric(context, "background.tets"), 0.25);
-                /* a search begins where the estimate says: rarely is there anything left to search */
-                assert_true(b == kOctree || metric(context, "pipeline.rounds.count") <= 2);
+                /* A search begins where the estimate says. Lattices fit the box in whole cells, and so search on. */
+                assert_true(b > 0 || metric(context, "pipeline.rounds.count") <= 2);
                 assert_true(strips ? found.whole_tets > 1.2 * found.tets : found.whole_tets == found.tets);
                 assert_true(found.peak_bytes > 200 * found.whole_tets);
                 assert_int_equal(found.is_bound, 0);
