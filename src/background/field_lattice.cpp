@@ -31,9 +31,8 @@ void warn_of_raised_size(const SizingField& field, double size, double most, con
     if (size <= least)
         return;
     const double asked = most * std::pow(size / least, 3);
-    run.say(CLEFT_LOG_WARNING, "a lattice of the least size, " + number_text(least) + ", has about " +
-                                   count_text(asked) + " tetrahedra: its size was raised to " + number_text(size) +
-                                   " to keep to max_tets, " + count_text(most));
+    run.warn("a lattice of the least size, " + number_text(least) + ", has about " + count_text(asked) +
+             " tetrahedra: its size was raised to " + number_text(size) + " to keep to max_tets, " + count_text(most));
 }
 
 }  // namespace
@@ -62,10 +61,9 @@ void warn_of_coarse_lattice(const SizingField& field, const Run& run)
 {
     constexpr double kCoarse = 1.1;
     if (field.scale > kCoarse && field.least() < field.greatest())
-        run.say(CLEFT_LOG_WARNING, "the lattice has one size, " + number_text(field.least()) +
-                                       ", which may lose the thinnest parts: a size of " +
-                                       number_text(field.least() / field.scale) +
-                                       " resolves them, or a graded background with fewer tetrahedra");
+        run.warn("the lattice has one size, " + number_text(field.least()) +
+                 ", which may lose the thinnest parts: a size of " + number_text(field.least() / field.scale) +
+                 " resolves them, or a graded background with fewer tetrahedra");
 }
 
 }  // namespace cleft

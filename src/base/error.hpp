@@ -1,7 +1,7 @@
 // How a stage refuses: it throws Error with a status of the C interface and one clear sentence for the user.
 #pragma once
 
-#include "cleft/cleft.h"
+#include "cleft/cleft_status.h"
 
 #include <stdexcept>
 #include <string>

@@ -1,4 +1,4 @@
-// What a running stage may use of its caller: threads, progress, cancel, log and metrics.
+// What a running stage may use of its caller: threads, progress, cancel, warnings and metrics.
 #pragma once
 
 #include "base/error.hpp"
@@ -18,7 +18,7 @@ struct Run {
     std::function<bool(double fraction, const char* stage)> progress;
     // May be called on any thread, at any time: repeats the last progress if it is due; true asks to cancel.
     std::function<bool()> repeat_progress;
-    std::function<void(int level, const std::string& sentence)> log;
+    std::function<void(const std::string& sentence)> on_warning;
     const std::atomic<bool>* cancel = nullptr;  // may be set from any thread
     Metrics* metrics = nullptr;
 
@@ -64,10 +64,10 @@ struct Run {
             metrics->set(name, value);
     }
 
-    void say(int level, const std::string& sentence) const
+    void warn(const std::string& sentence) const
     {
-        if (log)
-            log(level, sentence);
+        if (on_warning)
+            on_warning(sentence);
     }
 };
 

@@ -179,7 +179,7 @@ cleft_status guarded_run(cleft_context* context, const Body& body) noexcept
             run.repeat_progress = [&] { return reporter.repeat(); };
         }
         if (sound.log)
-            run.log = [&sound](int level, const std::string& sentence) { say(sound, level, sentence.c_str()); };
+            run.on_warning = [&sound](const std::string& sentence) { say(sound, CLEFT_LOG_WARNING, sentence.c_str()); };
         body(run);
     });
 }

@@ -47,12 +47,12 @@ void check_cover(const Cover& cover, const Vec3& extent, const Run& run)
                         number_text(cover.volume / cover.box.volume()) + " times that of their box");
     const Vec3 margin = kSame * extent;
     if ((cover.box.lo.array() < -margin.array()).any() || (cover.box.hi.array() > (extent + margin).array()).any())
-        run.say(CLEFT_LOG_WARNING,
-                "the background reaches out of the volume's box; there the labels at the sides of the "
-                "box hold on");
+        run.warn(
+            "the background reaches out of the volume's box; there the labels at the sides of the "
+            "box hold on");
     else if (cover.volume < (1 - kSame) * extent.prod())
-        run.say(CLEFT_LOG_WARNING, "the background fills " + number_text(100 * cover.volume / extent.prod()) +
-                                       " % of the volume's box; the mesh fills no more");
+        run.warn("the background fills " + number_text(100 * cover.volume / extent.prod()) +
+                 " % of the volume's box; the mesh fills no more");
 }
 
 }  // namespace

@@ -67,8 +67,7 @@ void warn_of_unknown_labels(const std::vector<int32_t>& labels, const cleft_opti
             if (!contains(labels, label))
                 unknown.push_back(label);
         if (!unknown.empty())
-            run.say(CLEFT_LOG_WARNING,
-                    std::string(option) + " names " + named(unknown) + ", which the " + whose + " does not have");
+            run.warn(std::string(option) + " names " + named(unknown) + ", which the " + whose + " does not have");
     };
     warn("strip", options->strip);
     warn("only", options->only);

@@ -46,7 +46,7 @@ LabelledMesh meshed(const cleft_volume& volume, const cleft_sizing* sizing, cons
                     const cleft::PipelineOptions& p, const Run& run)
 {
     if (background && p.tets > 0)
-        run.say(CLEFT_LOG_WARNING, "tets has no effect on a background that is given");
+        run.warn("tets has no effect on a background that is given");
     if (background) {
         GivenBackground from = given_background(*background, volume.frame, run);
         return cleft::mesh_from_background(volume.volume, std::move(from.mesh), from.options(p), run);

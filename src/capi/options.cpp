@@ -142,10 +142,10 @@ void warn_of_unused_smooth(const Volume& volume, const cleft_options* options, c
         return;
     const int asked = static_cast<int>(option_value(options, CLEFT_OPTION_SMOOTH));
     if (!volume.is_label_map())
-        run.say(CLEFT_LOG_WARNING, "smooth has no effect on a volume of indicator functions");
+        run.warn("smooth has no effect on a volume of indicator functions");
     else if (asked != volume.kernel_width())
-        run.say(CLEFT_LOG_WARNING, "smooth is " + std::to_string(asked) + ", but the volume was made with " +
-                                       std::to_string(volume.kernel_width()) + ", which holds");
+        run.warn("smooth is " + std::to_string(asked) + ", but the volume was made with " +
+                 std::to_string(volume.kernel_width()) + ", which holds");
 }
 
 }  // namespace cleft::capi

@@ -46,7 +46,7 @@ LocalMesh improved_mesh(const Volume& volume, const Cleaved& cleaved, const Pipe
         higher.margin = margin;
         Metrics noted;
         Run quiet = steps.next();
-        quiet.log = nullptr;
+        quiet.on_warning = nullptr;
         quiet.metrics = &noted;
         Try other = try_with(volume, cleaved, higher, quiet);
         if (other.left.least <= best.left.least)

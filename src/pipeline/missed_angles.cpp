@@ -57,18 +57,17 @@ std::string text(double value, const char* format)
 void warn_of_missed_angles(const Volume& volume, const LabelledMesh& mesh, const PipelineOptions& options,
                            const Run& run)
 {
-    if (!run.log || options.improve.effort == Effort::off)
+    if (!run.on_warning || options.improve.effort == Effort::off)
         return;
     const MissedAngles missed = missed_angles(mesh, options, run);
     if (missed.tets == 0)
         return;
     const Vec3 spacing = volume.grid().spacing;
     const double stretch = spacing.maxCoeff() / spacing.minCoeff();
-    run.say(CLEFT_LOG_WARNING,
-            (missed.tets == 1 ? std::string("1 tetrahedron has") : std::to_string(missed.tets) + " tetrahedra have") +
-                " dihedral angles below " + text(options.improve.target_angle, "%g") + " or above 155 degrees, from " +
-                text(missed.least, "%.1f") + " to " + text(missed.greatest, "%.1f") +
-                (stretch > kMostStretch ? "; the voxel spacings differ by a factor of " + text(stretch, "%.3g") : ""));
+    run.warn((missed.tets == 1 ? std::string("1 tetrahedron has") : std::to_string(missed.tets) + " tetrahedra have") +
+             " dihedral angles below " + text(options.improve.target_angle, "%g") + " or above 155 degrees, from " +
+             text(missed.least, "%.1f") + " to " + text(missed.greatest, "%.1f") +
+             (stretch > kMostStretch ? "; the voxel spacings differ by a factor of " + text(stretch, "%.3g") : ""));
 }
 
 }  // namespace cleft

@@ -85,7 +85,7 @@ std::vector<Step> steps_of_rounds()
 // Warnings are of the mesh that is kept.
 Run silenced(Run run)
 {
-    run.log = nullptr;
+    run.on_warning = nullptr;
     return run;
 }
 
@@ -110,7 +110,7 @@ void warn_of_number(const LabelledMesh& mesh, const PipelineOptions& options, bo
     if (is_limited)
         sentence += ", since the whole mesh, from which labels are left out, keeps to max_tets, " +
                     count_text(options.max_tets);
-    run.say(CLEFT_LOG_WARNING, sentence);
+    run.warn(sentence);
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ void warn_of_volume_differences(const Volume& volume, const LabelledMesh& mesh, 
 {
     constexpr size_t kNamed = 5;
     const std::vector<double> volumes = material_volumes(mesh, volume.material_count());
-    if (!run.log || !fills_box(volume, volumes))
+    if (!run.on_warning || !fills_box(volume, volumes))
         return;
     const std::vector<Difference> all = differences(volume, volumes, keep);
     if (all.empty())
@@ -71,9 +71,9 @@ void warn_of_volume_differences(const Volume& volume, const LabelledMesh& mesh, 
         names += (i == 0 ? "" : ", ") + text(all[i]);
     if (all.size() > kNamed)
         names += " and " + std::to_string(all.size() - kNamed) + " more";
-    run.say(CLEFT_LOG_WARNING, (all.size() == 1 ? std::string("the volume of one label differs")
-                                                : "the volumes of " + std::to_string(all.size()) + " labels differ") +
-                                   " by more than 5 % from that of the voxels: " + names);
+    run.warn((all.size() == 1 ? std::string("the volume of one label differs")
+                              : "the volumes of " + std::to_string(all.size()) + " labels differ") +
+             " by more than 5 % from that of the voxels: " + names);
 }
 
 }  // namespace cleft

@@ -90,8 +90,7 @@ std::vector<float> material_sizes(const std::vector<int32_t>& labels, const Sizi
     for (const auto& [label, size] : options.label_sizes) {
         const auto found = std::find(labels.begin(), labels.end(), label);
         if (found == labels.end()) {
-            run.say(CLEFT_LOG_WARNING,
-                    "a size is given for label " + std::to_string(label) + ", which the volume does not have");
+            run.warn("a size is given for label " + std::to_string(label) + ", which the volume does not have");
             continue;
         }
         float& kept = sizes[static_cast<size_t>(found - labels.begin())];
@@ -213,10 +212,10 @@ void keep_to_number(const Sources& from, Limits limits, SizingField& field, cons
                                " tetrahedra: the least size was raised to " + number_text(limits.least_feature);
     // A size that is given for interfaces, labels or points holds whatever it comes to.
     if (expected > kNearly * wanted)
-        run.say(CLEFT_LOG_WARNING, raised + ", but the sizes that were given still ask for about " +
-                                       count_text(expected) + ", more than max_tets, " + count_text(wanted));
+        run.warn(raised + ", but the sizes that were given still ask for about " + count_text(expected) +
+                 ", more than max_tets, " + count_text(wanted));
     else
-        run.say(CLEFT_LOG_WARNING, raised + " to keep to max_tets, " + count_text(wanted));
+        run.warn(raised + " to keep to max_tets, " + count_text(wanted));
 }
 
 }  // namespace

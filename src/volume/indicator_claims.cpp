@@ -59,9 +59,8 @@ void check_masks(const Fields& fields, float low, int64_t voxels, const Run& run
                         "label map of them");
     const int64_t shared = count_voxels(voxels, run, [&](size_t v) { return claims(v) > 1; });
     if (shared > 0)
-        run.say(CLEFT_LOG_WARNING,
-                std::to_string(shared) + of_all +
-                    "several of the masks: that of the greatest value has them, the first of equals");
+        run.warn(std::to_string(shared) + of_all +
+                 "several of the masks: that of the greatest value has them, the first of equals");
 }
 
 // By voxel: whether several functions are the greatest.
@@ -102,20 +101,20 @@ void check_ties(const Fields& fields, const Grid& grid, const Run& run)
     if (count_voxels(grid.size(), run, is_in_region) == 0)
         return;
     const int64_t all = std::count(tied.begin(), tied.end(), 1);
-    run.say(CLEFT_LOG_WARNING, "several indicator functions are the greatest at " + std::to_string(all) + " of " +
-                                   std::to_string(grid.size()) +
-                                   " voxels, where the first of them holds: give the background a function of "
-                                   "its own");
+    run.warn("several indicator functions are the greatest at " + std::to_string(all) + " of " +
+             std::to_string(grid.size()) +
+             " voxels, where the first of them holds: give the background a function of "
+             "its own");
 }
 
 // A mask is no signed function: where it is 0 is the boundary, so that what is inside swells by almost a voxel.
 void check_signed(const Fields& fields, float low, const Run& run)
 {
     if (low == 0 && are_masks(fields, low))
-        run.say(CLEFT_LOG_WARNING,
-                "the only indicator function is 0 or one other number, as masks are: taken for a "
-                "signed function, its inside reaches to the centres of the voxels that are 0; make "
-                "a label map of it");
+        run.warn(
+            "the only indicator function is 0 or one other number, as masks are: taken for a "
+            "signed function, its inside reaches to the centres of the voxels that are 0; make "
+            "a label map of it");
 }
 
 }  // namespace

@@ -56,11 +56,10 @@ Range range_of(const Value* values, const Grid& grid, size_t field, const Run& r
 
 void warn_of_far_values(int64_t count, double far, const Run& run)
 {
-    run.say(CLEFT_LOG_WARNING,
-            std::to_string(count) +
-                (count == 1 ? " value of the indicator functions is" : " values of the indicator functions are") +
-                " beyond " + number_text(kGreatestValue) + " and taken as far away, " + number_text(far) +
-                " of the same sign");
+    run.warn(std::to_string(count) +
+             (count == 1 ? " value of the indicator functions is" : " values of the indicator functions are") +
+             " beyond " + number_text(kGreatestValue) + " and taken as far away, " + number_text(far) +
+             " of the same sign");
 }
 
 }  // namespace
