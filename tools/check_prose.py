@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""Checks that the prose of Markdown files is made of short sentences: 90 % of them under 30 words, and none over 45.
+"""Checks that prose is made of short sentences: 90 % of them under 30 words, and none over 45.
+
+It reads Markdown pages, the docstrings of C and C++ headers with the comment at their head, and the texts of TOML
+files.
 
 check_prose.py [--list N] FILE... prints, for each file, the number of its sentences, the share of short ones and the
 longest one. It prints the sentences that are too long, and with --list also those of N words or more. It ends with 1 if
@@ -10,11 +13,14 @@ import argparse
 import pathlib
 import re
 import sys
+import tomllib
 
 SHORT, LONGEST, LEAST_SHARE = 30, 45, 0.90
 ITEM = re.compile(r"\s*(?:[-*+]|\d+\.)\s+")
 SKIPPED = re.compile(r"\s*(?:#|\||<!--|---)")  # headings, tables, comments, rules
 SENTENCE_END = re.compile(r"(?<=[.!?])[\"')*_]*\s+(?=[\"'(*_\[]*[A-Z0-9`<])")
+DOCSTRING = re.compile(r"/\*\*<?(.*?)\*/", re.DOTALL)
+HEAD = re.compile(r"\A/\*(?!\*)(.*?)\*/", re.DOTALL)
 ABBREVIATION = re.compile(r"(?:\be\.g|\bi\.e|\bcf|\bvol|\bpp?|\bno|\b[A-Z])\.$")
 
 
@@ -54,6 +60,39 @@ def paragraphs(text):
     yield from flush()
 
 
+def numbered_paragraphs(text, whole, at):
+    """The paragraphs of a part of a file that begins at the character `at` of the whole."""
+    before = whole.count("\n", 0, at)
+    for line, paragraph in paragraphs(text):
+        yield before + line, paragraph
+
+
+def docstring_paragraphs(header):
+    """The paragraphs of the docstrings of a header, and of the comment at its head."""
+    for comment in [*HEAD.finditer(header), *DOCSTRING.finditer(header)]:
+        inner = re.sub(r"^[ \t]*\* ? ?", "", comment[1], flags=re.MULTILINE)
+        inner = re.sub(r"\\since [\d.]+", "", inner)
+        inner = re.sub(r"\bcleft_\w+(?:\(\))?", r"`\g<0>`", inner)  # code, which may begin a sentence
+        yield from numbered_paragraphs(inner.lstrip(" "), header, comment.start(1))
+
+
+def toml_texts(rows):
+    """The strings of all keys `text`, at any depth."""
+    for key, value in rows.items() if isinstance(rows, dict) else enumerate(rows):
+        if isinstance(value, (dict, list)):
+            yield from toml_texts(value)
+        elif key == "text":
+            yield value
+
+
+def toml_paragraphs(toml):
+    for text in toml_texts(tomllib.loads(toml)):
+        yield from numbered_paragraphs(text.strip(), toml, toml.find(text))
+
+
+PARAGRAPHS = {".md": paragraphs, ".h": docstring_paragraphs, ".hpp": docstring_paragraphs, ".toml": toml_paragraphs}
+
+
 def sentences(paragraph):
     paragraph = re.sub(r"!\[[^]]*\]\([^)]*\)", "", paragraph)
     # A link to a file may begin a sentence with a small letter.
@@ -77,7 +116,7 @@ def measure(path):
     """Rows of a sentence's words, its line and its text."""
     return [
         (word_count(sentence), line, sentence)
-        for line, paragraph in paragraphs(path.read_text())
+        for line, paragraph in PARAGRAPHS[path.suffix](path.read_text())
         for sentence in sentences(paragraph)
         if word_count(sentence)
     ]

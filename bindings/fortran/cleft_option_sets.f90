@@ -112,7 +112,7 @@ contains
     end do
   end function
 
-  ! The edge length that is aimed at inside one label; 0 takes the wish back.
+  ! Sets the greatest wanted edge length inside one label; 0 removes the limit for this label.
   subroutine set_label_size(self, label, size, stat, errmsg)
     class(cleft_options), intent(inout) :: self
     integer(c_int32_t), intent(in) :: label

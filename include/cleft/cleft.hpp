@@ -1,11 +1,11 @@
 /*
- * cleft.h for C++11 and later: owning handles, exceptions, callbacks as std::function. Header only.
+ * The interface of cleft.h for C++11 and later: owners of handles, exceptions, callbacks as std::function. Header only.
  *
- * What each function does is in cleft.h, under its name in C; here are the rules that differ:
- *  - A handle is owned by one object, which can be moved but not copied. get() lends it to functions of C.
- *  - A status that is not CLEFT_OK is thrown as a cleft::Error, with the library's sentence.
- *  - Arrays that come out are cleft::View: borrowed from the object that gave them, valid as long as it lives.
- *  - An exception thrown by a callback ends the call, and comes out of it.
+ * cleft.h describes each function under its name in C. These rules differ:
+ *  - One object owns a handle. It can be moved but not copied. get() returns the handle for functions of C.
+ *  - A status other than CLEFT_OK becomes a cleft::Error with the library's sentence.
+ *  - Returned arrays are a cleft::View. The object that returned it owns the array, which is valid while that lives.
+ *  - An exception in a callback ends the call, which throws it on.
  */
 #ifndef CLEFT_HPP
 #define CLEFT_HPP
@@ -27,7 +27,7 @@ using Dims = std::array<int64_t, 3>;
 using Affine = std::array<double, 12>;  // from voxel indices to the world, 3 rows of 4
 using Point = std::array<double, 3>;
 
-/** The type of a voxel; other types do not compile. */
+/** The cleft_type of a C++ type of voxels. Other types do not compile. */
 template <class T>
 struct TypeOf;
 #define CLEFT_CPP_TYPE(type, number)                \
@@ -49,7 +49,8 @@ class Volume : public Owner<cleft_volume, Destroy_volume>
 public:
     using Owner::Owner;
 
-    /** dims[0] * dims[1] * dims[2] voxels, x fastest; no affine: unit cubes from the origin. */
+    /** `voxels` has dims[0] * dims[1] * dims[2] values, x fastest. Without an affine they are unit cubes from the
+     *  origin. */
     template <class Voxel>
     static Volume from_labels(const Context& context, const Voxel* voxels, const Dims& dims,
                               const Affine* affine = nullptr, const Options& options = Options())
@@ -59,7 +60,7 @@ public:
                                               affine ? affine->data() : nullptr, options.get(), out);
         });
     }
-    /** No labels: 0, 1, 2 ... One field: a signed function, with two labels. */
+    /** Without labels, the labels are 0, 1, 2, ... One field is a signed function and has two labels. */
     template <class Real>
     static Volume from_indicators(const Context& context, const std::vector<const Real*>& fields, const Dims& dims,
                                   const Affine* affine = nullptr, const std::vector<int32_t>& labels = {})
@@ -126,7 +127,7 @@ public:
             return cleft_sizing_create_constant(context.get(), volume.get(), size, out);
         });
     }
-    /** One value (float or double) a voxel of the volume. */
+    /** `values` has one float or double per voxel of the volume. */
     template <class Real>
     static Sizing from_values(const Context& context, const Volume& volume, const Real* values, bool combine = false,
                               const Options& options = Options())
@@ -152,7 +153,7 @@ public:
     double expected_tets() const noexcept { return cleft_sizing_expected_tets(get()); }
 };
 
-/** What cleft_mesh_validate() finds, and the sentence about the first fault. */
+/** The findings of cleft_mesh_validate(), and the sentence about the first fault. */
 struct Validation : cleft_validation {
     std::string first_fault;
 };
@@ -162,7 +163,7 @@ class Mesh : public Owner<cleft_mesh, Destroy_mesh>
 public:
     using Owner::Owner;
 
-    /** All of it: cleft_mesh_volume(). */
+    /** Makes the mesh of a volume: cleft_mesh_volume(). */
     static Mesh of_volume(const Context& context, const Volume& volume, const Options& options = Options(),
                           const Sizing* sizing = nullptr, const Mesh* background = nullptr)
     {
@@ -171,7 +172,7 @@ public:
                                      background ? background->get() : nullptr, options.get(), out);
         });
     }
-    /** What of_volume() will come to with the same arguments. */
+    /** Estimates the mesh of of_volume() with the same arguments: cleft_mesh_estimate(). */
     static cleft_estimate estimate(const Context& context, const Volume& volume, const Options& options = Options(),
                                    const Sizing* sizing = nullptr, const Mesh* background = nullptr)
     {
@@ -181,14 +182,14 @@ public:
                                           background ? background->get() : nullptr, options.get(), &found));
         return found;
     }
-    /** The background of a sizing field. */
+    /** Makes the background of a sizing field: cleft_background_create(). */
     static Mesh background(const Context& context, const Sizing& sizing, const Options& options = Options())
     {
         return made<Mesh, cleft_mesh>(context, [&](cleft_mesh** out) {
             return cleft_background_create(context.get(), sizing.get(), options.get(), out);
         });
     }
-    /** No labels: 0. */
+    /** Makes a mesh from arrays: cleft_mesh_create(). Without labels, all labels are 0. */
     static Mesh from_arrays(const Context& context, const std::vector<double>& points, const std::vector<int32_t>& tets,
                             const std::vector<int32_t>& labels = {})
     {
@@ -200,7 +201,7 @@ public:
                                      labels.empty() ? nullptr : labels.data(), 0, out);
         });
     }
-    /** This mesh, a background, cleaved along the interfaces of a volume. */
+    /** Cleaves this mesh, a background, along the interfaces of a volume: cleft_mesh_cleave(). */
     Mesh cleaved(const Context& context, const Volume& volume, const Options& options = Options()) const
     {
         return made<Mesh, cleft_mesh>(context, [&](cleft_mesh** out) {
@@ -219,9 +220,9 @@ public:
             context, [&](cleft_mesh** out) { return cleft_mesh_strip(context.get(), get(), options.get(), out); });
     }
 
-    /** Three coordinates a point. */
+    /** Three coordinates per point. */
     View<double> points() const { return {cleft_mesh_points(get()), 3 * cleft_mesh_point_count(get())}; }
-    /** Four corners a tetrahedron, from 0. */
+    /** Four corners per tetrahedron, from 0. */
     View<int32_t> tets() const { return {cleft_mesh_tets(get()), 4 * cleft_mesh_tet_count(get())}; }
     View<int32_t> tet_labels() const { return {cleft_mesh_tet_labels(get()), cleft_mesh_tet_count(get())}; }
     View<int32_t> labels() const { return {cleft_mesh_labels(get()), cleft_mesh_label_count(get())}; }
@@ -258,10 +259,10 @@ public:
               context, [&](cleft_surface** out) { return cleft_surface_create(context.get(), mesh.get(), out); }))
     {
     }
-    /** Three corners a triangle, two labels a triangle. */
+    /** Three corners and two labels per interface triangle. */
     View<int32_t> triangles() const { return {cleft_surface_interface_triangles(get()), 3 * count()}; }
     View<int32_t> labels() const { return {cleft_surface_interface_labels(get()), 2 * count()}; }
-    /** The hull: three corners, one label, one CLEFT_SIDE_... a triangle. */
+    /** Three corners, one label and one CLEFT_SIDE_... per hull triangle. */
     View<int32_t> hull_triangles() const { return {cleft_surface_hull_triangles(get()), 3 * hull_count()}; }
     View<int32_t> hull_labels() const { return {cleft_surface_hull_labels(get()), hull_count()}; }
     View<int32_t> hull_sides() const { return {cleft_surface_hull_sides(get()), hull_count()}; }
@@ -282,7 +283,7 @@ public:
           }))
     {
     }
-    /** One row a label, in the order of Volume::labels(). */
+    /** One row per label, in the order of Volume::labels(). */
     std::vector<cleft_label_report> rows() const
     {
         std::vector<cleft_label_report> rows(static_cast<std::size_t>(cleft_report_count(get())));

@@ -1,5 +1,5 @@
 /*
- * What cleft.hpp begins with: errors, views, owners of handles, contexts and options. Include cleft.hpp.
+ * The first part of cleft.hpp: errors, views, owners of handles, contexts and options. Include cleft.hpp.
  */
 #ifndef CLEFT_CONTEXT_HPP
 #define CLEFT_CONTEXT_HPP
@@ -28,21 +28,21 @@ public:
         : std::runtime_error(sentence.empty() ? cleft_status_string(status) : sentence), status_(status)
     {
     }
-    /** One of cleft_status.h; never CLEFT_OK. */
+    /** One of the codes of cleft_status.h, never CLEFT_OK. */
     cleft_status status() const noexcept { return status_; }
 
 private:
     cleft_status status_;
 };
 
-/** For functions that take no context, and so leave no sentence. */
+/** Throws for a function without a context, which stores no sentence. */
 inline void check(cleft_status status)
 {
     if (status != CLEFT_OK)
         throw Error(status, "");
 }
 
-/** Numbers that another object owns. */
+/** An array that another object owns. */
 template <class T>
 class View
 {
@@ -61,15 +61,15 @@ private:
     std::size_t size_;
 };
 
-/** What all classes below have: a handle of C, owned. */
+/** The base of all classes below: the owner of a handle of C. */
 template <class T, class Destroy>
 class Owner
 {
 public:
-    /** Takes over a handle made by a function of C. */
+    /** Takes ownership of a handle that a function of C made. */
     explicit Owner(T* owned) : handle_(owned) {}
     T* get() const noexcept { return handle_.get(); }
-    /** Hands the handle over: the caller destroys it. */
+    /** Gives up ownership: the caller must destroy the handle. */
     T* release() noexcept { return handle_.release(); }
 
 private:
@@ -89,7 +89,7 @@ CLEFT_CPP_DESTROY(surface)
 CLEFT_CPP_DESTROY(report)
 #undef CLEFT_CPP_DESTROY
 
-/** Answers false to stop the call. */
+/** Returns false to cancel the call. */
 using Progress = std::function<bool(double fraction, const char* stage)>;
 using Log = std::function<void(int32_t level, const char* sentence)>;
 
@@ -100,7 +100,7 @@ public:
 
     void set_threads(int32_t threads) { check(cleft_context_set_threads(get(), threads)); }
     int32_t threads() const noexcept { return cleft_context_threads(get()); }
-    /** Empty: none. */
+    /** An empty function removes the callback. */
     void set_progress(Progress progress)
     {
         check(cleft_context_set_progress(get(), progress ? on_progress : nullptr, callbacks_.get()));
@@ -111,7 +111,7 @@ public:
         check(cleft_context_set_log(get(), log ? on_log : nullptr, callbacks_.get()));
         callbacks_->log = std::move(log);
     }
-    /** From any thread. */
+    /** Asks the running call to stop. Any thread may call it. */
     void cancel() noexcept { cleft_context_cancel(get()); }
 
     std::vector<std::pair<std::string, double>> metrics() const
@@ -126,7 +126,7 @@ public:
         return all;
     }
 
-    /** Throws what a callback threw, or what the status of a call on this context says. */
+    /** Throws the exception of a callback, or an Error if the status of a call on this context is not CLEFT_OK. */
     void check(cleft_status status) const
     {
         std::exception_ptr thrown;
@@ -175,7 +175,7 @@ private:
     std::unique_ptr<Callbacks> callbacks_;  // stays in its place when this is moved
 };
 
-/** Owns what a function of C makes, whose last argument is where the handle goes. */
+/** Owns the handle that a function of C makes. The last argument of that function is where the handle goes. */
 template <class Owned, class T, class Make>
 Owned made(const Context& context, const Make& make)
 {
@@ -196,7 +196,7 @@ public:
         return checked(cleft_options_set_integer(get(), key, value));
     }
     Options& set_real(cleft_option key, double value) { return checked(cleft_options_set_real(get(), key, value)); }
-    /** By name: set("size_min", "0.5"). */
+    /** Sets an option by its name: set("size_min", "0.5"). */
     Options& set(const std::string& name, const std::string& value)
     {
         return checked(cleft_options_set_text(get(), name.c_str(), value.c_str()));

@@ -1,5 +1,5 @@
 /*
- * cleft_io.h for C++11 and later: the files of cleft.hpp's volumes, sizing fields and meshes. Header only.
+ * The interface of cleft_io.h for C++11 and later: files of volumes, sizing fields and meshes. Header only.
  */
 #ifndef CLEFT_IO_HPP
 #define CLEFT_IO_HPP
@@ -15,7 +15,7 @@ namespace cleft
 inline namespace cpp
 {
 
-/** The defaults of cleft_io_reading. */
+/** Returns the default cleft_io_reading. */
 inline cleft_io_reading default_reading()
 {
     cleft_io_reading reading{};
@@ -23,7 +23,7 @@ inline cleft_io_reading default_reading()
     return reading;
 }
 
-/** One file: labels or functions, as cleft_io_read_volume() says; several: one function each. */
+/** Reads a volume from one file, or from several files with one mask or function each: cleft_io_read_volume(). */
 inline Volume read_volume(const Context& context, const std::vector<std::string>& paths,
                           const cleft_io_reading& reading = default_reading(), const Options& options = Options())
 {

@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-/* One list for the enumeration, the texts and the bindings: X(NAME, NUMBER, TEXT). Numbers are never reused. */
+/* The list of the enumeration, the texts and the bindings: X(NAME, NUMBER, TEXT). Numbers are never reused. */
 #define CLEFT_STATUS_LIST(X)                                                     \
     X(OK, 0, "success")                                                          \
     X(ERROR_INTERNAL, -1, "internal error")                                      \
@@ -31,7 +31,7 @@ enum {
         CLEFT_STATUS_RESERVED = -2147483647 - 1
 };
 
-/** What every fallible function returns: CLEFT_OK or one of the negative codes. \since 0.1 */
+/** The result of every function that can fail: CLEFT_OK (0) or one of the negative codes. \since 0.1 */
 typedef int32_t cleft_status;
 
 #endif

@@ -20,9 +20,9 @@ void refuse_flat_lattice(const Grid& grid, double size, double most)
     constexpr double kRounded = 2;  // numbers of cells are whole
     const double tets = lattice_tets(grid, size), asked = lattice_tets_for(grid, size);
     if (most > 0 && tets > kRounded * std::max(most, asked))
-        throw Error(CLEFT_ERROR_TOO_LARGE, "a lattice as fine as the box is thin has about " + count_text(tets) +
+        throw Error(CLEFT_ERROR_TOO_LARGE, "the box is so thin that a lattice has about " + count_text(tets) +
                                                " tetrahedra, more than max_tets, " + count_text(most) +
-                                               ": give a greater max_tets, or another background");
+                                               ": set a greater max_tets or another background");
 }
 
 void warn_of_raised_size(const SizingField& field, double size, double most, const Run& run)

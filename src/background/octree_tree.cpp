@@ -32,8 +32,8 @@ void refuse_too_many(const SizingField& field)
     const double tets = kTetsOverParticles * expected_background_tets(field);
     if (tets > kMostTets)
         throw Error(CLEFT_ERROR_TOO_LARGE, "the sizes ask for an octree of about " + count_text(tets / 1e6) +
-                                               " million tetrahedra, and it can have 600 million: give a greater size "
-                                               "or size_min, or a number of tetrahedra by tets");
+                                               " million tetrahedra, but it can have 600 million at most: set a "
+                                               "greater size or size_min, or a number of tetrahedra by tets");
 }
 
 void split(Octree& tree, int32_t cell)
@@ -41,7 +41,7 @@ void split(Octree& tree, int32_t cell)
     const auto first = static_cast<int32_t>(tree.cells.size());
     if (tree.cells.size() > kMostCells)
         throw Error(CLEFT_ERROR_TOO_LARGE,
-                    "the sizes ask for more than 60 million octree cells: give a greater size or "
+                    "the sizes ask for more than 60 million octree cells: set a greater size or "
                     "size_min");
     const OctreeCell parent = tree.cells[static_cast<size_t>(cell)];
     tree.cells[static_cast<size_t>(cell)].first_child = first;
@@ -82,7 +82,7 @@ Int3 root_counts(const Vec3& extent, const SizingField& field)
     }
     if (count > static_cast<double>(kMostCells))
         throw Error(CLEFT_ERROR_TOO_LARGE,
-                    "the sizes ask for more than 60 million octree cells: give a greater size or "
+                    "the sizes ask for more than 60 million octree cells: set a greater size or "
                     "size_min");
     return roots;
 }

@@ -76,8 +76,8 @@ void refuse_too_many(double particles)
     const double millions = kTetsPerParticle * particles / 1e6;
     throw Error(CLEFT_ERROR_TOO_LARGE,
                 "the sizes ask for a background of about " + count_text(millions) +
-                    " million tetrahedra, and particles can make 360 million: give a greater size or size_min, or a "
-                    "number of tetrahedra by tets");
+                    " million tetrahedra, but particles can make 360 million at most: set a greater size or size_min, "
+                    "or a number of tetrahedra by tets");
 }
 
 template <size_t D>

@@ -28,7 +28,7 @@ void with_handle(const void* handle, const Body& body)
         case Mark::dead:
             break;
     }
-    throw cleft::Error(CLEFT_ERROR_HANDLE, "a handle that was given is none of this library");
+    throw cleft::Error(CLEFT_ERROR_HANDLE, "one of the handles is not a handle of this library");
 }
 
 void keep(std::vector<const void*>& kept, const void* handle)

@@ -112,7 +112,7 @@ cleft_status cleft_context_log(cleft_context* context, int32_t level, const char
     return guarded_call(context, [&](cleft_context& sound) {
         required(sentence, "sentence");
         if (level < CLEFT_LOG_WARNING || level > CLEFT_LOG_DEBUG)
-            throw cleft::Error(CLEFT_ERROR_ARGUMENT, "there is no level " + std::to_string(level) + " of the log");
+            throw cleft::Error(CLEFT_ERROR_ARGUMENT, "level is " + std::to_string(level) + "; it must be 1 .. 3");
         say(sound, level, sentence);
     });
 }

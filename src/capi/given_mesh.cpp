@@ -48,8 +48,8 @@ void check_cover(const Cover& cover, const Vec3& extent, const Run& run)
     const Vec3 margin = kSame * extent;
     if ((cover.box.lo.array() < -margin.array()).any() || (cover.box.hi.array() > (extent + margin).array()).any())
         run.warn(
-            "the background reaches out of the volume's box; there the labels at the sides of the "
-            "box hold on");
+            "the background reaches out of the volume's box; outside, the labels at the sides of the box "
+            "continue");
     else if (cover.volume < (1 - kSame) * extent.prod())
         run.warn("the background fills " + number_text(100 * cover.volume / extent.prod()) +
                  " % of the volume's box; the mesh fills no more");

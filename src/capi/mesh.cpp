@@ -1,4 +1,5 @@
 // Meshes as arrays, in and out.
+#include "base/counted.hpp"
 #include "base/ordinal.hpp"
 #include "capi/firewall.hpp"
 #include "capi/mesh_frame.hpp"
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 using namespace cleft::capi;
 using cleft::Error;
@@ -17,10 +19,13 @@ namespace
 
 void check_counts(int64_t point_count, int64_t tet_count, int32_t index_base)
 {
-    if (point_count < 0 || tet_count < 0)
-        throw Error(CLEFT_ERROR_ARGUMENT, "a count is negative");
-    if (point_count > INT32_MAX || tet_count > INT32_MAX)
-        throw Error(CLEFT_ERROR_TOO_LARGE, "more than 2147483647 points or tetrahedra");
+    for (const auto& [name, count] : {std::pair("point_count", point_count), std::pair("tet_count", tet_count)}) {
+        const std::string is = name + (" is " + std::to_string(count));
+        if (count < 0)
+            throw Error(CLEFT_ERROR_ARGUMENT, is + "; it must not be negative");
+        if (count > INT32_MAX)
+            throw Error(CLEFT_ERROR_TOO_LARGE, is + "; it must be at most 2147483647");
+    }
     if (index_base != 0 && index_base != 1)
         throw Error(CLEFT_ERROR_ARGUMENT, "index_base is " + std::to_string(index_base) + "; it must be 0 or 1");
 }
@@ -32,10 +37,10 @@ std::vector<cleft::Tet> checked_tets(const int32_t* tets, int64_t tet_count, int
         for (size_t i = 0; i < 4; ++i) {
             const int64_t corner = int64_t{tets[4 * t + static_cast<int64_t>(i)]} - index_base;
             if (corner < 0 || corner >= point_count)
-                throw Error(CLEFT_ERROR_ARGUMENT, "the " + ordinal(t) + " tetrahedron names point " +
-                                                      std::to_string(corner + index_base) + ", but there are " +
-                                                      std::to_string(point_count) + " points, counted from " +
-                                                      std::to_string(index_base));
+                throw Error(CLEFT_ERROR_ARGUMENT,
+                            "the " + ordinal(t) + " tetrahedron names point " + std::to_string(corner + index_base) +
+                                ", but there " + cleft::is_or_are(point_count) + " " +
+                                cleft::counted(point_count, "point") + ", counted from " + std::to_string(index_base));
             out[static_cast<size_t>(t)][i] = static_cast<int32_t>(corner);
         }
     return out;

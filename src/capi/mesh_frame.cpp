@@ -29,8 +29,8 @@ void turn_round(std::vector<Tet>& tets)
     if (quick_fault(local, tets, run).empty())
         throw Error(CLEFT_ERROR_ARGUMENT,
                     "world coordinates are too coarse for tetrahedra of these sizes so far from the origin: " + fault +
-                        "; bring the origin nearer, or give a greater size");
-    throw Error(CLEFT_ERROR_INTERNAL, "the mesh came out wrong, and is not given back: " + fault);
+                        "; move the origin nearer or set a greater size");
+    throw Error(CLEFT_ERROR_INTERNAL, "the finished mesh has a fault, so it is not returned: " + fault);
 }
 
 std::vector<Vec3> local_points(const cleft_mesh& mesh, const Frame& frame)
@@ -139,7 +139,7 @@ LabelledMesh to_stage(const cleft_mesh& mesh, const cleft_volume& volume)
         const auto found = material_of.find(label);
         if (found == material_of.end())
             throw Error(CLEFT_ERROR_ARGUMENT,
-                        "the mesh has label " + std::to_string(label) + ", which the volume has not");
+                        "the mesh has label " + std::to_string(label) + ", which the volume does not have");
         out.material.push_back(found->second);
     }
     return out;

@@ -56,7 +56,8 @@ double choice_number(const OptionRow& row, const char* text)
     const std::string all = "|" + std::string(row.choices) + "|";
     const size_t at = all.find(wanted);
     if (*text == '\0' || std::strchr(text, '|') || at == std::string::npos)
-        throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is none of " + row.choices);
+        throw Error(CLEFT_ERROR_OPTION,
+                    std::string(row.name) + " is " + printable(text) + ", which is none of " + row.choices);
     double number = 0;
     for (size_t i = 0; i < at; ++i)
         number += all[i] == '|';
@@ -98,7 +99,7 @@ void take(Field& field, double value)
 void set_labels(std::vector<int32_t>& list, const int32_t* labels, int64_t count)
 {
     if (count < 0)
-        throw Error(CLEFT_ERROR_ARGUMENT, "count is negative");
+        throw Error(CLEFT_ERROR_ARGUMENT, "count is " + std::to_string(count) + "; it must not be negative");
     if (count > 0)
         required(labels, "labels");
     list.assign(labels, labels + count);
@@ -120,8 +121,7 @@ PipelineOptions pipeline_options(const cleft_options* options)
 #define CLEFT_OPTION_FIELD(key, field) take(out.field, option_value(options, key));
 #include "capi/options.inc"
 #undef CLEFT_OPTION_FIELD
-    if (out.sizing.size_max > 0 && out.sizing.size_max < out.sizing.size_min)
-        throw Error(CLEFT_ERROR_OPTION, "size_max is less than size_min");
+    check_size_range(out.sizing);
     out.sizing.max_tets = out.tets > 0 ? 0 : out.max_tets;
     if (options)
         out.sizing.label_sizes = options->label_sizes;
@@ -144,8 +144,8 @@ void warn_of_unused_smooth(const Volume& volume, const cleft_options* options, c
     if (!volume.is_label_map())
         run.warn("smooth has no effect on a volume of indicator functions");
     else if (asked != volume.kernel_width())
-        run.warn("smooth is " + std::to_string(asked) + ", but the volume was made with " +
-                 std::to_string(volume.kernel_width()) + ", which holds");
+        run.warn("smooth is " + std::to_string(asked) + " and has no effect: the volume was made with " +
+                 std::to_string(volume.kernel_width()));
 }
 
 }  // namespace cleft::capi
@@ -189,7 +189,8 @@ cleft_status cleft_options_set_integer(cleft_options* options, cleft_option key,
     return guarded(message_of(options), [&] {
         const OptionRow& row = checked_row(option_row(key), std::to_string(key));
         if (row.type == CLEFT_OPTION_TYPE_REAL)
-            throw cleft::Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is a real option");
+            throw cleft::Error(CLEFT_ERROR_OPTION,
+                               std::string(row.name) + " is a real option, not an integer, choice or flag");
         assign(checked(options, "options"), row, static_cast<double>(value));
     });
 }
@@ -199,7 +200,8 @@ cleft_status cleft_options_set_real(cleft_options* options, cleft_option key, do
     return guarded(message_of(options), [&] {
         const OptionRow& row = checked_row(option_row(key), std::to_string(key));
         if (row.type != CLEFT_OPTION_TYPE_REAL)
-            throw cleft::Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is not a real option");
+            throw cleft::Error(CLEFT_ERROR_OPTION,
+                               std::string(row.name) + " is an integer, choice or flag, not a real option");
         assign(checked(options, "options"), row, value);
     });
 }

@@ -22,7 +22,8 @@ cleft::VoxelType voxel_type(cleft_type type)
         case CLEFT_TYPE_INT32:
             return cleft::VoxelType::int32;
         default:
-            throw Error(CLEFT_ERROR_ARGUMENT, "type " + std::to_string(type) + " is none of a label map's voxels");
+            throw Error(CLEFT_ERROR_ARGUMENT,
+                        "type is " + std::to_string(type) + ", which is no type of a label map's voxels");
     }
 }
 

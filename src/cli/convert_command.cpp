@@ -59,8 +59,8 @@ int run_convert(const ConvertArguments& arguments)
     }
     // Printed before the commit: if standard output is full, the command fails and leaves no file.
     if (arguments.run.prints())
-        print_summary_text(grouped(cleft_mesh_tet_count(mesh.get())) + " tetrahedra, " +
-                           grouped(cleft_mesh_point_count(mesh.get())) + " points written to " + arguments.to + "\n");
+        print_summary_text(plural(cleft_mesh_tet_count(mesh.get()), "tetrahedron", "tetrahedra") + ", " +
+                           plural(cleft_mesh_point_count(mesh.get()), "point") + " written to " + arguments.to + "\n");
     staged.commit();
     return EXIT_OK;
 }

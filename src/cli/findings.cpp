@@ -2,6 +2,8 @@
 // report are made of the same facts.
 #include "findings.hpp"
 
+#include "text.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -89,8 +91,8 @@ std::string count_fault(const char* what, int64_t faces, const std::optional<int
 {
     if (!triangles || *triangles == faces)
         return "";
-    return "the mesh has " + std::to_string(faces) + " faces " + what + ", but its surface has " +
-           std::to_string(*triangles) + " triangles there: a fault of cleft";
+    return "the mesh has " + plural(faces, "face") + " " + what + ", but its surface has " +
+           plural(*triangles, "triangle") + " there: a fault of cleft";
 }
 
 }  // namespace

@@ -88,10 +88,10 @@ std::string labels_table(const MeshFindings& mesh)
 std::string mesh_lines(const MeshFindings& mesh)
 {
     const cleft_quality& q = mesh.quality;
-    std::string counts = grouped(mesh.tets) + " tetrahedra, " + grouped(mesh.points) + " points, " +
+    std::string counts = plural(mesh.tets, "tetrahedron", "tetrahedra") + ", " + plural(mesh.points, "point") + ", " +
                          plural(static_cast<int64_t>(mesh.labels.size()), "label");
     if (mesh.interface_triangles)
-        counts += ", " + grouped(*mesh.interface_triangles) + " interface triangles";
+        counts += ", " + plural(*mesh.interface_triangles, "interface triangle");
     std::string text = line("Mesh", counts);
     // Angles and edges of no tetrahedra have no meaning.
     if (mesh.tets == 0)
@@ -149,8 +149,8 @@ std::string pieces_line(const std::vector<LabelFindings>& rows)
     // The usual case needs no line.
     if (lost + broken + joined == 0)
         return "";
-    return "of " + grouped(all) + " pieces of more than 30 voxels " + grouped(lost) + " are lost, " + grouped(broken) +
-           " broke, and " + grouped(joined) + " grew together with others of their label\n";
+    return "of " + plural(all, "piece") + " of more than 30 voxels " + plural(lost, "is", "are") + " lost, " +
+           grouped(broken) + " broke, and " + grouped(joined) + " grew together with others of their label\n";
 }
 
 }  // namespace

@@ -63,6 +63,11 @@ std::string seconds_text(double seconds)
 
 std::string plural(int64_t count, const char* noun) { return grouped(count) + " " + noun + (count == 1 ? "" : "s"); }
 
+std::string plural(int64_t count, const char* one, const char* many)
+{
+    return grouped(count) + " " + (count == 1 ? one : many);
+}
+
 std::string wrapped(const std::string& text, std::size_t width)
 {
     std::istringstream words(text);

@@ -1,6 +1,7 @@
 // Reads through the system's calls, 256 kB at a time, and decompresses by zlib on the way.
 #include "io/byte_source.hpp"
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "io/system_failure.hpp"
 
@@ -27,7 +28,8 @@ constexpr size_t buffer_bytes = size_t{1} << 18;
 
 [[noreturn]] void too_short(uintmax_t missing)
 {
-    throw Error(CLEFT_ERROR_FORMAT, "it ends too early: " + std::to_string(missing) + " bytes are missing");
+    throw Error(CLEFT_ERROR_FORMAT,
+                "it ends too early: " + counted(static_cast<int64_t>(missing), "byte is", "bytes are") + " missing");
 }
 
 int open_regular(const std::string& path, uintmax_t& size)

@@ -1,6 +1,7 @@
 // Unpacks the pixels of DICOM files: plain ones of 1 to 32 bits, floating-point ones, and those packed by run lengths.
 #include "io/dicom_pixels.hpp"
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "io/voxel_access.hpp"
 
@@ -101,8 +102,8 @@ void check_packed(const std::vector<std::string_view>& fragments, int64_t wanted
     for (const std::string_view fragment : fragments)
         there += static_cast<int64_t>(fragment.size());
     if (wanted / greatest_ratio > there)
-        refuse_dicom("the DICOM file is damaged: its packed pixels have " + std::to_string(there) +
-                     " bytes, too few for " + std::to_string(wanted));
+        refuse_dicom("the DICOM file is damaged: its packed pixels have " + counted(there, "byte") + ", too few for " +
+                     std::to_string(wanted));
 }
 
 // One fragment a frame: a head of 16 numbers (how many planes, where each begins), then the planes, high bytes first.
@@ -212,7 +213,7 @@ Image pixels_of(const DicomFile& file, const DicomPixelFormat& format)
     const auto there = static_cast<int64_t>(element.bytes.size());
     // Longer is allowed: values are padded to an even length.
     if (!element.encapsulated && there < wanted)
-        refuse_dicom("the DICOM file is damaged: its pixels have " + std::to_string(there) + " bytes, and not " +
+        refuse_dicom("the DICOM file is damaged: its pixels have " + counted(there, "byte") + ", and not " +
                      std::to_string(wanted));
     const bool compressed = element.encapsulated && !packed;
     if (element.encapsulated && packed)

@@ -1,6 +1,7 @@
 // Reads places, spacings and the rescaling of values, and sorts planes into even slots along their normal.
 #include "io/dicom_planes.hpp"
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "base/number_text.hpp"
 #include "io/voxel_access.hpp"
@@ -209,7 +210,7 @@ std::vector<DicomPlane> planes_of(const DicomFile& file, int64_t frames)
     // Per-Frame Functional Groups Sequence has one item for each frame. With another number, no
     // frame has a certain place.
     if (!own.empty() && static_cast<int64_t>(own.size()) != frames)
-        refuse_dicom("the DICOM file is damaged: it has " + std::to_string(frames) + " frames, but tells of " +
+        refuse_dicom("the DICOM file is damaged: it has " + counted(frames, "frame") + ", but describes " +
                      std::to_string(own.size()));
     std::vector<DicomPlane> planes;
     for (int64_t f = 0; f < frames; ++f)

@@ -1,6 +1,7 @@
 // Puts the frames of a segmentation object to their places, as labels.
 #include "io/dicom_segmentation.hpp"
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "base/ordinal.hpp"
 #include "io/dicom_pixels.hpp"
@@ -72,7 +73,7 @@ std::vector<int32_t> segments_of_frames(const DicomFile& file, int64_t frames,
     for (const DicomData& frame : file.data.items(frame_groups))
         all.push_back(segment_in({frame}, shared));
     if (static_cast<int64_t>(all.size()) != frames)
-        refuse_dicom("the segmentation has " + std::to_string(frames) + " frames, but tells of " +
+        refuse_dicom("the segmentation has " + counted(frames, "frame") + ", but describes " +
                      std::to_string(all.size()));
     for (const int32_t number : all)
         // A frame of an unlisted segment has no name and no meaning. A label for it would be a

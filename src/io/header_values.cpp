@@ -1,6 +1,7 @@
 // What headers of text say, taken by the letter.
 #include "io/header_values.hpp"
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
 
 #include <algorithm>
@@ -105,7 +106,8 @@ std::vector<std::string> so_many_words(std::string_view field, std::string_view 
     // dropped.
     if (words.size() != count)
         refuse_field(field, value,
-                     std::to_string(count) + " numbers are wanted, but there are " + std::to_string(words.size()));
+                     counted(static_cast<int64_t>(count), "number is", "numbers are") + " wanted, not " +
+                         std::to_string(words.size()));
     return words;
 }
 

@@ -1,6 +1,7 @@
 // Turns masks into a label map, so that their boundaries lie midway between voxels and are smoothed as those of labels.
 #include "io/masks.hpp"
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "io/voxel_access.hpp"
 
@@ -66,7 +67,8 @@ void note_empty(const std::vector<Field>& masks, const Claims& claims, std::vect
                             (claims.wanted[k] == 0 ? "holds no voxel" : "holds no voxel that is not in one before it") +
                             ": there is no label " + std::to_string(k));
     if (empty > told)
-        notes.push_back(std::to_string(empty - told) + " more masks hold no voxel, or none of their own");
+        notes.push_back(counted(static_cast<int64_t>(empty - told), "more mask holds", "more masks hold") +
+                        " no voxel, or none of their own");
 }
 
 void note_contested(const std::vector<Field>& masks, const Claims& claims, std::vector<std::string>& notes)

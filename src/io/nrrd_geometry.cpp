@@ -1,6 +1,7 @@
 // Places the voxels of an NRRD file in the world, by its space or by its spacings.
 #include "io/nrrd_geometry.hpp"
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "base/ordinal.hpp"
 #include "io/header_values.hpp"
@@ -64,8 +65,9 @@ size_t space_dimension_of(const NrrdHeader& header)
         refuse_field("space dimension", std::to_string(header.space_dimension), "there is a field 'space', too");
     const size_t dimension = header.space.empty() ? header.space_dimension : 3;
     if (dimension != 2 && dimension != 3)
-        throw Error(CLEFT_ERROR_FORMAT, dimension == 0 ? "its header has directions or an origin, but no field 'space'"
-                                                       : "its space has " + std::to_string(dimension) + " dimensions");
+        throw Error(CLEFT_ERROR_FORMAT, dimension == 0
+                                            ? "its header has directions or an origin, but no field 'space'"
+                                            : "its space has " + counted(static_cast<int64_t>(dimension), "dimension"));
     return dimension;
 }
 
@@ -73,8 +75,8 @@ Vector3 vector_of(const char* field, const std::vector<double>& numbers, size_t 
 {
     if (numbers.size() != dimension)
         throw Error(CLEFT_ERROR_FORMAT, std::string("a vector of its field '") + field + "' has " +
-                                            std::to_string(numbers.size()) + " numbers, but its space has " +
-                                            std::to_string(dimension) + " dimensions");
+                                            counted(static_cast<int64_t>(numbers.size()), "number") +
+                                            ", but its space has " + std::to_string(dimension) + " dimensions");
     Vector3 vector{0, 0, 0};
     for (size_t row = 0; row < dimension; ++row)
         // + 0.0 makes 0 of -0, which would show in written headers.

@@ -2,6 +2,7 @@
 // mistake but its size, so the size must fit exactly.
 #include "io/raw_image.hpp"
 
+#include "base/counted.hpp"
 #include "base/struct_size.hpp"
 #include "io/byte_source.hpp"
 #include "io/meaning.hpp"
@@ -86,9 +87,9 @@ Image read_raw_image(const std::string& path, const cleft_io_raw& layout)
     // A file that is longer has a header or other dimensions. Reading its beginning would give a
     // plausible, sheared picture.
     if (size != expected)
-        throw Error(CLEFT_ERROR_FORMAT, "'" + path + "' has " + std::to_string(size) + " bytes, but its voxels" +
-                                            (layout.skip > 0 ? " and what is skipped" : "") + " would have " +
-                                            std::to_string(expected));
+        throw Error(CLEFT_ERROR_FORMAT, "'" + path + "' has " + counted(static_cast<int64_t>(size), "byte") +
+                                            ", but its voxels" + (layout.skip > 0 ? " and what is skipped" : "") +
+                                            " would have " + std::to_string(expected));
     allocate_voxels(image);
     naming_file(path, [&] {
         ByteSource(path, Coding::plain, static_cast<uintmax_t>(layout.skip)).read(image.voxels.get(), image.bytes());

@@ -1,4 +1,5 @@
 // Reads uncompressed BMP pictures with a palette: the number in the palette is the label.
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "io/binary_header.hpp"
 #include "io/byte_source.hpp"
@@ -45,7 +46,7 @@ Header parse(const FileHead& head)
         header.bits = fields.at<uint16_t>(28);
         header.compression = fields.at<uint32_t>(30);
     } else {
-        throw Error(CLEFT_ERROR_FORMAT, "its header has " + std::to_string(header_bytes) + " bytes, which no BMP has");
+        throw Error(CLEFT_ERROR_FORMAT, "its header has " + counted(header_bytes, "byte") + ", which no BMP has");
     }
     return header;
 }

@@ -1,4 +1,5 @@
 // MetaImage (.mha, .mhd): lines of "Key = Value" that end with ElementDataFile.
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "io/header_values.hpp"
 #include "io/image_readers.hpp"
@@ -195,8 +196,8 @@ void check_number_of_files(const std::vector<std::string>& files, int64_t held, 
         if (__builtin_mul_overflow(wanted, sizes[axis], &wanted))
             throw Error(CLEFT_ERROR_TOO_LARGE, "there are too many voxels");
     if (static_cast<int64_t>(files.size()) != wanted)
-        refuse_field("ElementDataFile", std::to_string(files.size()) + " files",
-                     std::to_string(wanted) + " are wanted for the sizes that are given");
+        refuse_field("ElementDataFile", counted(static_cast<int64_t>(files.size()), "file"),
+                     counted(wanted, "is", "are") + " wanted for the sizes that are given");
 }
 
 std::vector<std::string> files_of(const MetaHeader& header, const std::vector<int64_t>& sizes)

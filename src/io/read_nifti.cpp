@@ -1,4 +1,5 @@
 // Reads NIfTI-1, NIfTI-2 and Analyze 7.5: one file, or a header and its voxels in two.
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "base/number_text.hpp"
 #include "io/byte_source.hpp"
@@ -70,8 +71,8 @@ NiftiHeader read_nifti_header(const std::string& path)
     bytes.resize(source.read_some(bytes.data(), bytes.size()));
     // The name says NIfTI, so a short file is called cut short and not unknown.
     if (bytes.size() < nifti1_header_bytes)
-        throw Error(CLEFT_ERROR_FORMAT, "it has " + std::to_string(bytes.size()) + " bytes; a header of NIfTI has " +
-                                            std::to_string(nifti1_header_bytes));
+        throw Error(CLEFT_ERROR_FORMAT, "it has " + counted(static_cast<int64_t>(bytes.size()), "byte") +
+                                            "; a header of NIfTI has " + std::to_string(nifti1_header_bytes));
     if (!is_nifti_header(bytes.data(), bytes.size()))
         throw Error(CLEFT_ERROR_FORMAT, "it has no header of NIfTI or Analyze, or it is damaged");
     return parse_nifti_header(bytes.data(), bytes.size());

@@ -1,4 +1,5 @@
 // VTK legacy, text: versions up to 4.2 and 5 (in which cells are offsets and corners).
+#include "base/counted.hpp"
 #include "io/cell_labels.hpp"
 #include "io/mesh_data.hpp"
 #include "io/text_scanner.hpp"
@@ -63,7 +64,7 @@ CellLists read_cells(TextScanner& in)
             cells.offsets.push_back(static_cast<int64_t>(cells.corners.size()));
         }
         if (static_cast<int64_t>(cells.offsets.size()) != first + 1)
-            in.fail("there are not " + std::to_string(first) + " cells");
+            in.fail("there " + std::string(is_or_are(first)) + " not " + counted(first, "cell"));
         return cells;
     }
     in.skip_line();

@@ -1,6 +1,7 @@
 // Keys such as Segment3_Name of .seg.nrrd files. A segment is a layer and the value that its voxels have in it.
 #include "io/segments.hpp"
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "io/header_values.hpp"
 #include "io/voxel_access.hpp"
@@ -178,9 +179,8 @@ void flatten(std::vector<Segment>& segments, Image& image)
     }
     const auto shared = std::count(disputed.begin(), disputed.end(), 1);
     if (shared > 0)
-        image.notes.push_back(std::to_string(shared) +
-                              " voxels belong to segments of several layers; the "
-                              "segment that comes last in the file takes them");
+        image.notes.push_back(counted(shared, "voxel belongs", "voxels belong") +
+                              " to segments of several layers; the last such segment in the file holds");
 }
 
 // In one layer, voxels keep their values, also those that are no segment.

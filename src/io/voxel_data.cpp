@@ -1,6 +1,7 @@
 // Data behind a header or beside it. Sizes are checked before memory is taken.
 #include "io/voxel_data.hpp"
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "io/text_scanner.hpp"
 #include "io/voxel_access.hpp"
@@ -136,7 +137,7 @@ void read_text(ByteSource source, int64_t first, int64_t count, Image& image)
 
 bool is_swapped(bool big_endian) { return big_endian != (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__); }
 
-std::string bytes_text(uintmax_t count) { return std::to_string(count) + (count == 1 ? " byte" : " bytes"); }
+std::string bytes_text(uintmax_t count) { return counted(static_cast<int64_t>(count), "byte"); }
 
 }  // namespace
 
@@ -206,7 +207,9 @@ std::string_view read_text_voxels(std::string_view text, Image& image, int64_t f
             ++end;
         if (at == end)
             throw Error(CLEFT_ERROR_FORMAT,
-                        "it ends too early: " + std::to_string(first + count - voxel) + " numbers are missing");
+                        "it ends too early: " +
+                            counted(static_cast<int64_t>(first + count - voxel), "number is", "numbers are") +
+                            " missing");
         store_text_voxel(text.substr(at, end - at), image, voxel);
         at = end;
     }

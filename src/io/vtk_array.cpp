@@ -2,6 +2,7 @@
 // against the bytes that are there.
 #include "io/vtk_array.hpp"
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "io/byte_source.hpp"
 #include "io/compressed_blocks.hpp"
@@ -223,7 +224,8 @@ std::vector<To> read_numbers(const XmlTag& array, const VtkEncoding& encoding, i
         array.get("format") == "ascii" ? parse_text<To>(array) : convert_any<To>(array, read_bytes(array, encoding));
     // Counts are those of the piece. A wrong length would shift the labels of all cells.
     if (static_cast<int64_t>(numbers.size()) != count)
-        damaged(array, "has " + std::to_string(numbers.size()) + " numbers instead of " + std::to_string(count));
+        damaged(array, "has " + counted(static_cast<int64_t>(numbers.size()), "number") + " instead of " +
+                           std::to_string(count));
     return numbers;
 }
 

@@ -1,6 +1,7 @@
 // POINT_DATA and CELL_DATA of legacy VTK: what arrays there are, of which type, and where their values begin.
 #include "io/vtk_arrays.hpp"
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "io/header_values.hpp"
 
@@ -67,7 +68,8 @@ void skip_words(TextSource& source, int64_t count)
 {
     for (int64_t i = 0; i < count; ++i)
         if (source.word().empty())
-            throw Error(CLEFT_ERROR_FORMAT, "it ends too early: " + std::to_string(count - i) + " values are missing");
+            throw Error(CLEFT_ERROR_FORMAT,
+                        "it ends too early: " + counted(count - i, "value is", "values are") + " missing");
 }
 
 // A line of text each, or in binary files a length of one to eight bytes and the text.
@@ -275,8 +277,8 @@ private:
             // An array of another length belongs to neither points nor cells.
             if (tuples != tuples_)
                 throw Error(CLEFT_ERROR_FORMAT, "its array '" + array_name.substr(0, 40) + "' has " +
-                                                    std::to_string(tuples) + " values, but " + std::to_string(tuples_) +
-                                                    " are wanted");
+                                                    counted(tuples, "value") + ", but " +
+                                                    counted(tuples_, "is wanted", "are wanted"));
             add(array_name, type, components);
         }
     }

@@ -1,5 +1,6 @@
 #include "mesh/validate.hpp"
 
+#include "base/counted.hpp"
 #include "base/ordinal.hpp"
 #include "base/stage.hpp"
 #include "mesh/checks.hpp"
@@ -64,11 +65,11 @@ std::string first_fault(const RegionMesh& mesh, const Placement& world, const Po
     if (mesh.tets.empty())
         return "the mesh has no tetrahedra";
     if (!mesh.region.empty() && mesh.region.size() != mesh.tets.size())
-        return "the mesh has " + std::to_string(mesh.tets.size()) + " tetrahedra but " +
-               std::to_string(mesh.region.size()) + " materials of tetrahedra";
+        return "the mesh has " + counted(static_cast<int64_t>(mesh.tets.size()), "tetrahedron", "tetrahedra") +
+               ", but a material for " + std::to_string(mesh.region.size());
     if (tets.bad_index.count)
         return "the " + ordinal(tets.bad_index.first) + " tetrahedron names a point that is not among the " +
-               std::to_string(mesh.points.size()) + " points of the mesh";
+               counted(static_cast<int64_t>(mesh.points.size()), "point") + " of the mesh";
     if (tets.repeated_corner.count)
         return name.tet(tets.repeated_corner.first) + " names a point twice";
     if (points.non_finite.count)

@@ -1,6 +1,7 @@
 // Counts the tetrahedra with angles beyond the target and names the worst of them.
 #include "pipeline/missed_angles.hpp"
 
+#include "base/counted.hpp"
 #include "base/degrees.hpp"
 #include "mesh/quality.hpp"
 
@@ -64,9 +65,9 @@ void warn_of_missed_angles(const Volume& volume, const LabelledMesh& mesh, const
         return;
     const Vec3 spacing = volume.grid().spacing;
     const double stretch = spacing.maxCoeff() / spacing.minCoeff();
-    run.warn((missed.tets == 1 ? std::string("1 tetrahedron has") : std::to_string(missed.tets) + " tetrahedra have") +
-             " dihedral angles below " + text(options.improve.target_angle, "%g") + " or above 155 degrees, from " +
-             text(missed.least, "%.1f") + " to " + text(missed.greatest, "%.1f") +
+    run.warn(counted(missed.tets, "tetrahedron has", "tetrahedra have") + " dihedral angles below " +
+             text(options.improve.target_angle, "%g") + " or above 155 degrees, from " + text(missed.least, "%.1f") +
+             " to " + text(missed.greatest, "%.1f") +
              (stretch > kMostStretch ? "; the voxel spacings differ by a factor of " + text(stretch, "%.3g") : ""));
 }
 

@@ -1,6 +1,7 @@
 #include "pipeline/pipeline.hpp"
 
 #include "background/repair.hpp"
+#include "base/counted.hpp"
 #include "base/stage.hpp"
 #include "improving/fit_volumes.hpp"
 #include "mesh/finish.hpp"
@@ -32,8 +33,8 @@ void require_all_labels(const Volume& volume, const LabelledMesh& mesh, const Pi
         if (!options.keeps(m))
             continue;
         if (row.voxels > 0 && row.tets == 0)
-            throw Error(CLEFT_ERROR_LABEL_LOST, name(m) + " (" + std::to_string(row.voxels) +
-                                                    " voxels) has no tetrahedron; a smaller size would keep it");
+            throw Error(CLEFT_ERROR_LABEL_LOST, name(m) + " (" + counted(row.voxels, "voxel") +
+                                                    ") has no tetrahedron; a smaller size would keep it");
         if (row.large_components_lost > 0)
             throw Error(CLEFT_ERROR_LABEL_LOST,
                         name(m) + piece + "without a tetrahedron; a smaller size would keep it");
@@ -43,8 +44,8 @@ void require_all_labels(const Volume& volume, const LabelledMesh& mesh, const Pi
     for (const LabelContact& contact : report.contacts)
         if (options.keeps(contact.first) && options.keeps(contact.second))
             throw Error(CLEFT_ERROR_LABEL_LOST, name(contact.first) + " and " + name(contact.second) + " share " +
-                                                    std::to_string(contact.triangles) +
-                                                    " triangles, but no two of their voxels share a face or an edge; a "
+                                                    counted(contact.triangles, "triangle") +
+                                                    ", but no two of their voxels share a face or an edge; a "
                                                     "smaller size would keep them apart");
 }
 

@@ -31,8 +31,7 @@ void check_options(const SizingOptions& options)
     check_size("interface_size", options.interface_size);
     if (!(options.max_tets >= 0) || !std::isfinite(options.max_tets))
         throw Error(CLEFT_ERROR_OPTION, "max_tets must be 0 or a positive, finite number");
-    if (options.size_max > 0 && options.size_max < options.size_min)
-        throw Error(CLEFT_ERROR_OPTION, "size_max is less than size_min");
+    check_size_range(options);
     if (!(options.feature_scale > 0) || !std::isfinite(options.feature_scale))
         throw Error(CLEFT_ERROR_OPTION, "feature_scale must be positive and finite");
     if (!(options.gradation > 0) || !std::isfinite(options.gradation))
@@ -212,13 +211,20 @@ void keep_to_number(const Sources& from, Limits limits, SizingField& field, cons
                                " tetrahedra: the least size was raised to " + number_text(limits.least_feature);
     // A size that is given for interfaces, labels or points holds whatever it comes to.
     if (expected > kNearly * wanted)
-        run.warn(raised + ", but the sizes that were given still ask for about " + count_text(expected) +
-                 ", more than max_tets, " + count_text(wanted));
+        run.warn(raised + ", but the given sizes of interfaces, labels or points still ask for about " +
+                 count_text(expected) + ", more than max_tets, " + count_text(wanted));
     else
         run.warn(raised + " to keep to max_tets, " + count_text(wanted));
 }
 
 }  // namespace
+
+void check_size_range(const SizingOptions& options)
+{
+    if (options.size_max > 0 && options.size_max < options.size_min)
+        throw Error(CLEFT_ERROR_OPTION, "size_max is " + number_text(options.size_max) + ", less than size_min, " +
+                                            number_text(options.size_min));
+}
 
 SizingField compute_sizing(const Labelling& labelling, const std::vector<int32_t>& labels, const SizingOptions& options,
                            const Run& run)

@@ -69,6 +69,9 @@ inline double SizingField::at(const Vec3& x) const
 
 // The three distance transforms of the paper (section 3, Sizing Field), then limits, user's field and gradation.
 SizingField compute_sizing(const Volume& volume, const SizingOptions& options, const Run& run);
+
+// Throws if the greatest wanted size is less than the least.
+void check_size_range(const SizingOptions& options);
 SizingField constant_sizing(const Grid& grid, double size);
 // A user's own values (positive, finite; an Error names the first that is not), taken as they are.
 SizingField sizing_from_values(const Grid& grid, const double* values);

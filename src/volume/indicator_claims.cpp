@@ -1,5 +1,6 @@
 #include "volume/indicator_claims.hpp"
 
+#include "base/counted.hpp"
 #include "base/parallel.hpp"
 
 #include <algorithm>
@@ -50,17 +51,19 @@ void check_masks(const Fields& fields, float low, int64_t voxels, const Run& run
     const auto claims = [&](size_t v) {
         return std::count_if(fields.begin(), fields.end(), [&](const auto& field) { return field[v] != low; });
     };
-    const std::string of_all = " of " + std::to_string(voxels) + " voxels are in ";
+    const auto share = [&](int64_t count) {
+        return std::to_string(count) + " of " + counted(voxels, "voxel") + " " + is_or_are(count) + " in ";
+    };
     const int64_t unclaimed = count_voxels(voxels, run, [&](size_t v) { return claims(v) == 0; });
     if (unclaimed > 0)
         throw Error(CLEFT_ERROR_ARGUMENT,
-                    std::to_string(unclaimed) + of_all + "none of the " + std::to_string(fields.size()) +
-                        " masks that are given as indicator functions: give the outside a mask of its own, or make one "
-                        "label map of them");
+                    share(unclaimed) + "none of the " + std::to_string(fields.size()) +
+                        " masks that are given as indicator functions: give the outside its own mask, or make one "
+                        "label map of all masks");
     const int64_t shared = count_voxels(voxels, run, [&](size_t v) { return claims(v) > 1; });
     if (shared > 0)
-        run.warn(std::to_string(shared) + of_all +
-                 "several of the masks: that of the greatest value has them, the first of equals");
+        run.warn(share(shared) +
+                 "several of the masks: the mask with the greatest value holds, or the first of equal ones");
 }
 
 // By voxel: whether several functions are the greatest.
@@ -103,8 +106,7 @@ void check_ties(const Fields& fields, const Grid& grid, const Run& run)
     const int64_t all = std::count(tied.begin(), tied.end(), 1);
     run.warn("several indicator functions are the greatest at " + std::to_string(all) + " of " +
              std::to_string(grid.size()) +
-             " voxels, where the first of them holds: give the background a function of "
-             "its own");
+             " voxels, where the first of them holds: give the background its own function");
 }
 
 // A mask is no signed function: where it is 0 is the boundary, so that what is inside swells by almost a voxel.
@@ -112,9 +114,8 @@ void check_signed(const Fields& fields, float low, const Run& run)
 {
     if (low == 0 && are_masks(fields, low))
         run.warn(
-            "the only indicator function is 0 or one other number, as masks are: taken for a "
-            "signed function, its inside reaches to the centres of the voxels that are 0; make "
-            "a label map of it");
+            "the only indicator function is 0 or one other number, like a mask; as a signed function, "
+            "its inside reaches to the centres of the voxels that are 0, so make a label map of it");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Takes in the values of indicator functions, and makes sentinels a little more than the band they lie around.
 #include "volume/indicator_values.hpp"
 
+#include "base/counted.hpp"
 #include "base/number_text.hpp"
 #include "base/ordinal.hpp"
 #include "base/parallel.hpp"
@@ -56,10 +57,9 @@ Range range_of(const Value* values, const Grid& grid, size_t field, const Run& r
 
 void warn_of_far_values(int64_t count, double far, const Run& run)
 {
-    run.warn(std::to_string(count) +
-             (count == 1 ? " value of the indicator functions is" : " values of the indicator functions are") +
-             " beyond " + number_text(kGreatestValue) + " and taken as far away, " + number_text(far) +
-             " of the same sign");
+    run.warn(counted(count, "value of the indicator functions is", "values of the indicator functions are") +
+             " beyond " + number_text(kGreatestValue) + " and taken as far away: as " + number_text(far) +
+             " with the same sign");
 }
 
 }  // namespace

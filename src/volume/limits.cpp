@@ -60,7 +60,7 @@ void check_limits(const Frame& frame)
         throw Error(CLEFT_ERROR_ARGUMENT, "the box of the volume reaches " + number_text(distance) +
                                               " spacings away from the origin, more than " +
                                               number_text(kGreatestDistance) +
-                                              ": numbers there do not tell its points apart");
+                                              ": numbers there cannot tell its points apart");
 }
 
 }  // namespace cleft

@@ -1,5 +1,6 @@
 #include "volume/volume.hpp"
 
+#include "base/counted.hpp"
 #include "base/number_text.hpp"
 #include "base/ordinal.hpp"
 #include "base/stage.hpp"
@@ -82,8 +83,8 @@ std::vector<int32_t> indicator_labels(size_t fields, const std::vector<int32_t>&
         return numbers;
     }
     if (labels.size() != materials)
-        throw Error(CLEFT_ERROR_ARGUMENT, std::to_string(labels.size()) + " labels are given for " +
-                                              std::to_string(materials) + " materials");
+        throw Error(CLEFT_ERROR_ARGUMENT, counted(static_cast<int64_t>(labels.size()), "label is", "labels are") +
+                                              " given for " + counted(static_cast<int64_t>(materials), "material"));
     auto sorted = labels;
     std::sort(sorted.begin(), sorted.end());
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());

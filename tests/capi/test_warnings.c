@@ -217,9 +217,9 @@ static void smooth_that_has_no_effect_is_told(void** state)
     assert_smooth_is_told(context, by_three, three, &told, NULL);
     assert_smooth_is_told(context, by_three, none, &told, NULL);
     assert_mesh_tells(context, by_three, NULL, &told, NULL);
-    assert_smooth_is_told(context, by_three, five, &told, "smooth is 5, but the volume was made with 3, which holds");
+    assert_smooth_is_told(context, by_three, five, &told, "smooth is 5 and has no effect: the volume was made with 3");
     assert_mesh_tells(context, by_default, five, &told, NULL);
-    assert_mesh_tells(context, by_default, three, &told, "smooth is 3, but the volume was made with 5, which holds");
+    assert_mesh_tells(context, by_default, three, &told, "smooth is 3 and has no effect: the volume was made with 5");
     assert_mesh_tells(context, signed_function, none, &told, NULL);
     assert_smooth_is_told(context, signed_function, five, &told, "smooth has no effect on a volume of indicator");
     free(labels);

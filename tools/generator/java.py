@@ -118,12 +118,12 @@ def _record(name, about, values):
 
 
 _RECORDS = {
-    "Estimate": "What a mesh will come to.",
-    "Quality": "The shape of a mesh in figures.",
-    "Validation": "What is wrong with a mesh; all counts of faults are 0 for a sound one.",
-    "LabelReport": "What became of one label. Volumes are in world units cubed.",
-    "Contact": "Two labels that share triangles in the mesh, but of which no two voxels share a face or an edge. The "
-    "gap between them is narrower than the tetrahedra there, and a smaller size opens it.",
+    "Estimate": "The expected size of a mesh.",
+    "Quality": "Measures of the shape of a mesh, in world units.",
+    "Validation": "The faults of a mesh. All counts of faults are 0 for a valid mesh.",
+    "LabelReport": "What became of one label. Volumes are in cubic world units.",
+    "Contact": "Two labels that share triangles in the mesh, although no two of their voxels share a face or an edge. "
+    "The gap between them is narrower than the tetrahedra there, and a smaller size opens it.",
 }
 
 

@@ -4,48 +4,48 @@ namespace Cleft
     /// <summary>Kinds of background meshes.</summary>
     public enum Background
     {
-        /// <summary>Relaxed particles and their Delaunay tetrahedra: the best shapes.</summary>
+        /// <summary>Relaxed particles and their Delaunay tetrahedra, which have the best shapes.</summary>
         Particles = CleftNative.CLEFT_BACKGROUND_PARTICLES,
-        /// <summary>A regular lattice: quick, one size everywhere.</summary>
+        /// <summary>A regular lattice, which is quick and has one size everywhere.</summary>
         Lattice = CleftNative.CLEFT_BACKGROUND_LATTICE,
-        /// <summary>An adaptive lattice.</summary>
+        /// <summary>An adaptive lattice, which is quick and follows the sizing field.</summary>
         Octree = CleftNative.CLEFT_BACKGROUND_OCTREE
     }
 
     /// <summary>Rules that move background points onto interfaces.</summary>
     public enum Snap
     {
-        /// <summary>By the quality of the elements around.</summary>
+        /// <summary>By the quality of the surrounding elements.</summary>
         Quality = CleftNative.CLEFT_SNAP_QUALITY,
-        /// <summary>By the safe distances of the paper.</summary>
+        /// <summary>By the safe distances of the published method.</summary>
         Safe = CleftNative.CLEFT_SNAP_SAFE,
-        /// <summary>Never.</summary>
+        /// <summary>No point moves.</summary>
         None = CleftNative.CLEFT_SNAP_NONE
     }
 
     /// <summary>Effort spent on the worst dihedral angles.</summary>
     public enum Improvement
     {
-        /// <summary>None.</summary>
+        /// <summary>No improvement.</summary>
         Off = CleftNative.CLEFT_IMPROVE_OFF,
-        /// <summary>Some: the default.</summary>
+        /// <summary>Moderate effort, the default.</summary>
         Fast = CleftNative.CLEFT_IMPROVE_FAST,
-        /// <summary>As much as helps.</summary>
+        /// <summary>Effort until nothing improves further.</summary>
         Best = CleftNative.CLEFT_IMPROVE_BEST
     }
 
     /// <summary>Types of voxels.</summary>
     public enum VoxelType
     {
-        /// <summary>Whole numbers of 8 bits without sign.</summary>
+        /// <summary>Unsigned whole numbers of 8 bits.</summary>
         UInt8 = CleftNative.CLEFT_TYPE_UINT8,
-        /// <summary>Whole numbers of 16 bits without sign.</summary>
+        /// <summary>Unsigned whole numbers of 16 bits.</summary>
         UInt16 = CleftNative.CLEFT_TYPE_UINT16,
-        /// <summary>Whole numbers of 16 bits.</summary>
+        /// <summary>Signed whole numbers of 16 bits.</summary>
         Int16 = CleftNative.CLEFT_TYPE_INT16,
-        /// <summary>Whole numbers of 32 bits without sign.</summary>
+        /// <summary>Unsigned whole numbers of 32 bits.</summary>
         UInt32 = CleftNative.CLEFT_TYPE_UINT32,
-        /// <summary>Whole numbers of 32 bits.</summary>
+        /// <summary>Signed whole numbers of 32 bits.</summary>
         Int32 = CleftNative.CLEFT_TYPE_INT32,
         /// <summary>Real numbers, single precision.</summary>
         Float32 = CleftNative.CLEFT_TYPE_FLOAT32,
@@ -72,18 +72,18 @@ namespace Cleft
         Other = CleftNative.CLEFT_SIDE_OTHER
     }
 
-    /// <summary>How much a sentence of the log matters.</summary>
+    /// <summary>Levels of log messages.</summary>
     public enum LogLevel
     {
-        /// <summary>Something may not be as intended.</summary>
+        /// <summary>A result may not be what the user intends.</summary>
         Warning = CleftNative.CLEFT_LOG_WARNING,
-        /// <summary>Good to know.</summary>
+        /// <summary>Useful information.</summary>
         Info = CleftNative.CLEFT_LOG_INFO,
-        /// <summary>For those who look for a fault.</summary>
+        /// <summary>Details for finding a fault.</summary>
         Debug = CleftNative.CLEFT_LOG_DEBUG
     }
 
-    /// <summary>What values an option takes.</summary>
+    /// <summary>Types of option values.</summary>
     public enum OptionType
     {
         /// <summary>Whole numbers.</summary>
@@ -99,9 +99,9 @@ namespace Cleft
     /// <summary>Directions of the world axes.</summary>
     public enum World
     {
-        /// <summary>Left, posterior, superior: ITK's, 3D Slicer's files, DICOM's; the default.</summary>
+        /// <summary>Left, posterior, superior, as in ITK, DICOM and files of 3D Slicer; the default.</summary>
         Lps = CleftIoNative.CLEFT_IO_WORLD_LPS,
-        /// <summary>Right, anterior, superior: NIfTI's; the first two coordinates change their sign.</summary>
+        /// <summary>Right, anterior, superior, as in NIfTI: x and y have the opposite sign.</summary>
         Ras = CleftIoNative.CLEFT_IO_WORLD_RAS
     }
 
@@ -109,21 +109,21 @@ namespace Cleft
     public enum VoxelKind
     {
         /// <summary>
-        /// By the values. One file: whole numbers are labels, also where they are up to 1/50 off; fractions on both
-        /// sides of 0 that change from voxel to voxel are a signed function. Several files or frames: 0 and one other
-        /// whole number each are masks; fractions are indicator functions. Anything else is refused.
+        /// By the values. In one file, whole numbers (within 1/50) are labels. Fractions on both sides of 0 that change
+        /// from voxel to voxel are a signed function. In several files or frames, 0 and one other whole number each are
+        /// masks. Fractions are indicator functions. The component refuses anything else.
         /// </summary>
         Auto = CleftIoNative.CLEFT_IO_KIND_AUTO,
-        /// <summary>Labels: fractions are rounded to the nearest; or several masks.</summary>
+        /// <summary>Labels, fractions rounded to the nearest; or several masks.</summary>
         Labels = CleftIoNative.CLEFT_IO_KIND_LABELS,
-        /// <summary>Indicator functions, of any type of voxels.</summary>
+        /// <summary>Indicator functions, from any type of voxels.</summary>
         Indicators = CleftIoNative.CLEFT_IO_KIND_INDICATORS
     }
 
     /// <summary>What a file holds.</summary>
     public enum Content
     {
-        /// <summary>Neither a volume nor a mesh, as far as one can tell.</summary>
+        /// <summary>Neither a volume nor a mesh, as far as the name and first bytes show.</summary>
         Unknown = CleftIoNative.CLEFT_IO_UNKNOWN,
         /// <summary>A volume.</summary>
         Volume = CleftIoNative.CLEFT_IO_VOLUME,

@@ -32,8 +32,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// One wanted edge length everywhere, in world units; 0: computed from the features of the volume (at least 0;
-        /// default 0).
+        /// One wanted edge length everywhere, in world units. 0: the library computes it from the features of the
+        /// volume (at least 0; default 0).
         /// </summary>
         public double Size
         {
@@ -42,7 +42,7 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Least wanted edge length, in world units; 0: the least voxel spacing (at least 0; default 0).
+        /// Least wanted edge length, in world units. 0: the least voxel spacing (at least 0; default 0).
         /// </summary>
         public double SizeMin
         {
@@ -51,8 +51,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Greatest wanted edge length, in world units (single edges come out up to 2.3 times as long); 0: a quarter of
-        /// the longest side of the box, or its thickness times 1.5 if that is less (at least 0; default 0).
+        /// Greatest wanted edge length, in world units. Single edges may be up to 2.3 times as long. 0: a quarter of
+        /// the longest side of the box, or 1.5 times its thickness if that is less (at least 0; default 0).
         /// </summary>
         public double SizeMax
         {
@@ -61,8 +61,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Edge length at an interface over the local feature size; 0.5 is fine, 2 is coarse (0.001 to 1000; default
-        /// 1).
+        /// Edge length at an interface divided by the local feature size. 0.5 gives a fine mesh, 2 a coarse one (0.001
+        /// to 1000; default 1).
         /// </summary>
         public double FeatureScale
         {
@@ -71,8 +71,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Greatest growth of the edge length over a distance (Lipschitz constant of the sizing field); 0.15 is gentle,
-        /// 1 is steep (0.01 to 1; default 0.3).
+        /// Greatest growth of the edge length per unit of distance (the Lipschitz constant of the sizing field). 0.15
+        /// is gentle, 1 is steep (0.01 to 1; default 0.3).
         /// </summary>
         public double Gradation
         {
@@ -81,7 +81,7 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Greatest wanted edge length at interfaces, in world units; 0: none (at least 0; default 0).
+        /// Greatest wanted edge length at interfaces, in world units. 0: no limit (at least 0; default 0).
         /// </summary>
         public double InterfaceSize
         {
@@ -90,8 +90,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Edges of half the least voxel spacing, or of SizeMin, where a label is one voxel thick, so that such parts
-        /// come out whole (on or off; default off).
+        /// Use edges of half the least voxel spacing, or of SizeMin, where a label is one voxel thick. The mesh then
+        /// keeps such parts whole (on or off; default off).
         /// </summary>
         public bool KeepThin
         {
@@ -100,8 +100,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Wanted number of tetrahedra, of the labels that are kept, met within 10 %; 0: as the sizes say (0 to
-        /// 2147483647; default 0).
+        /// Wanted number of tetrahedra in the kept labels, met within 10 %. The library scales the sizes for it, and
+        /// MaxTets does not limit them. 0: the sizes decide (0 to 2147483647; default 0).
         /// </summary>
         public long Tets
         {
@@ -110,9 +110,9 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Where SizeMin is 0, the least edge length is raised until no more background tetrahedra than about these are
-        /// expected, and where tets counts some labels only, the whole mesh keeps to these; 0: no limit (0 to
-        /// 2147483647; default 10000000).
+        /// Greatest expected number of background tetrahedra. To keep to it, the library raises the least edge length,
+        /// but only if size, SizeMin and tets are 0. If tets is set and labels are left out, MaxTets limits the whole
+        /// mesh instead. 0: no limit (0 to 2147483647; default 10000000).
         /// </summary>
         public long MaxTets
         {
@@ -121,7 +121,7 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Width in voxels of the kernel that smooths label maps, when the volume is made (2 to 6; default 5). It
+        /// Width, in voxels, of the kernel that smooths a label map when the volume is made (2 to 6; default 5). It
         /// counts where a volume is made or read: a finished volume keeps its own.
         /// </summary>
         public int Smooth
@@ -131,8 +131,9 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Rule that moves background points onto interfaces: quality of the elements around, the paper's safe
-        /// distances, or none (quality, safe or none; default quality).
+        /// Rule that moves background points onto interfaces. The rule quality looks at the surrounding elements, and
+        /// safe keeps to the safe distances of the published method. The rule none moves no point (quality, safe or
+        /// none; default quality).
         /// </summary>
         public Cleft.Snap Snap
         {
@@ -149,7 +150,7 @@ namespace Cleft
             set { Set(CleftNative.CLEFT_OPTION_IMPROVE, (long)value); }
         }
 
-        /// <summary>Relaxation steps of the particles (0 to 1000; default 8).</summary>
+        /// <summary>Number of relaxation steps of the particles (0 to 1000; default 8).</summary>
         public int Steps
         {
             get { return (int)Integer(CleftNative.CLEFT_OPTION_STEPS); }
@@ -157,7 +158,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Varies the arrangement of the particles; the same seed gives the same mesh (at least 0; default 0).
+        /// Number that varies the arrangement of the particles. The same seed gives the same mesh (at least 0; default
+        /// 0).
         /// </summary>
         public long Seed
         {
@@ -166,8 +168,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Fail when a kept label, or a piece of more than 30 voxels of one, is lost or breaks, or when two kept labels
-        /// meet that do not in the voxels (on or off; default off).
+        /// Fail if the mesh loses a kept label, or loses or breaks a piece of one of more than 30 voxels. Fail too if
+        /// two kept labels meet in the mesh but not in the voxels (on or off; default off).
         /// </summary>
         public bool Strict
         {
@@ -176,8 +178,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Dihedral angle in degrees below which tetrahedra of a background from a file are repaired before cleaving;
-        /// 0: none (0 to 35; default 30).
+        /// Dihedral angle, in degrees, below which tetrahedra of a user-supplied background are repaired before
+        /// cleaving. 0: no repair (0 to 35; default 30).
         /// </summary>
         public double Repair
         {
@@ -210,7 +212,7 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Sets the greatest wanted edge length inside one label, in world units; 0 takes the wish back.
+        /// Sets the greatest wanted edge length inside one label, in world units; 0 removes the limit for this label.
         /// </summary>
         public Options SetLabelSize(int label, double size)
         {

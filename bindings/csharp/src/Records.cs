@@ -30,7 +30,7 @@ namespace Cleft
             DihedralHistogram = dihedralHistogram;
         }
 
-        /// <summary>Tetrahedra.</summary>
+        /// <summary>Number of tetrahedra.</summary>
         public long TetCount { get; }
         /// <summary>The least dihedral angle, in degrees.</summary>
         public double MinDihedral { get; }
@@ -46,25 +46,25 @@ namespace Cleft
         public long TetsBelow20 { get; }
         /// <summary>Tetrahedra whose greatest dihedral angle is above 165 degrees.</summary>
         public long TetsAbove165 { get; }
-        /// <summary>Circumradius / (3 inradius), 1 for the regular tetrahedron: the median.</summary>
+        /// <summary>Median of the radius ratio, circumradius / (3 * inradius); the least is 1.</summary>
         public double RadiusRatioMedian { get; }
         /// <summary>95th percentile of the radius ratio.</summary>
         public double RadiusRatio95 { get; }
         /// <summary>The greatest radius ratio.</summary>
         public double RadiusRatioMax { get; }
-        /// <summary>Longest / shortest edge of one tetrahedron.</summary>
+        /// <summary>The greatest ratio of longest to shortest edge of one tetrahedron.</summary>
         public double EdgeRatioMax { get; }
-        /// <summary>The shortest edge.</summary>
+        /// <summary>The length of the shortest edge.</summary>
         public double MinEdge { get; }
-        /// <summary>The mean edge.</summary>
+        /// <summary>The mean length of an edge.</summary>
         public double MeanEdge { get; }
-        /// <summary>The longest edge.</summary>
+        /// <summary>The length of the longest edge.</summary>
         public double MaxEdge { get; }
         /// <summary>The least volume of a tetrahedron.</summary>
         public double MinVolume { get; }
-        /// <summary>The volume of all.</summary>
+        /// <summary>The volume of all tetrahedra.</summary>
         public double TotalVolume { get; }
-        /// <summary>All angles, in bins of 5 degrees.</summary>
+        /// <summary>Counts of all dihedral angles, in bins of 5 degrees.</summary>
         public IReadOnlyList<long> DihedralHistogram { get; }
     }
 
@@ -90,27 +90,27 @@ namespace Cleft
             HullTriangles = row.hull_triangles;
         }
 
-        /// <summary>True if nothing is wrong.</summary>
+        /// <summary>True if there is no fault.</summary>
         public bool IsValid { get; }
-        /// <summary>Tetrahedra that are turned inside out, by an exact predicate.</summary>
+        /// <summary>Tetrahedra of negative orientation, by an exact predicate.</summary>
         public long NegativeTets { get; }
-        /// <summary>Tetrahedra that are flat, or of less volume than 1e-12 of the cube of their mean edge.</summary>
+        /// <summary>Tetrahedra that are flat, or of a volume below 1e-12 of their mean edge cubed.</summary>
         public long FlatTets { get; }
         /// <summary>Tetrahedra that name a point twice.</summary>
         public long RepeatedCorners { get; }
-        /// <summary>Faces of more than two tetrahedra.</summary>
+        /// <summary>Faces that more than two tetrahedra share.</summary>
         public long CrowdedFaces { get; }
-        /// <summary>Faces whose two tetrahedra lie on one side.</summary>
+        /// <summary>Faces whose two tetrahedra lie on the same side.</summary>
         public long FoldedFaces { get; }
-        /// <summary>Hull triangles in no side of the bounding box.</summary>
+        /// <summary>Hull triangles that are in no side of the bounding box.</summary>
         public long HullOffBox { get; }
-        /// <summary>Edges inside the box with one interface triangle only.</summary>
+        /// <summary>Edges inside the box that only one interface triangle has.</summary>
         public long OpenInterfaceEdges { get; }
-        /// <summary>Points of no tetrahedron.</summary>
+        /// <summary>Points that no tetrahedron uses.</summary>
         public long UnusedPoints { get; }
-        /// <summary>Points at the place of another.</summary>
+        /// <summary>Points with the coordinates of another point.</summary>
         public long RepeatedPoints { get; }
-        /// <summary>The volume of the tetrahedra.</summary>
+        /// <summary>The volume of all tetrahedra.</summary>
         public double Volume { get; }
         /// <summary>The volume of the bounding box.</summary>
         public double BoxVolume { get; }
@@ -119,10 +119,11 @@ namespace Cleft
         /// <summary>The area of the bounding box.</summary>
         public double BoxArea { get; }
         /// <summary>
-        /// Faces between tetrahedra of different labels, counted face by face: a surface finds as many, by another way.
+        /// Faces between tetrahedra of different labels, counted face by face. cleft_surface_interface_count() of the
+        /// mesh must be the same.
         /// </summary>
         public long InterfaceTriangles { get; }
-        /// <summary>Faces of one tetrahedron, counted so, too.</summary>
+        /// <summary>Faces that only one tetrahedron has; cleft_surface_hull_count() must be the same.</summary>
         public long HullTriangles { get; }
     }
 
@@ -146,32 +147,32 @@ namespace Cleft
 
         /// <summary>The label.</summary>
         public int Label { get; }
-        /// <summary>Its voxels.</summary>
+        /// <summary>Number of its voxels.</summary>
         public long Voxels { get; }
         /// <summary>The volume of its voxels.</summary>
         public double VoxelVolume { get; }
         /// <summary>The volume of its tetrahedra.</summary>
         public double MeshVolume { get; }
-        /// <summary>Its tetrahedra.</summary>
+        /// <summary>Number of its tetrahedra.</summary>
         public long Tets { get; }
-        /// <summary>Pieces of its voxels, joined by faces.</summary>
+        /// <summary>Components of its voxels.</summary>
         public long VoxelComponents { get; }
-        /// <summary>Pieces of its tetrahedra, joined by faces.</summary>
+        /// <summary>Components of its tetrahedra.</summary>
         public long MeshComponents { get; }
         /// <summary>Voxel components of more than 30 voxels.</summary>
         public long LargeComponents { get; }
-        /// <summary>Of those, the ones in which no tetrahedron of the label lies.</summary>
+        /// <summary>Large components in which no tetrahedron of the label lies.</summary>
         public long LargeComponentsLost { get; }
         /// <summary>True if the label has voxels but no tetrahedron.</summary>
         public bool Lost { get; }
         /// <summary>
-        /// Of the large components, those that lie in several components of the mesh, each with half a voxel or more:
-        /// parts thinner than the tetrahedra around broke; a smaller size there keeps them.
+        /// Large components that lie in several components of the mesh, each with half a voxel or more. Such a part
+        /// broke because it is thinner than the tetrahedra around it; a smaller size there keeps it whole.
         /// </summary>
         public long LargeComponentsBroken { get; }
         /// <summary>
-        /// Of the large components, those that lie in one component of the mesh with another of them, each with half a
-        /// voxel or more. They touch over an edge or a corner of voxels, or are nearer than an element tells apart.
+        /// Large components that share a component of the mesh with another large one, each with half a voxel or more.
+        /// They touch over an edge or corner of voxels, or are nearer than one element.
         /// </summary>
         public long LargeComponentsJoined { get; }
     }
@@ -187,9 +188,9 @@ namespace Cleft
 
         /// <summary>The lower of the two labels.</summary>
         public int First { get; }
-        /// <summary>The other.</summary>
+        /// <summary>The higher of the two labels.</summary>
         public int Second { get; }
-        /// <summary>The triangles that the two share.</summary>
+        /// <summary>Number of triangles that the two labels share.</summary>
         public long Triangles { get; }
     }
 
@@ -204,15 +205,17 @@ namespace Cleft
             PeakBytes = row.peak_bytes;
         }
 
-        /// <summary>True if there may be fewer: labels have few points each, and most cuts may have to stay.</summary>
+        /// <summary>
+        /// True if tets is only an upper bound, since labels have few points each and most cuts may have to stay.
+        /// </summary>
         public bool IsBound { get; }
         /// <summary>Tetrahedra of the finished mesh, in the labels that strip and only keep.</summary>
         public double Tets { get; }
-        /// <summary>Tetrahedra of the mesh from which the other labels are left out.</summary>
+        /// <summary>Tetrahedra of the mesh before labels are left out.</summary>
         public double WholeTets { get; }
-        /// <summary>Tetrahedra of the background that is cleaved.</summary>
+        /// <summary>Tetrahedra of the background.</summary>
         public double BackgroundTets { get; }
-        /// <summary>The most memory that a process takes to make the mesh, in bytes, no less.</summary>
+        /// <summary>An upper bound on the memory of a process that makes the mesh, in bytes.</summary>
         public double PeakBytes { get; }
     }
 }

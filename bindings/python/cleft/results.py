@@ -11,11 +11,12 @@ class Estimate:
     """What a mesh will come to."""
 
     # <Estimate> made by tools/generate.py from include/cleft/cleft.h
-    is_bound: bool  #: true if there may be fewer: labels have few points each, and most cuts may have to stay
+    #: true if tets is only an upper bound, since labels have few points each and most cuts may have to stay
+    is_bound: bool
     tets: float  #: tetrahedra of the finished mesh, in the labels that strip and only keep
-    whole_tets: float  #: tetrahedra of the mesh from which the other labels are left out
-    background_tets: float  #: tetrahedra of the background that is cleaved
-    peak_bytes: float  #: the most memory that a process takes to make the mesh, in bytes, no less
+    whole_tets: float  #: tetrahedra of the mesh before labels are left out
+    background_tets: float  #: tetrahedra of the background
+    peak_bytes: float  #: an upper bound on the memory of a process that makes the mesh, in bytes
     # </Estimate>
 
 
@@ -24,7 +25,7 @@ class Quality:
     """The shape of a mesh in figures; angles are dihedral angles, in degrees."""
 
     # <Quality> made by tools/generate.py from include/cleft/cleft.h
-    tet_count: int  #: tetrahedra
+    tet_count: int  #: number of tetrahedra
     min_dihedral: float  #: the least dihedral angle, in degrees
     max_dihedral: float  #: the greatest dihedral angle, in degrees
     tets_below_5: int  #: tetrahedra whose least dihedral angle is below 5 degrees
@@ -32,16 +33,16 @@ class Quality:
     tets_below_15: int  #: tetrahedra whose least dihedral angle is below 15 degrees
     tets_below_20: int  #: tetrahedra whose least dihedral angle is below 20 degrees
     tets_above_165: int  #: tetrahedra whose greatest dihedral angle is above 165 degrees
-    radius_ratio_median: float  #: circumradius / (3 inradius), 1 for the regular tetrahedron: the median
+    radius_ratio_median: float  #: median of the radius ratio, circumradius / (3 * inradius); the least is 1
     radius_ratio_95: float  #: 95th percentile of the radius ratio
     radius_ratio_max: float  #: the greatest radius ratio
-    edge_ratio_max: float  #: longest / shortest edge of one tetrahedron
-    min_edge: float  #: the shortest edge
-    mean_edge: float  #: the mean edge
-    max_edge: float  #: the longest edge
+    edge_ratio_max: float  #: the greatest ratio of longest to shortest edge of one tetrahedron
+    min_edge: float  #: the length of the shortest edge
+    mean_edge: float  #: the mean length of an edge
+    max_edge: float  #: the length of the longest edge
     min_volume: float  #: the least volume of a tetrahedron
-    total_volume: float  #: the volume of all
-    dihedral_histogram: tuple[int, ...]  #: all angles, in bins of 5 degrees
+    total_volume: float  #: the volume of all tetrahedra
+    dihedral_histogram: tuple[int, ...]  #: counts of all dihedral angles, in bins of 5 degrees
     # </Quality>
 
 
@@ -50,23 +51,24 @@ class Validation:
     """What is wrong with a mesh: the counts of faults are 0 for a sound one, which is true in a condition."""
 
     # <Validation> made by tools/generate.py from include/cleft/cleft.h
-    valid: bool  #: true if nothing is wrong
-    negative_tets: int  #: tetrahedra that are turned inside out, by an exact predicate
-    flat_tets: int  #: tetrahedra that are flat, or of less volume than 1e-12 of the cube of their mean edge
+    valid: bool  #: true if there is no fault
+    negative_tets: int  #: tetrahedra of negative orientation, by an exact predicate
+    flat_tets: int  #: tetrahedra that are flat, or of a volume below 1e-12 of their mean edge cubed
     repeated_corners: int  #: tetrahedra that name a point twice
-    crowded_faces: int  #: faces of more than two tetrahedra
-    folded_faces: int  #: faces whose two tetrahedra lie on one side
-    hull_off_box: int  #: hull triangles in no side of the bounding box
-    open_interface_edges: int  #: edges inside the box with one interface triangle only
-    unused_points: int  #: points of no tetrahedron
-    repeated_points: int  #: points at the place of another
-    volume: float  #: the volume of the tetrahedra
+    crowded_faces: int  #: faces that more than two tetrahedra share
+    folded_faces: int  #: faces whose two tetrahedra lie on the same side
+    hull_off_box: int  #: hull triangles that are in no side of the bounding box
+    open_interface_edges: int  #: edges inside the box that only one interface triangle has
+    unused_points: int  #: points that no tetrahedron uses
+    repeated_points: int  #: points with the coordinates of another point
+    volume: float  #: the volume of all tetrahedra
     box_volume: float  #: the volume of the bounding box
     hull_area: float  #: the area of the hull
     box_area: float  #: the area of the bounding box
-    #: faces between tetrahedra of different labels, counted face by face: a surface finds as many, by another way
+    #: faces between tetrahedra of different labels, counted face by face. cleft_surface_interface_count() of the mesh
+    #: must be the same
     interface_triangles: int
-    hull_triangles: int  #: faces of one tetrahedron, counted so, too
+    hull_triangles: int  #: faces that only one tetrahedron has; cleft_surface_hull_count() must be the same
     # </Validation>
     first_fault: str  #: the first fault and its place, "" if there is none
 
@@ -80,20 +82,20 @@ class LabelReport:
 
     # <LabelReport> made by tools/generate.py from include/cleft/cleft.h
     label: int  #: the label
-    voxels: int  #: its voxels
+    voxels: int  #: number of its voxels
     voxel_volume: float  #: the volume of its voxels
     mesh_volume: float  #: the volume of its tetrahedra
-    tets: int  #: its tetrahedra
-    voxel_components: int  #: pieces of its voxels, joined by faces
-    mesh_components: int  #: pieces of its tetrahedra, joined by faces
+    tets: int  #: number of its tetrahedra
+    voxel_components: int  #: components of its voxels
+    mesh_components: int  #: components of its tetrahedra
     large_components: int  #: voxel components of more than 30 voxels
-    large_components_lost: int  #: of those, the ones in which no tetrahedron of the label lies
+    large_components_lost: int  #: large components in which no tetrahedron of the label lies
     lost: bool  #: true if the label has voxels but no tetrahedron
-    #: of the large components, those that lie in several components of the mesh, each with half a voxel or more: parts
-    #: thinner than the tetrahedra around broke; a smaller size there keeps them
+    #: large components that lie in several components of the mesh, each with half a voxel or more. Such a part broke
+    #: because it is thinner than the tetrahedra around it; a smaller size there keeps it whole
     large_components_broken: int
-    #: of the large components, those that lie in one component of the mesh with another of them, each with half a voxel
-    #: or more. They touch over an edge or a corner of voxels, or are nearer than an element tells apart
+    #: large components that share a component of the mesh with another large one, each with half a voxel or more. They
+    #: touch over an edge or corner of voxels, or are nearer than one element
     large_components_joined: int
     # </LabelReport>
 
@@ -108,8 +110,8 @@ class Contact:
 
     # <Contact> made by tools/generate.py from include/cleft/cleft.h
     first: int  #: the lower of the two labels
-    second: int  #: the other
-    triangles: int  #: the triangles that the two share
+    second: int  #: the higher of the two labels
+    triangles: int  #: number of triangles that the two labels share
     # </Contact>
 
 

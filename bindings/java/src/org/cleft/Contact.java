@@ -2,12 +2,12 @@
 package org.cleft;
 
 /**
- * Two labels that share triangles in the mesh, but of which no two voxels share a face or an edge. The gap between them
- * is narrower than the tetrahedra there, and a smaller size opens it.
+ * Two labels that share triangles in the mesh, although no two of their voxels share a face or an edge. The gap between
+ * them is narrower than the tetrahedra there, and a smaller size opens it.
  *
  * @param first the lower of the two labels
- * @param second the other
- * @param triangles the triangles that the two share
+ * @param second the higher of the two labels
+ * @param triangles number of triangles that the two labels share
  */
 public record Contact(
         int first,

@@ -2,13 +2,13 @@
 package org.cleft;
 
 /**
- * What a mesh will come to.
+ * The expected size of a mesh.
  *
- * @param isBound true if there may be fewer: labels have few points each, and most cuts may have to stay
+ * @param isBound true if tets is only an upper bound, since labels have few points each and most cuts may have to stay
  * @param tets tetrahedra of the finished mesh, in the labels that strip and only keep
- * @param wholeTets tetrahedra of the mesh from which the other labels are left out
- * @param backgroundTets tetrahedra of the background that is cleaved
- * @param peakBytes the most memory that a process takes to make the mesh, in bytes, no less
+ * @param wholeTets tetrahedra of the mesh before labels are left out
+ * @param backgroundTets tetrahedra of the background
+ * @param peakBytes an upper bound on the memory of a process that makes the mesh, in bytes
  */
 public record Estimate(
         boolean isBound,

@@ -3,11 +3,11 @@ package org.cleft;
 
 /** Effort spent on the worst dihedral angles. */
 public enum Improvement {
-    /** None. */
+    /** No improvement. */
     OFF(CleftNative.CLEFT_IMPROVE_OFF),
-    /** Some: the default. */
+    /** Moderate effort, the default. */
     FAST(CleftNative.CLEFT_IMPROVE_FAST),
-    /** As much as helps. */
+    /** Effort until nothing improves further. */
     BEST(CleftNative.CLEFT_IMPROVE_BEST);
 
     final int number;

@@ -2,23 +2,22 @@
 package org.cleft;
 
 /**
- * What became of one label. Volumes are in world units cubed.
+ * What became of one label. Volumes are in cubic world units.
  *
  * @param label the label
- * @param voxels its voxels
+ * @param voxels number of its voxels
  * @param voxelVolume the volume of its voxels
  * @param meshVolume the volume of its tetrahedra
- * @param tets its tetrahedra
- * @param voxelComponents pieces of its voxels, joined by faces
- * @param meshComponents pieces of its tetrahedra, joined by faces
+ * @param tets number of its tetrahedra
+ * @param voxelComponents components of its voxels
+ * @param meshComponents components of its tetrahedra
  * @param largeComponents voxel components of more than 30 voxels
- * @param largeComponentsLost of those, the ones in which no tetrahedron of the label lies
+ * @param largeComponentsLost large components in which no tetrahedron of the label lies
  * @param lost true if the label has voxels but no tetrahedron
- * @param largeComponentsBroken of the large components, those that lie in several components of the mesh, each with
- * half a voxel or more: parts thinner than the tetrahedra around broke; a smaller size there keeps them
- * @param largeComponentsJoined of the large components, those that lie in one component of the mesh with another of
- * them, each with half a voxel or more. They touch over an edge or a corner of voxels, or are nearer than an element
- * tells apart
+ * @param largeComponentsBroken large components that lie in several components of the mesh, each with half a voxel or
+ * more. Such a part broke because it is thinner than the tetrahedra around it; a smaller size there keeps it whole
+ * @param largeComponentsJoined large components that share a component of the mesh with another large one, each with
+ * half a voxel or more. They touch over an edge or corner of voxels, or are nearer than one element
  */
 public record LabelReport(
         int label,

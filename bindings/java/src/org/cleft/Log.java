@@ -6,11 +6,11 @@ public interface Log {
     /** How much a sentence matters. */
     enum Level {
         // <constants> made by tools/generate.py from include/cleft/cleft.h
-        /** Something may not be as intended. */
+        /** A result may not be what the user intends. */
         WARNING,
-        /** Good to know. */
+        /** Useful information. */
         INFO,
-        /** For those who look for a fault. */
+        /** Details for finding a fault. */
         DEBUG;
         // </constants>
 

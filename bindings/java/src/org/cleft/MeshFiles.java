@@ -16,9 +16,9 @@ public final class MeshFiles {
     /** Directions of the world axes. */
     public enum World {
         // <World> made by tools/generate.py from include/cleft/cleft_io.h
-        /** Left, posterior, superior: ITK's, 3D Slicer's files, DICOM's; the default. */
+        /** Left, posterior, superior, as in ITK, DICOM and files of 3D Slicer; the default. */
         LPS,
-        /** Right, anterior, superior: NIfTI's; the first two coordinates change their sign. */
+        /** Right, anterior, superior, as in NIfTI: x and y have the opposite sign. */
         RAS
         // </World>
     }
@@ -27,14 +27,14 @@ public final class MeshFiles {
     public enum VoxelKind {
         // <VoxelKind> made by tools/generate.py from include/cleft/cleft_io.h
         /**
-         * By the values. One file: whole numbers are labels, also where they are up to 1/50 off; fractions on both
-         * sides of 0 that change from voxel to voxel are a signed function. Several files or frames: 0 and one other
-         * whole number each are masks; fractions are indicator functions. Anything else is refused.
+         * By the values. In one file, whole numbers (within 1/50) are labels. Fractions on both sides of 0 that change
+         * from voxel to voxel are a signed function. In several files or frames, 0 and one other whole number each are
+         * masks. Fractions are indicator functions. The component refuses anything else.
          */
         AUTO,
-        /** Labels: fractions are rounded to the nearest; or several masks. */
+        /** Labels, fractions rounded to the nearest; or several masks. */
         LABELS,
-        /** Indicator functions, of any type of voxels. */
+        /** Indicator functions, from any type of voxels. */
         INDICATORS
         // </VoxelKind>
     }
@@ -42,7 +42,7 @@ public final class MeshFiles {
     /** What a file holds. */
     public enum Content {
         // <Content> made by tools/generate.py from include/cleft/cleft_io.h
-        /** Neither a volume nor a mesh, as far as one can tell. */
+        /** Neither a volume nor a mesh, as far as the name and first bytes show. */
         UNKNOWN,
         /** A volume. */
         VOLUME,

@@ -42,8 +42,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets {@code size}: one wanted edge length everywhere, in world units; 0: computed from the features of the volume
-     * (at least 0; default 0).
+     * Sets {@code size}: one wanted edge length everywhere, in world units. 0: the library computes it from the
+     * features of the volume (at least 0; default 0).
      *
      * @param value the new value
      * @return these options
@@ -53,8 +53,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * {@code size}: one wanted edge length everywhere, in world units; 0: computed from the features of the volume (at
-     * least 0; default 0).
+     * {@code size}: one wanted edge length everywhere, in world units. 0: the library computes it from the features of
+     * the volume (at least 0; default 0).
      *
      * @return the value
      */
@@ -63,7 +63,7 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets {@code sizeMin}: least wanted edge length, in world units; 0: the least voxel spacing (at least 0; default
+     * Sets {@code sizeMin}: least wanted edge length, in world units. 0: the least voxel spacing (at least 0; default
      * 0).
      *
      * @param value the new value
@@ -74,7 +74,7 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * {@code sizeMin}: least wanted edge length, in world units; 0: the least voxel spacing (at least 0; default 0).
+     * {@code sizeMin}: least wanted edge length, in world units. 0: the least voxel spacing (at least 0; default 0).
      *
      * @return the value
      */
@@ -83,9 +83,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets {@code sizeMax}: greatest wanted edge length, in world units (single edges come out up to 2.3 times as
-     * long); 0: a quarter of the longest side of the box, or its thickness times 1.5 if that is less (at least 0;
-     * default 0).
+     * Sets {@code sizeMax}: greatest wanted edge length, in world units. Single edges may be up to 2.3 times as long.
+     * 0: a quarter of the longest side of the box, or 1.5 times its thickness if that is less (at least 0; default 0).
      *
      * @param value the new value
      * @return these options
@@ -95,8 +94,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * {@code sizeMax}: greatest wanted edge length, in world units (single edges come out up to 2.3 times as long); 0:
-     * a quarter of the longest side of the box, or its thickness times 1.5 if that is less (at least 0; default 0).
+     * {@code sizeMax}: greatest wanted edge length, in world units. Single edges may be up to 2.3 times as long. 0: a
+     * quarter of the longest side of the box, or 1.5 times its thickness if that is less (at least 0; default 0).
      *
      * @return the value
      */
@@ -105,8 +104,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets {@code featureScale}: edge length at an interface over the local feature size; 0.5 is fine, 2 is coarse
-     * (0.001 to 1000; default 1).
+     * Sets {@code featureScale}: edge length at an interface divided by the local feature size. 0.5 gives a fine mesh,
+     * 2 a coarse one (0.001 to 1000; default 1).
      *
      * @param value the new value
      * @return these options
@@ -116,8 +115,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * {@code featureScale}: edge length at an interface over the local feature size; 0.5 is fine, 2 is coarse (0.001 to
-     * 1000; default 1).
+     * {@code featureScale}: edge length at an interface divided by the local feature size. 0.5 gives a fine mesh, 2 a
+     * coarse one (0.001 to 1000; default 1).
      *
      * @return the value
      */
@@ -126,8 +125,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets {@code gradation}: greatest growth of the edge length over a distance (Lipschitz constant of the sizing
-     * field); 0.15 is gentle, 1 is steep (0.01 to 1; default 0.3).
+     * Sets {@code gradation}: greatest growth of the edge length per unit of distance (the Lipschitz constant of the
+     * sizing field). 0.15 is gentle, 1 is steep (0.01 to 1; default 0.3).
      *
      * @param value the new value
      * @return these options
@@ -137,8 +136,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * {@code gradation}: greatest growth of the edge length over a distance (Lipschitz constant of the sizing field);
-     * 0.15 is gentle, 1 is steep (0.01 to 1; default 0.3).
+     * {@code gradation}: greatest growth of the edge length per unit of distance (the Lipschitz constant of the sizing
+     * field). 0.15 is gentle, 1 is steep (0.01 to 1; default 0.3).
      *
      * @return the value
      */
@@ -147,7 +146,7 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets {@code interfaceSize}: greatest wanted edge length at interfaces, in world units; 0: none (at least 0;
+     * Sets {@code interfaceSize}: greatest wanted edge length at interfaces, in world units. 0: no limit (at least 0;
      * default 0).
      *
      * @param value the new value
@@ -158,8 +157,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * {@code interfaceSize}: greatest wanted edge length at interfaces, in world units; 0: none (at least 0; default
-     * 0).
+     * {@code interfaceSize}: greatest wanted edge length at interfaces, in world units. 0: no limit (at least 0;
+     * default 0).
      *
      * @return the value
      */
@@ -168,8 +167,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets {@code keepThin}: edges of half the least voxel spacing, or of sizeMin, where a label is one voxel thick, so
-     * that such parts come out whole (on or off; default off).
+     * Sets {@code keepThin}: use edges of half the least voxel spacing, or of sizeMin, where a label is one voxel
+     * thick. The mesh then keeps such parts whole (on or off; default off).
      *
      * @param value the new value
      * @return these options
@@ -179,8 +178,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * {@code keepThin}: edges of half the least voxel spacing, or of sizeMin, where a label is one voxel thick, so that
-     * such parts come out whole (on or off; default off).
+     * {@code keepThin}: use edges of half the least voxel spacing, or of sizeMin, where a label is one voxel thick. The
+     * mesh then keeps such parts whole (on or off; default off).
      *
      * @return the value
      */
@@ -189,8 +188,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets {@code tets}: wanted number of tetrahedra, of the labels that are kept, met within 10 %; 0: as the sizes say
-     * (0 to 2147483647; default 0).
+     * Sets {@code tets}: wanted number of tetrahedra in the kept labels, met within 10 %. The library scales the sizes
+     * for it, and maxTets does not limit them. 0: the sizes decide (0 to 2147483647; default 0).
      *
      * @param value the new value
      * @return these options
@@ -200,8 +199,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * {@code tets}: wanted number of tetrahedra, of the labels that are kept, met within 10 %; 0: as the sizes say (0
-     * to 2147483647; default 0).
+     * {@code tets}: wanted number of tetrahedra in the kept labels, met within 10 %. The library scales the sizes for
+     * it, and maxTets does not limit them. 0: the sizes decide (0 to 2147483647; default 0).
      *
      * @return the value
      */
@@ -210,9 +209,9 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets {@code maxTets}: where sizeMin is 0, the least edge length is raised until no more background tetrahedra
-     * than about these are expected, and where tets counts some labels only, the whole mesh keeps to these; 0: no limit
-     * (0 to 2147483647; default 10000000).
+     * Sets {@code maxTets}: greatest expected number of background tetrahedra. To keep to it, the library raises the
+     * least edge length, but only if size, sizeMin and tets are 0. If tets is set and labels are left out, maxTets
+     * limits the whole mesh instead. 0: no limit (0 to 2147483647; default 10000000).
      *
      * @param value the new value
      * @return these options
@@ -222,9 +221,9 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * {@code maxTets}: where sizeMin is 0, the least edge length is raised until no more background tetrahedra than
-     * about these are expected, and where tets counts some labels only, the whole mesh keeps to these; 0: no limit (0
-     * to 2147483647; default 10000000).
+     * {@code maxTets}: greatest expected number of background tetrahedra. To keep to it, the library raises the least
+     * edge length, but only if size, sizeMin and tets are 0. If tets is set and labels are left out, maxTets limits the
+     * whole mesh instead. 0: no limit (0 to 2147483647; default 10000000).
      *
      * @return the value
      */
@@ -233,7 +232,7 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets {@code smooth}: width in voxels of the kernel that smooths label maps, when the volume is made (2 to 6;
+     * Sets {@code smooth}: width, in voxels, of the kernel that smooths a label map when the volume is made (2 to 6;
      * default 5). It counts where a volume is made or read: a finished volume keeps its own.
      *
      * @param value the new value
@@ -244,7 +243,7 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * {@code smooth}: width in voxels of the kernel that smooths label maps, when the volume is made (2 to 6; default
+     * {@code smooth}: width, in voxels, of the kernel that smooths a label map when the volume is made (2 to 6; default
      * 5). It counts where a volume is made or read: a finished volume keeps its own.
      *
      * @return the value
@@ -254,8 +253,9 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets {@code snap}: rule that moves background points onto interfaces: quality of the elements around, the paper's
-     * safe distances, or none (quality, safe or none; default quality).
+     * Sets {@code snap}: rule that moves background points onto interfaces. The rule quality looks at the surrounding
+     * elements, and safe keeps to the safe distances of the published method. The rule none moves no point (quality,
+     * safe or none; default quality).
      *
      * @param value the new value
      * @return these options
@@ -265,8 +265,9 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * {@code snap}: rule that moves background points onto interfaces: quality of the elements around, the paper's safe
-     * distances, or none (quality, safe or none; default quality).
+     * {@code snap}: rule that moves background points onto interfaces. The rule quality looks at the surrounding
+     * elements, and safe keeps to the safe distances of the published method. The rule none moves no point (quality,
+     * safe or none; default quality).
      *
      * @return the value
      */
@@ -294,7 +295,7 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets {@code steps}: relaxation steps of the particles (0 to 1000; default 8).
+     * Sets {@code steps}: number of relaxation steps of the particles (0 to 1000; default 8).
      *
      * @param value the new value
      * @return these options
@@ -304,7 +305,7 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * {@code steps}: relaxation steps of the particles (0 to 1000; default 8).
+     * {@code steps}: number of relaxation steps of the particles (0 to 1000; default 8).
      *
      * @return the value
      */
@@ -313,8 +314,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets {@code seed}: varies the arrangement of the particles; the same seed gives the same mesh (at least 0;
-     * default 0).
+     * Sets {@code seed}: number that varies the arrangement of the particles. The same seed gives the same mesh (at
+     * least 0; default 0).
      *
      * @param value the new value
      * @return these options
@@ -324,7 +325,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * {@code seed}: varies the arrangement of the particles; the same seed gives the same mesh (at least 0; default 0).
+     * {@code seed}: number that varies the arrangement of the particles. The same seed gives the same mesh (at least 0;
+     * default 0).
      *
      * @return the value
      */
@@ -333,8 +335,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets {@code strict}: fail when a kept label, or a piece of more than 30 voxels of one, is lost or breaks, or when
-     * two kept labels meet that do not in the voxels (on or off; default off).
+     * Sets {@code strict}: fail if the mesh loses a kept label, or loses or breaks a piece of one of more than 30
+     * voxels. Fail too if two kept labels meet in the mesh but not in the voxels (on or off; default off).
      *
      * @param value the new value
      * @return these options
@@ -344,8 +346,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * {@code strict}: fail when a kept label, or a piece of more than 30 voxels of one, is lost or breaks, or when two
-     * kept labels meet that do not in the voxels (on or off; default off).
+     * {@code strict}: fail if the mesh loses a kept label, or loses or breaks a piece of one of more than 30 voxels.
+     * Fail too if two kept labels meet in the mesh but not in the voxels (on or off; default off).
      *
      * @return the value
      */
@@ -354,8 +356,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets {@code repair}: dihedral angle in degrees below which tetrahedra of a background from a file are repaired
-     * before cleaving; 0: none (0 to 35; default 30).
+     * Sets {@code repair}: dihedral angle, in degrees, below which tetrahedra of a user-supplied background are
+     * repaired before cleaving. 0: no repair (0 to 35; default 30).
      *
      * @param value the new value
      * @return these options
@@ -365,8 +367,8 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * {@code repair}: dihedral angle in degrees below which tetrahedra of a background from a file are repaired before
-     * cleaving; 0: none (0 to 35; default 30).
+     * {@code repair}: dihedral angle, in degrees, below which tetrahedra of a user-supplied background are repaired
+     * before cleaving. 0: no repair (0 to 35; default 30).
      *
      * @return the value
      */
@@ -380,7 +382,7 @@ public final class Options extends NativeObject {
      * Sets the greatest wanted edge length inside one label.
      *
      * @param label the label
-     * @param size in world units; 0 takes the wish back
+     * @param size in world units; 0 removes the limit for this label
      * @return these options
      */
     public Options labelSize(int label, double size) {

@@ -4,9 +4,9 @@ package org.cleft;
 import java.util.List;
 
 /**
- * The shape of a mesh in figures.
+ * Measures of the shape of a mesh, in world units.
  *
- * @param tetCount tetrahedra
+ * @param tetCount number of tetrahedra
  * @param minDihedral the least dihedral angle, in degrees
  * @param maxDihedral the greatest dihedral angle, in degrees
  * @param tetsBelow5 tetrahedra whose least dihedral angle is below 5 degrees
@@ -14,16 +14,16 @@ import java.util.List;
  * @param tetsBelow15 tetrahedra whose least dihedral angle is below 15 degrees
  * @param tetsBelow20 tetrahedra whose least dihedral angle is below 20 degrees
  * @param tetsAbove165 tetrahedra whose greatest dihedral angle is above 165 degrees
- * @param radiusRatioMedian circumradius / (3 inradius), 1 for the regular tetrahedron: the median
+ * @param radiusRatioMedian median of the radius ratio, circumradius / (3 * inradius); the least is 1
  * @param radiusRatio95 95th percentile of the radius ratio
  * @param radiusRatioMax the greatest radius ratio
- * @param edgeRatioMax longest / shortest edge of one tetrahedron
- * @param minEdge the shortest edge
- * @param meanEdge the mean edge
- * @param maxEdge the longest edge
+ * @param edgeRatioMax the greatest ratio of longest to shortest edge of one tetrahedron
+ * @param minEdge the length of the shortest edge
+ * @param meanEdge the mean length of an edge
+ * @param maxEdge the length of the longest edge
  * @param minVolume the least volume of a tetrahedron
- * @param totalVolume the volume of all
- * @param dihedralHistogram all angles, in bins of 5 degrees
+ * @param totalVolume the volume of all tetrahedra
+ * @param dihedralHistogram counts of all dihedral angles, in bins of 5 degrees
  */
 public record Quality(
         long tetCount,

@@ -3,11 +3,11 @@ package org.cleft;
 
 /** Rules that move background points onto interfaces. */
 public enum Snap {
-    /** By the quality of the elements around. */
+    /** By the quality of the surrounding elements. */
     QUALITY(CleftNative.CLEFT_SNAP_QUALITY),
-    /** By the safe distances of the paper. */
+    /** By the safe distances of the published method. */
     SAFE(CleftNative.CLEFT_SNAP_SAFE),
-    /** Never. */
+    /** No point moves. */
     NONE(CleftNative.CLEFT_SNAP_NONE);
 
     final int number;

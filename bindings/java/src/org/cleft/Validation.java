@@ -2,25 +2,25 @@
 package org.cleft;
 
 /**
- * What is wrong with a mesh; all counts of faults are 0 for a sound one.
+ * The faults of a mesh. All counts of faults are 0 for a valid mesh.
  *
- * @param valid true if nothing is wrong
- * @param negativeTets tetrahedra that are turned inside out, by an exact predicate
- * @param flatTets tetrahedra that are flat, or of less volume than 1e-12 of the cube of their mean edge
+ * @param valid true if there is no fault
+ * @param negativeTets tetrahedra of negative orientation, by an exact predicate
+ * @param flatTets tetrahedra that are flat, or of a volume below 1e-12 of their mean edge cubed
  * @param repeatedCorners tetrahedra that name a point twice
- * @param crowdedFaces faces of more than two tetrahedra
- * @param foldedFaces faces whose two tetrahedra lie on one side
- * @param hullOffBox hull triangles in no side of the bounding box
- * @param openInterfaceEdges edges inside the box with one interface triangle only
- * @param unusedPoints points of no tetrahedron
- * @param repeatedPoints points at the place of another
- * @param volume the volume of the tetrahedra
+ * @param crowdedFaces faces that more than two tetrahedra share
+ * @param foldedFaces faces whose two tetrahedra lie on the same side
+ * @param hullOffBox hull triangles that are in no side of the bounding box
+ * @param openInterfaceEdges edges inside the box that only one interface triangle has
+ * @param unusedPoints points that no tetrahedron uses
+ * @param repeatedPoints points with the coordinates of another point
+ * @param volume the volume of all tetrahedra
  * @param boxVolume the volume of the bounding box
  * @param hullArea the area of the hull
  * @param boxArea the area of the bounding box
- * @param interfaceTriangles faces between tetrahedra of different labels, counted face by face: a surface finds as
- * many, by another way
- * @param hullTriangles faces of one tetrahedron, counted so, too
+ * @param interfaceTriangles faces between tetrahedra of different labels, counted face by face.
+ * cleft_surface_interface_count() of the mesh must be the same
+ * @param hullTriangles faces that only one tetrahedron has; cleft_surface_hull_count() must be the same
  * @param firstFault the first fault and its place, "" if there is none
  */
 public record Validation(

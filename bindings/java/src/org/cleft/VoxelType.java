@@ -3,15 +3,15 @@ package org.cleft;
 /** Types of voxels in buffers and raw files. */
 public enum VoxelType {
     // <constants> made by tools/generate.py from include/cleft/cleft.h
-    /** Whole numbers of 8 bits without sign. */
+    /** Unsigned whole numbers of 8 bits. */
     UINT8(CleftNative.CLEFT_TYPE_UINT8),
-    /** Whole numbers of 16 bits without sign. */
+    /** Unsigned whole numbers of 16 bits. */
     UINT16(CleftNative.CLEFT_TYPE_UINT16),
-    /** Whole numbers of 16 bits. */
+    /** Signed whole numbers of 16 bits. */
     INT16(CleftNative.CLEFT_TYPE_INT16),
-    /** Whole numbers of 32 bits without sign. */
+    /** Unsigned whole numbers of 32 bits. */
     UINT32(CleftNative.CLEFT_TYPE_UINT32),
-    /** Whole numbers of 32 bits. */
+    /** Signed whole numbers of 32 bits. */
     INT32(CleftNative.CLEFT_TYPE_INT32),
     /** Real numbers, single precision. */
     FLOAT32(CleftNative.CLEFT_TYPE_FLOAT32),
