@@ -7,6 +7,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace cleft::io
@@ -42,10 +43,10 @@ public:
     {
         if (in_.at_end() || in_.word() != "$MeshFormat")
             in_.fail("a Gmsh file begins with $MeshFormat");
-        // Sections may come in any order and number, and unknown ones are skipped: $Periodic,
-        // $NodeData, $Comments.
         in_.skip_line();
         read_format();
+        // Sections may come in any order and number, and unknown ones are skipped: $Periodic,
+        // $NodeData, $Comments.
         while (!in_.at_end())
             read_section(std::string(in_.word()));
         if (!has_elements_)
@@ -58,7 +59,10 @@ private:
     void read_section(const std::string& section);
     void read_physical_names();
     void name_group(int64_t group, const std::string& text);
-    void read_entities();
+    void read_entities(bool are_parts);
+    void read_entity(int dimension, bool is_part);
+    int64_t group_of_parent();
+    void read_parts();
     void read_nodes_22();
     void read_nodes_41();
     void read_elements_22();
@@ -164,7 +168,9 @@ void GmshReader::read_section(const std::string& section)
     if (section == "$PhysicalNames")
         read_physical_names();
     else if (section == "$Entities" && version_4_)
-        read_entities();
+        read_entities(false);
+    else if (section == "$PartitionedEntities" && version_4_)
+        read_parts();
     else if (section == "$Nodes")
         version_4_ ? read_nodes_41() : read_nodes_22();
     else if (section == "$Elements")
@@ -209,7 +215,7 @@ void GmshReader::name_group(int64_t group, const std::string& text)
         mesh_.names.emplace(label, name);
 }
 
-void GmshReader::read_entities()
+void GmshReader::read_entities(bool are_parts)
 {
     std::array<int64_t, 4> counts{};
     // Points, curves, surfaces and volumes. A point takes 36 bytes in binary, and 8 are a safe
@@ -217,23 +223,55 @@ void GmshReader::read_entities()
     for (int64_t& count : counts)
         count = large_count(8, "entities");
     for (int dimension = 0; dimension < 4; ++dimension)
-        for (int64_t i = 0; i < counts[static_cast<size_t>(dimension)]; ++i) {
-            const int64_t number = small();
-            // A point has its coordinates, everything else its bounding box.
-            for (int b = 0; b < (dimension == 0 ? 3 : 6); ++b)
-                real();
-            const int64_t groups = large_count(1, "physical groups");
-            for (int64_t g = 0; g < groups; ++g) {
-                const int64_t group = small();
-                // A tetrahedron has one label, so of several physical groups the first one decides.
-                if (dimension == 3 && g == 0)
-                    groups_of_volumes_[number] = group;
-            }
-            // Signed tags of the entities around this one. A mesh of tetrahedra does not need them.
-            const int64_t boundaries = dimension > 0 ? large_count(1, "boundaries") : 0;
-            for (int64_t b = 0; b < boundaries; ++b)
-                small();
-        }
+        for (int64_t i = 0; i < counts[static_cast<size_t>(dimension)]; ++i)
+            read_entity(dimension, are_parts);
+}
+
+void GmshReader::read_entity(int dimension, bool is_part)
+{
+    const int64_t number = small();
+    std::optional<int64_t> group;
+    if (is_part)
+        group = group_of_parent();
+    // A point has its coordinates, everything else its bounding box.
+    for (int b = 0; b < (dimension == 0 ? 3 : 6); ++b)
+        real();
+    const int64_t groups = large_count(1, "physical groups");
+    for (int64_t g = 0; g < groups; ++g) {
+        const int64_t own = small();
+        // A tetrahedron has one label, so of several physical groups the first one decides.
+        if (g == 0)
+            group = own;
+    }
+    if (dimension == 3 && group)
+        groups_of_volumes_[number] = *group;
+    // Signed tags of the entities around this one. A mesh of tetrahedra does not need them.
+    const int64_t boundaries = dimension > 0 ? large_count(1, "boundaries") : 0;
+    for (int64_t b = 0; b < boundaries; ++b)
+        small();
+}
+
+// Of the entity that a part belongs to: its physical group, or its own number where it has none.
+int64_t GmshReader::group_of_parent()
+{
+    small();  // the dimension: a part that is a volume has a volume as its parent
+    const int64_t parent = small();
+    const int64_t partitions = large_count(1, "partitions");
+    for (int64_t p = 0; p < partitions; ++p)
+        small();
+    const auto group = groups_of_volumes_.find(parent);
+    return group != groups_of_volumes_.end() ? group->second : parent;
+}
+
+// In a partitioned mesh of version 4.1 the elements name parts of volumes. Parts are numbered anew, behind the volumes,
+// so that their numbers are no labels. Version 2.2 keeps the volumes and names partitions among the tags.
+void GmshReader::read_parts()
+{
+    large();  // the number of partitions
+    const int64_t ghosts = large_count(2, "ghost entities");
+    for (int64_t g = 0; g < 2 * ghosts; ++g)
+        small();
+    read_entities(true);
 }
 
 void GmshReader::read_nodes_22()

@@ -76,6 +76,27 @@ def check_gmsh(sample):
             same(len(tets), len(dumps[0][1]), "numbers of tetrahedra")
 
 
+def check_partitioned(sample):
+    """Two boxes in three partitions: the parts have the labels of their volumes, by group, by name and by number."""
+    boxes = """SetFactory("OpenCASCADE");
+Mesh.MeshSizeMax = 0.5;
+Box(1) = {0, 0, 0, 1, 1, 1}; Box(2) = {1, 0, 0, 1, 1, 1};
+BooleanFragments{ Volume{1}; Delete; }{ Volume{2}; Delete; }
+"""
+    groups = 'Physical Volume("material_minus4", 17) = {1}; Physical Volume("steel", 3) = {2};\n'
+    for name, physical, labels in (("parts", "", [1, 2]), ("parts of groups", groups, [-4, 3])):
+        for version in ("2.2", "4.1"):
+            for binary in (0, 1):
+                script, out = sample.path(name + ".geo"), sample.path("%s-%s-%d.msh" % (name, version, binary))
+                with open(script, "w") as file:
+                    file.write(boxes + physical + "Mesh.MshFileVersion = %s; Mesh.Binary = %d;\n" % (version, binary))
+                subprocess.run(["gmsh", script, "-3", "-part", "3", "-o", out], check=True, stdout=subprocess.DEVNULL)
+                assert version == "2.2" or b"$PartitionedEntities" in open(out, "rb").read()
+                points, tets, got = dump(out)
+                side = (points[tets].mean(axis=1)[:, 0] > 1).astype(int)
+                same(got.tolist(), np.array(labels)[side].tolist(), "labels of " + out)
+
+
 def check_vtk(sample):
     reader = vtk.vtkXMLUnstructuredGridReader()
     reader.SetFileName(sample.path("vtu.vtu"))
@@ -135,4 +156,4 @@ def check_meshio(sample):
 
 if __name__ == "__main__":
     run_checks_with_all_labels(check_own)
-    run_checks(check_gmsh, check_vtk, check_meshio)
+    run_checks(check_gmsh, check_partitioned, check_vtk, check_meshio)
