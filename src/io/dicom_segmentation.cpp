@@ -125,6 +125,22 @@ Overlaps place_frames(const Image& frames, const std::vector<int32_t>& segment_o
     return overlaps;
 }
 
+// Frames of one segment at one place are of several times or resolutions, and the file does not tell which of them is
+// meant. `segment_of` is empty where each frame holds all segments.
+void check_frames_apart(const std::vector<int32_t>& segment_of, const DicomStack& stack)
+{
+    std::map<std::pair<int32_t, int64_t>, size_t> taken;
+    for (size_t f = 0; f < stack.slots.size(); ++f) {
+        const int32_t segment = segment_of.empty() ? 0 : segment_of[f];
+        const auto [place, is_free] = taken.emplace(std::pair(segment, stack.slots[f]), f);
+        if (!is_free)
+            refuse_dicom("the " + ordinal(static_cast<int64_t>(place->second)) + " frame and the " +
+                         ordinal(static_cast<int64_t>(f)) + " frame lie at the same place" +
+                         (segment_of.empty() ? "" : " and hold the same segment") +
+                         ": a series over time, or of several contrasts, is no volume");
+    }
+}
+
 std::vector<std::string> frame_names(int64_t frames)
 {
     std::vector<std::string> names;
@@ -172,6 +188,7 @@ Image read_dicom_segmentation(const DicomFile& file)
     name_segments(segments, labels);
     // In a LABELMAP the pixels are the numbers of the segments, so frames are copied whole.
     if (type == "LABELMAP") {
+        check_frames_apart({}, stack);
         labels.component = frames.component;
         allocate_voxels(labels);
         std::fill_n(labels.voxels.get(), labels.bytes(), std::byte{0});
@@ -192,6 +209,7 @@ Image read_dicom_segmentation(const DicomFile& file)
     // fractions.
     const double greatest = static_cast<double>(file.data.short_number(0x0062000Eu, 255));
     const std::vector<int32_t> segment_of = segments_of_frames(file, format.frames, segments);
+    check_frames_apart(segment_of, stack);
     note_overlaps(place_frames(frames, segment_of, stack, fractional ? greatest / 2 : 1, labels), labels);
     if (fractional)
         labels.notes.push_back("its segments are fractions: a voxel belongs to a segment from a half on");

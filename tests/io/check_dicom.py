@@ -415,6 +415,9 @@ def test_label_map_segmentation():
     dataset = frames_dataset(LABEL_MAP, np.array([voxels[:, :, k].T for k in range(6)]), places, bits=8)
     dataset.SegmentationType = "LABELMAP"
     check(voxels, AFFINE, save(dataset, "labelmap.dcm"))
+    dataset = frames_dataset(LABEL_MAP, np.array([voxels[:, :, k % 6].T for k in range(12)]), 2 * places, bits=8)
+    dataset.SegmentationType = "LABELMAP"
+    refused(FORMAT, "the 1st frame and the 7th frame lie at the same place", save(dataset, "times.dcm"))
 
 
 def test_strange_segmentations():
@@ -423,6 +426,8 @@ def test_strange_segmentations():
     refused(FORMAT, "segment 1", save(segmentation(frames, (2, 5)), "unlisted.dcm"))
     uneven = [(n, (10, 20, z), pixels) for (n, _, pixels), z in zip(frames, (30, 31.7, 35, 42))]
     refused(FORMAT, "evenly spaced", save(segmentation(uneven, (1, 5)), "uneven.dcm"))
+    again = "the 2nd frame and the 5th frame lie at the same place and hold the same segment"
+    refused(FORMAT, again, save(segmentation(frames + frames[1:2], (1, 5)), "again.dcm"))
     refused(FORMAT, "KIND", save(segmentation(frames, (1, 5), kind="KIND"), "kind.dcm"))
     dataset = segmentation(frames, (1, 5))
     del dataset.PerFrameFunctionalGroupsSequence[1].PlanePositionSequence
