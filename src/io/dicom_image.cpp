@@ -124,10 +124,12 @@ Image read_dicom_image(const std::string& path, const FileHead&)
     rescale(planes, image);
     // A single frame needs no place: then its plane gives directions and spacing as far as they are
     // known.
-    if (planes.size() > 1)
+    if (planes.size() > 1) {
         sort_frames(planes, image);
-    else
+    } else {
         set_plane(planes.front(), image);
+        image.placed = planes.front().placed;
+    }
     return image;
 }
 

@@ -22,8 +22,8 @@ enum class Component { uint8, int8, uint16, int16, uint32, int32, uint64, int64,
 size_t size_of(Component component);
 bool is_floating(Component component);
 
-// Voxels are stored with x fastest, then y, z and the field. The index (i, j, k) lies at origin + i
-// * spacing[0] * directions[0] + and so on.
+// Voxels are stored with x fastest, then y, z and the field. Voxel (i, j, k) lies at the origin plus
+// i, j and k steps of the spacing along the directions.
 struct Image {
     std::array<int64_t, 3> dims{1, 1, 1};
     int64_t fields = 1;  // how many volumes of these dimensions, one after the other
@@ -33,6 +33,7 @@ struct Image {
     std::array<Vector3, 3> directions{Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}};
     Vector3 spacing{1, 1, 1};
     Vector3 origin{0, 0, 0};  // centre of the first voxel
+    bool placed = false;      // of one slice: does its format put it at a place of its own in space?
     // What the reader has to tell about the file: sentences that do not name it.
     std::vector<std::string> notes;
     // The names that the file gives to labels.

@@ -3,6 +3,7 @@
 #include "io/image_series.hpp"
 
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "io/dicom_image.hpp"
 #include "io/folder_names.hpp"
 #include "io/text_scanner.hpp"
@@ -182,14 +183,28 @@ std::vector<std::string> numbered_files(const std::string& path, const std::smat
     return found;
 }
 
+// Slices that all lie at one place by their headers. DICOM sorts slices by their places, so that these are no stack.
+// Other programs copy the header of a volume to each of its slices.
+void note_one_place(const Vector3& origin, Image& volume)
+{
+    if (volume.placed && volume.dims[2] > 1)
+        throw Error(CLEFT_ERROR_FORMAT,
+                    "its slices lie at the same place: a series over time, or of several contrasts, is no volume");
+    if (length(origin) > 0 && volume.dims[2] > 1)
+        volume.notes.push_back("its slices all lie at one place by their headers: they are put " +
+                               number_text(volume.spacing[2]) + " apart, in the order of their names");
+}
+
 // DICOM knows where each slice is: the step between slices comes from that, and a missing slice is noticed.
 void set_third_axis(const std::vector<Vector3>& origins, Image& image)
 {
     const double steps = static_cast<double>(origins.size() - 1);
     const Vector3 way = minus(origins.back(), origins.front());
     // PNG, JPEG, BMP and TIFF have no place. The third axis then stays as the first slice has it.
-    if (length(way) == 0)
+    if (length(way) == 0) {
+        note_one_place(origins.front(), image);
         return;
+    }
     const Vector3 step = times(1 / steps, way);
     for (size_t s = 0; s < origins.size(); ++s) {
         const Vector3 expected = times(static_cast<double>(s), step);
@@ -232,6 +247,7 @@ Image stack(const std::vector<std::string>& slices)
             volume.directions = slice.directions;
             volume.spacing = slice.spacing;
             volume.origin = slice.origin;
+            volume.placed = slice.placed;
             allocate_voxels(volume);
         }
         check_alike(slice, slices[s], volume, slices[0]);

@@ -34,6 +34,11 @@ class Slices(CommandTest):
         self.slices(9, pattern="s%03d_mask.nrrd")
         self.assertEqual(self.info("s%03d.nrrd")[0], {0: 12, 1: 12, 2: 12})
 
+    def test_slices_at_one_place_are_told(self):
+        for number in range(3):
+            write_nrrd(self.path("p%d.nrrd" % number), (4, 3, 1), [number] * 12, origin=(5, 6, 7), spacing=(1, 1, 2))
+        self.assertIn("at one place by their headers: they are put 2 apart", self.info("p*.nrrd")[1][0])
+
     def test_slices_without_a_pattern_are_no_masks(self):
         """A shell makes names of a pattern without quotes."""
         for values in ([0, 1], [0, 255], [0, 1, 2]):

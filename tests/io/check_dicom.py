@@ -139,6 +139,15 @@ def test_series():
     refused(FILE, "DICOM series", path("empty"))
 
 
+def test_pattern_of_slices():
+    voxels = random_labels((6, 4, 3), (0, 3, 900))
+    for k in range(3):
+        save(slice_of(voxels[:, :, k], (10, 20, 30 + 3 * k)), 'p%d.dcm' % k)
+        save(slice_of(voxels[:, :, k], (10, 20, 30)), 'q%d.dcm' % k)
+    check(voxels, AFFINE, path('p*.dcm'))
+    refused(FORMAT, 'its slices lie at the same place', path('q*.dcm'))
+
+
 def test_series_without_places():
     voxels = random_labels((6, 4, 3), (0, 3, 9))
     os.makedirs(path("placeless"))
