@@ -33,6 +33,10 @@ bool write_all(int pipe, const void* data, size_t size)
     const auto* at = static_cast<const char*>(data);
     while (size > 0) {
         const ssize_t written = write(pipe, at, std::min<size_t>(size, size_t{1} << 20));
+        // The caller's signal handlers came along with fork(), and signals for its process group reach
+        // the child, too.
+        if (written < 0 && errno == EINTR)
+            continue;
         if (written <= 0)
             return false;
         at += written;

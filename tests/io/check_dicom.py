@@ -1,10 +1,12 @@
 """DICOM: series, volumes of frames, segmentations; damaged files, and what holds no voxels. Files are written by
 pydicom: check_dicom.py DUMP_VOLUME."""
+import io
 import os
 import struct
 
 import numpy as np
 import pydicom
+from PIL import Image
 from pydicom.dataset import Dataset, FileMetaDataset
 from pydicom.encaps import encapsulate
 from pydicom.sequence import Sequence
@@ -142,10 +144,10 @@ def test_series():
 def test_pattern_of_slices():
     voxels = random_labels((6, 4, 3), (0, 3, 900))
     for k in range(3):
-        save(slice_of(voxels[:, :, k], (10, 20, 30 + 3 * k)), 'p%d.dcm' % k)
-        save(slice_of(voxels[:, :, k], (10, 20, 30)), 'q%d.dcm' % k)
-    check(voxels, AFFINE, path('p*.dcm'))
-    refused(FORMAT, 'its slices lie at the same place', path('q*.dcm'))
+        save(slice_of(voxels[:, :, k], (10, 20, 30 + 3 * k)), "p%d.dcm" % k)
+        save(slice_of(voxels[:, :, k], (10, 20, 30)), "q%d.dcm" % k)
+    check(voxels, AFFINE, path("p*.dcm"))
+    refused(FORMAT, "its slices lie at the same place", path("q*.dcm"))
 
 
 def test_series_without_places():
@@ -302,6 +304,25 @@ def test_damaged_compression_does_not_end_the_process():
         dataset.PixelData = encapsulate([junk or b"\0\0"])
         dataset["PixelData"].is_undefined_length = True
         refused(FORMAT, "compressed pixels", save(dataset, "junk2000.dcm", JPEG2000Lossless))
+
+
+def test_signals_while_pixels_are_decoded():
+    """More pixels than a pipe holds, so that the decoding process waits; its caller's handlers interrupt it."""
+    voxels = np.zeros((2048, 2048, 1), int)
+    voxels[1000:1500, 300:900] = 7
+    stream = io.BytesIO()
+    Image.fromarray(voxels[:, :, 0].T.astype("u1")).save(stream, "JPEG2000", no_jp2=True, irreversible=False)
+    dataset = slice_of(voxels[:, :, 0], (10, 20, 30))
+    set_pixels(dataset, voxels[:, :, 0].T[None], bits=8)
+    dataset.PixelData = encapsulate([stream.getvalue()])
+    dataset["PixelData"].is_undefined_length = True
+    name = save(dataset, "large.dcm", JPEG2000Lossless)
+    os.environ["DISTURBED"] = "1"
+    try:
+        _, _, labels, centres = volume_reading.read(name)
+    finally:
+        del os.environ["DISTURBED"]
+    assert labels.tolist() == [0, 7] and (centres == voxels).all()
 
 
 def frames_dataset(storage, frames, positions, orientation=(1, 0, 0, 0, 1, 0), bits=16, measures=(0.5, 0.25, 3)):

@@ -1,11 +1,16 @@
 /* dump_volume WORLD KIND SX SY SZ OUT PATH...: reads a volume (WORLD and KIND: numbers of cleft_io.h; S: spacing, 0 for
  * the file's) and writes to OUT: dims (3 int64), affine (12 double), number of labels (int64), labels (int32), and the
  * label that the volume has at the world place of each voxel centre (int32). Prints what the library tells ("warning:
- * "), the names of labels ("name: ", label, name), and the failure, if any. */
+ * "), the names of labels ("name: ", label, name), and the failure, if any. With DISTURBED in the environment, signals
+ * interrupt it and its children all the time. */
 #include "cleft/cleft_io.h"
 
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
 
 static void write_centres(const cleft_volume* volume, const int64_t dims[3], const double affine[12], FILE* file)
 {
@@ -33,10 +38,32 @@ static void on_log(int32_t level, const char* sentence, void* user)
         printf("warning: %s\n", sentence);
 }
 
+static void on_signal(int signal) { (void)signal; }
+
+/* Sends signals to this process and its children, whose calls to the system then fail with EINTR. */
+static pid_t start_disturbing(void)
+{
+    struct sigaction action = {.sa_handler = on_signal}; /* without SA_RESTART, as Python has it */
+    if (setpgid(0, 0) != 0 || sigaction(SIGUSR1, &action, NULL) != 0)
+        exit(2);
+    const pid_t pest = fork();
+    for (const struct timespec pause = {.tv_nsec = 50000}; pest == 0 && getppid() != 1; nanosleep(&pause, NULL))
+        kill(0, SIGUSR1);
+    return pest;
+}
+
+static void stop_disturbing(pid_t pest)
+{
+    kill(pest, SIGKILL);
+    while (waitpid(pest, NULL, 0) < 0)
+        ;
+}
+
 int main(int argc, char** argv)
 {
     cleft_context* context = NULL;
     cleft_volume* volume = NULL;
+    const pid_t pest = getenv("DISTURBED") ? start_disturbing() : -1;
     if (argc < 8 || cleft_context_create(&context) != CLEFT_OK ||
         cleft_context_set_log(context, on_log, NULL) != CLEFT_OK)
         return 2;
@@ -45,6 +72,8 @@ int main(int argc, char** argv)
         reading.spacing[axis] = atof(argv[3 + axis]);
     const cleft_status status =
         cleft_io_read_volume(context, NULL, (const char* const*)(argv + 7), argc - 7, &reading, &volume);
+    if (pest > 0)
+        stop_disturbing(pest);
     if (status != CLEFT_OK) {
         printf("%d %s\n", (int)status, cleft_context_last_error(context));
     } else {
