@@ -1,8 +1,10 @@
 // Formats of volumes that are not read, but known: each is called by its name, with a way to turn it into one that is.
 #include "base/error.hpp"
 #include "io/file_name.hpp"
-#include "io/header_values.hpp"
 #include "io/image_readers.hpp"
+
+#include <algorithm>
+#include <string_view>
 
 namespace cleft::io
 {
@@ -107,13 +109,24 @@ std::string kind_of_vtk_xml(const FileHead& head)
 }
 
 // The name of the user's file is put into the command, so that it can be copied from the message.
-[[noreturn]] void refuse_foreign(const std::string& path, const std::string& name, std::string way)
+// FILE and STEM are replaced in one pass, as the name of the user's file may have these letters in it.
+std::string with_names(std::string_view way, const std::string& file)
+{
+    const std::string stem = file.substr(0, file.size() - extension_of(file).size());
+    std::string text;
+    while (!way.empty()) {
+        const bool is_file = way.substr(0, 4) == "FILE";
+        const bool is_stem = way.substr(0, 4) == "STEM";
+        text += is_file ? file : is_stem ? stem : std::string(1, way.front());
+        way.remove_prefix(is_file || is_stem ? 4 : 1);
+    }
+    return text;
+}
+
+[[noreturn]] void refuse_foreign(const std::string& path, const std::string& name, const std::string& way)
 {
     const std::string file = path.substr(path.find_last_of('/') + 1);
-    // STEM first, since FILE may stand for a name that has STEM in it.
-    replace_all(way, "STEM", file.substr(0, file.size() - extension_of(path).size()));
-    replace_all(way, "FILE", file);
-    throw Error(CLEFT_ERROR_UNSUPPORTED, "it is " + name + ", which cannot be read: " + way);
+    throw Error(CLEFT_ERROR_UNSUPPORTED, "it is " + name + ", which cannot be read: " + with_names(way, file));
 }
 
 }  // namespace

@@ -423,6 +423,7 @@ def test_foreign_formats():
     for name, data, words in (
         ("v.mgz", gzip.compress(mgh), "'mri_convert v.mgz v.nii.gz'"),
         ("v.mgh", mgh, "mri_convert"),
+        ("PROFILE_STEM.mgh", mgh, "'mri_convert PROFILE_STEM.mgh PROFILE_STEM.nii.gz'"),
         ("v.npy", b"\x93NUMPY\1\0", "--dims"),
         ("v.npz", b"PK\3\4", "NumPy"),
         ("v.h5", b"\x89HDF\r\n\x1a\n", "h5py"),
