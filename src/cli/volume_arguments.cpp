@@ -95,24 +95,30 @@ void VolumeArguments::add_reading_to(CLI::App& app)
                             ->check(positive_length())
                             ->type_name("S")
                             ->group(group);
-    app.add_option("--dims", dims, "Read raw voxels without a header: voxels along x (fastest), y, z")
-        ->expected(3)
-        ->delimiter(',')
-        ->check(CLI::PositiveNumber.description(""))
-        ->type_name("N")
-        // Raw voxels have no unit of a file that a scale could change.
-        ->excludes(unit)
-        ->group(group);
+    CLI::Option* raw =
+        app.add_option("--dims", dims, "Read raw voxels without a header: voxels along x (fastest), y, z")
+            ->expected(3)
+            ->delimiter(',')
+            ->check(CLI::PositiveNumber.description(""))
+            ->type_name("N")
+            // Raw voxels have no unit of a file that a scale could change.
+            ->excludes(unit)
+            ->group(group);
+    // A header tells these three. Without --dims they would have no effect, and the user would not know.
     app.add_option("--type", type,
                    "Type of raw voxels: uint8, uint16, int16, uint32, int32, float32,\nfloat64 (default uint8)")
         ->check(CLI::IsMember(type_names()).description(""))
         ->type_name("TYPE")
+        ->needs(raw)
         ->group(group);
     app.add_option("--skip", skip, "Bytes before the first raw voxel (default 0)")
         ->check(CLI::NonNegativeNumber.description(""))
         ->type_name("BYTES")
+        ->needs(raw)
         ->group(group);
-    app.add_flag("--big-endian", big_endian, "Raw voxels have their most significant byte first")->group(group);
+    app.add_flag("--big-endian", big_endian, "Raw voxels have their most significant byte first")
+        ->needs(raw)
+        ->group(group);
 }
 
 cleft_io_kind VolumeArguments::kind_number() const

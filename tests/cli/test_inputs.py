@@ -21,6 +21,11 @@ class Inputs(CommandTest):
         raw = self.mesh(self.path("b.raw"), "--dims", "16,16,16", "--type", "uint16", "--big-endian")
         self.assertEqual([row["label"] for row in raw["labels"]], [0, 3, 7])
 
+    def test_a_layout_of_raw_voxels_needs_their_dimensions(self):
+        """A header tells them otherwise, so they would have no effect."""
+        for words in (["--type", "uint16"], ["--skip", 6], ["--big-endian"]):
+            self.assert_fails(USAGE, cleft("info", self.volume, *words), words[0], "--dims")
+
     def test_several_inputs_are_indicator_functions(self):
         report = self.mesh(*[DATA / ("spheres%d.nrrd" % i) for i in (1, 2, 3, 4)])
         self.assertEqual([row["label"] for row in report["labels"]], [0, 1, 2, 3])
