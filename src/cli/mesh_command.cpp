@@ -53,8 +53,7 @@ std::vector<OutputFile> checked_outputs(const MeshArguments& arguments)
     if (arguments.outputs.empty() && !arguments.estimate)
         throw usage_failure("--output is required (or --estimate)");
     std::vector<std::string> inputs = arguments.input.inputs;
-    // Files that are read later are inputs, too: an output must not replace them. Empty names are
-    // passed over.
+    // Files that are read later are inputs, too: an output must not replace them.
     inputs.insert(inputs.end(), {arguments.sizing_file, arguments.background_file});
     refuse_conflicts(inputs, arguments.outputs, arguments.run.json);
     std::vector<OutputFile> outputs;
@@ -142,7 +141,6 @@ int tell_estimate(Session& session, const MeshArguments& arguments, const cleft_
 MeshFindings checked_findings(Session& session, const MeshArguments& arguments, const cleft_volume* volume,
                               const cleft_mesh* mesh)
 {
-    // A background of the user's may have any shape.
     bool whole = arguments.background_file.empty();
     for (int64_t i = 0; i < cleft_volume_label_count(volume); ++i)
         whole = whole && !arguments.left_out(cleft_volume_labels(volume)[i]);
@@ -160,8 +158,7 @@ MeshFindings checked_findings(Session& session, const MeshArguments& arguments, 
             fault = surface_fault(validation, found);
         }
     });
-    // A mesh that fails its check is a fault of the library. It is not written, as it would be used
-    // all the same.
+    // It is not written, as somebody would use it all the same.
     if (!fault.empty())
         throw Failure(EXIT_CHECK_FAILED, CLEFT_ERROR_INVALID_MESH,
                       "the mesh is not valid, and was not written: " + fault);
@@ -223,7 +220,6 @@ void warn_of_lost_labels(Session& session, const MeshArguments& arguments, const
 {
     LabelList lost, pieces_lost, broken;
     for (const LabelFindings& row : result.report.labels) {
-        // What the user left out is neither lost nor broken.
         if (arguments.left_out(row.label))
             continue;
         const std::string of_pieces = " of " + plural(row.large_components, "piece");
@@ -250,7 +246,6 @@ void print_summary(const Session& session, const MeshArguments& arguments, const
                    const StagedOutputs& staged)
 {
     const auto left_out = [&](int32_t label) { return arguments.left_out(label); };
-    // --verbose asks for everything.
     const std::size_t limit = arguments.run.verbose ? result.report.labels.size() : labels_shown;
     std::string text = volume_line(result.volume) + mesh_lines(result.mesh) + "\n" +
                        dihedral_histogram(result.mesh.quality) + "\n" +
@@ -274,8 +269,7 @@ void write_report(const Session& session, const MeshArguments& arguments, const 
     report["outputs"] = arguments.outputs;
     report["world"] = arguments.input.world;
     report["options"] = arguments.options.as_json(options);
-    // The option holds the name of a kind. The file that was used instead is what the reader of a
-    // report wants.
+    // The option holds the name of a kind, and the run used the file instead.
     if (!arguments.background_file.empty())
         report["options"]["background"] = arguments.background_file;
     report["options"]["sizing"] = arguments.sizing_file;
@@ -381,8 +375,7 @@ Command add_mesh_command(CLI::App& app)
     arguments->options.add_label_sizes_to(parser);
     // The command also takes a file here; the table of the library knows the kinds only.
     parser.get_option("--background")->type_name("particles|lattice|octree|FILE");
-    // --sizing and --combine belong to the command alone, but are shown with the options about
-    // sizes.
+    // --sizing and --combine are no options of the library, but belong among the sizes in help.
     const std::string sizes = parser.get_option("--size")->get_group();
     parser
         .add_option("--sizing", arguments->sizing_file,

@@ -12,11 +12,14 @@ namespace cleft_cli
 
 // All functions give whole lines, each with its end.
 std::string volume_line(const VolumeFindings& volume);
+// A row a label: voxels, volume, and share of the voxels of the box.
 std::string labels_table(const VolumeFindings& volume);
+// A row a label: tetrahedra, volume, and share of the volume of the mesh.
 std::string labels_table(const MeshFindings& mesh);
 
 // Counts, angles and shapes: some lines.
 std::string mesh_lines(const MeshFindings& mesh);
+// A bar for each bin of 5 degrees that has an angle.
 std::string dihedral_histogram(const cleft_quality& quality);
 
 // One line a label; at most `limit` of them, those whose volumes differ most.
@@ -25,7 +28,9 @@ std::string label_report_table(const std::vector<LabelFindings>& rows,
 
 // Seconds by the clock and of all threads, and the peak of memory of the process.
 std::string time_line(const Session& session, int64_t tets);
+// Seconds by the clock and of all threads, and the peak of memory up to the end of each stage.
 std::string stages_table(const Session& session);
+// `first_fault` is the library's sentence, "" for a valid mesh.
 std::string validation_lines(const cleft_validation& validation, const std::string& first_fault);
 
 }  // namespace cleft_cli
