@@ -35,9 +35,8 @@ inline const char* exit_code_help()
 
 // what() is the sentence for the user, without the name of the command.
 struct Failure : std::runtime_error {
-    // The underscores keep the parameters from hiding the members below.
-    Failure(int exit_code_, cleft_status status_, const std::string& sentence)
-        : std::runtime_error(sentence), exit_code(exit_code_), status(status_)
+    Failure(int code, cleft_status why, const std::string& sentence)
+        : std::runtime_error(sentence), exit_code(code), status(why)
     {
     }
     int exit_code;

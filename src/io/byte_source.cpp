@@ -66,9 +66,9 @@ public:
         try {
             // The subtraction on the right cannot wrap, as the left side has been checked. A
             // header's claim of 2^64 - 1 bytes stops here.
-            if (offset > size || (length != to_the_end && length > size - offset))
+            if (offset > size || (length != kToTheEnd && length > size - offset))
                 too_short(offset > size ? offset - size : length - (size - offset));
-            unread_ = length == to_the_end ? size - offset : length;
+            unread_ = length == kToTheEnd ? size - offset : length;
             if (offset > 0 && lseek(descriptor_, static_cast<off_t>(offset), SEEK_SET) < 0)
                 cannot_read(errno);
             // 15: the largest window of RFC 1951, 32 kB. 32: zlib finds out by itself whether gzip
@@ -194,7 +194,7 @@ void ByteSource::expect(uintmax_t bytes) const
         // not there.
         if (bytes > left)
             too_short(bytes - left);
-    } else if (bytes / greatest_deflate_ratio > left + 8) {  // some bits may be with zlib already
+    } else if (bytes / kGreatestDeflateRatio > left + 8) {  // some bits may be with zlib already
         throw Error(CLEFT_ERROR_FORMAT,
                     "its header claims " + std::to_string(bytes) + " bytes, which its compressed data cannot hold");
     }

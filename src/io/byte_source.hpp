@@ -14,7 +14,7 @@ namespace cleft::io
 // Deflate shrinks by this factor at most: its longest match is of 258 bytes (RFC 1951, section 3.2.5), and a match
 // takes two bits at least. A header that claims more than this of its compressed data is damaged, or made to exhaust
 // memory.
-constexpr uintmax_t greatest_deflate_ratio = 1032;
+constexpr uintmax_t kGreatestDeflateRatio = 1032;
 
 enum class Coding { plain, deflated };  // deflated: gzip (of several members, too) or a zlib stream
 
@@ -23,11 +23,11 @@ class ByteSource
 {
 public:
     // As a length: all bytes from the offset on.
-    static constexpr uintmax_t to_the_end = std::numeric_limits<uintmax_t>::max();
+    static constexpr uintmax_t kToTheEnd = std::numeric_limits<uintmax_t>::max();
 
     // `length` bytes of the file from `offset` on, which must be there. Throws Error(CLEFT_ERROR_FILE) for what is no
     // regular file, and Error(CLEFT_ERROR_FORMAT) here and below for files that are too short or damaged.
-    explicit ByteSource(const std::string& path, Coding coding, uintmax_t offset = 0, uintmax_t length = to_the_end);
+    explicit ByteSource(const std::string& path, Coding coding, uintmax_t offset = 0, uintmax_t length = kToTheEnd);
     ByteSource(ByteSource&&) noexcept;
     ByteSource& operator=(ByteSource&&) noexcept;
     ~ByteSource();

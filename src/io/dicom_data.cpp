@@ -217,7 +217,7 @@ std::string inflated(std::string_view packed)
             data.resize(size);
             return data;
         }
-        if (result != LIBDEFLATE_INSUFFICIENT_SPACE || room > greatest_deflate_ratio * packed.size() + 1000)
+        if (result != LIBDEFLATE_INSUFFICIENT_SPACE || room > kGreatestDeflateRatio * packed.size() + 1000)
             refuse_damaged("its deflated data cannot be unpacked");
     }
 }

@@ -89,7 +89,7 @@ void check_png(const PngDecoder& decoder, uintmax_t file_bytes)
     // IDAT is a zlib stream (PNG specification, section 10.1), so its expansion has a bound.
     const double decoded = static_cast<double>(png_get_rowbytes(decoder.png, decoder.info)) *
                            static_cast<double>(png_get_image_height(decoder.png, decoder.info));
-    if (decoded > greatest_deflate_ratio * static_cast<double>(file_bytes))
+    if (decoded > kGreatestDeflateRatio * static_cast<double>(file_bytes))
         throw Error(CLEFT_ERROR_FORMAT, "it claims more voxels than its bytes can hold");
 }
 

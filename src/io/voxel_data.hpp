@@ -22,7 +22,7 @@ struct VoxelData {
     int64_t offset = 0;
     int64_t lines = 0;
     int64_t skip = 0;
-    uintmax_t length = ByteSource::to_the_end;  // of what is compressed
+    uintmax_t length = ByteSource::kToTheEnd;  // of what is compressed
     // One after the other; each holds an equal share of the voxels.
     std::vector<std::string> files;
 };

@@ -128,7 +128,7 @@ std::string read_compressed(Stored stored)
         const uint64_t size = b + 1 == blocks && last_bytes > 0 ? last_bytes : block_bytes;
         const uint64_t packed_size = stored.header_item(header, 3 + b);
         // Before memory is taken for the block.
-        if (size / greatest_deflate_ratio > packed_size)
+        if (size / kGreatestDeflateRatio > packed_size)
             damaged(stored.array, "has a damaged header");
         bytes.resize(bytes.size() + size);
         if (!inflate_block(packed.data() + at, packed_size, bytes.data() + bytes.size() - size, size))

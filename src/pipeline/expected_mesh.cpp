@@ -88,9 +88,8 @@ std::array<Vec3, 4> corners_around(const Vec3& x, double edge, uint64_t sample)
 // A place in a voxel.
 Vec3 place_in(int64_t voxel, const Grid& grid, uint64_t sample)
 {
-    const int64_t row = grid.dims[0], rows = grid.dims[1];
-    Vec3 place(static_cast<double>(voxel % row), static_cast<double>(voxel / row % rows),
-               static_cast<double>(voxel / row / rows));
+    const int64_t row = grid.dims[0], rows = grid.dims[1], k = voxel / row / rows;
+    Vec3 place(static_cast<double>(voxel % row), static_cast<double>(voxel / row % rows), static_cast<double>(k));
     for (int axis = 0; axis < 3; ++axis)
         place[axis] += unit_random(sample, 3 + static_cast<uint64_t>(axis));
     return place.cwiseProduct(grid.spacing);

@@ -50,9 +50,9 @@ public:
             return density(static_cast<double>(field_.h[static_cast<size_t>(voxel)]));
         cells_left_ = kMostCells;
         double sum = 0;  // of the octants, in each of which the field is trilinear
-        const int64_t row = field_.grid.dims[0], rows = field_.grid.dims[1];
+        const int64_t row = field_.grid.dims[0], rows = field_.grid.dims[1], k = voxel / row / rows;
         const Vec3 place(static_cast<double>(voxel % row), static_cast<double>(voxel / row % rows),
-                         static_cast<double>(voxel / row / rows));
+                         static_cast<double>(k));
         const Vec3 half = 0.5 * field_.grid.spacing, corner = place.cwiseProduct(field_.grid.spacing);
         for (int octant = 0; octant < 8; ++octant)
             sum += integral(corner + half.cwiseProduct(Vec3(octant & 1, octant >> 1 & 1, octant >> 2)), half, 0);
