@@ -3,10 +3,10 @@
 #include "base/degrees.hpp"
 #include "base/stage.hpp"
 #include "mesh/adjacency.hpp"
-#include "mesh/angle_notes.hpp"
-#include "mesh/flips.hpp"
-#include "mesh/smoothing.hpp"
-#include "mesh/worst_first.hpp"
+#include "remeshing/angle_notes.hpp"
+#include "remeshing/flips.hpp"
+#include "remeshing/smoothing.hpp"
+#include "remeshing/worst_first.hpp"
 
 #include <algorithm>
 #include <cmath>

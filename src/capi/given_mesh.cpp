@@ -5,11 +5,11 @@
 #include "base/ordinal.hpp"
 #include "base/stage.hpp"
 #include "capi/mesh_frame.hpp"
+#include "checking/quick_check.hpp"
+#include "checking/validate.hpp"
 #include "mesh/bounding_box.hpp"
 #include "mesh/finish.hpp"
-#include "mesh/quick_check.hpp"
 #include "mesh/strip.hpp"
-#include "mesh/validate.hpp"
 
 #include <algorithm>
 #include <string>

@@ -2,9 +2,9 @@
 #include "base/struct_size.hpp"
 #include "capi/firewall.hpp"
 #include "capi/mesh_frame.hpp"
+#include "checking/validate.hpp"
 #include "mesh/bounding_box.hpp"
 #include "mesh/quality.hpp"
-#include "mesh/validate.hpp"
 #include "pipeline/label_report.hpp"
 
 #include <algorithm>

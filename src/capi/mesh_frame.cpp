@@ -2,7 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/stage_timer.hpp"
-#include "mesh/quick_check.hpp"
+#include "checking/quick_check.hpp"
 
 #include <algorithm>
 #include <string>

@@ -5,7 +5,7 @@
 #include "capi/kept_labels.hpp"
 #include "capi/mesh_frame.hpp"
 #include "capi/options.hpp"
-#include "mesh/quick_check.hpp"
+#include "checking/quick_check.hpp"
 #include "pipeline/pipeline.hpp"
 
 #include <algorithm>

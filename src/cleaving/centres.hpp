@@ -8,7 +8,7 @@
 #include "base/stage.hpp"
 #include "cleaving/sample_store.hpp"
 #include "cleaving/stencil_table.hpp"
-#include "cleaving/tie.hpp"
+#include "volume/tie.hpp"
 
 #include <memory>
 

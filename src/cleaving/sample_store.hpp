@@ -1,7 +1,7 @@
 // What the volume says at the vertices of the background, kept short: root searches start from both ends of an edge.
 #pragma once
 
-#include "cleaving/material_set.hpp"
+#include "volume/material_set.hpp"
 #include "volume/volume.hpp"
 
 #include <limits>

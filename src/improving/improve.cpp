@@ -3,7 +3,7 @@
 #include "base/degrees.hpp"
 #include "base/stage.hpp"
 #include "improving/improver.hpp"
-#include "mesh/angle_notes.hpp"
+#include "remeshing/angle_notes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/run.hpp"
-#include "mesh/local_mesh.hpp"
+#include "remeshing/local_mesh.hpp"
 #include "volume/volume.hpp"
 
 namespace cleft

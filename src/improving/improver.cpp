@@ -1,8 +1,8 @@
 #include "improving/improver.hpp"
 
 #include "mesh/adjacency.hpp"
-#include "mesh/edge_split.hpp"
-#include "mesh/flips.hpp"
+#include "remeshing/edge_split.hpp"
+#include "remeshing/flips.hpp"
 
 #include <algorithm>
 

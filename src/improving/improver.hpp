@@ -2,8 +2,8 @@
 #pragma once
 
 #include "improving/tie_constraint.hpp"
-#include "mesh/contraction.hpp"
-#include "mesh/worst_first.hpp"
+#include "remeshing/contraction.hpp"
+#include "remeshing/worst_first.hpp"
 
 #include <array>
 #include <set>

@@ -1,6 +1,6 @@
 #include "improving/tie_constraint.hpp"
 
-#include "cleaving/tie.hpp"
+#include "volume/tie.hpp"
 
 namespace cleft
 {

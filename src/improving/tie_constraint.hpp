@@ -2,8 +2,8 @@
 // triple line, a quadruple point), points of the hull within its planes.
 #pragma once
 
-#include "cleaving/material_set.hpp"
-#include "mesh/smoothing.hpp"
+#include "remeshing/smoothing.hpp"
+#include "volume/material_set.hpp"
 #include "volume/volume.hpp"
 
 namespace cleft

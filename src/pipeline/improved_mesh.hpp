@@ -1,8 +1,8 @@
 // Improving a cleaved mesh, in several tries if need be.
 #pragma once
 
-#include "mesh/local_mesh.hpp"
 #include "pipeline/pipeline.hpp"
+#include "remeshing/local_mesh.hpp"
 
 namespace cleft
 {

@@ -3,7 +3,7 @@
 #include "background/repair.hpp"
 #include "base/counted.hpp"
 #include "base/stage.hpp"
-#include "improving/fit_volumes.hpp"
+#include "fitting/fit_volumes.hpp"
 #include "mesh/finish.hpp"
 #include "pipeline/improved_mesh.hpp"
 #include "pipeline/label_report.hpp"

@@ -1,13 +1,13 @@
 // Improving: better angles, and nothing else changes.
+#include "checking/validate.hpp"
 #include "cleaving/cleave.hpp"
 #include "improving/improve.hpp"
 #include "mesh/finish.hpp"
 #include "mesh/quality.hpp"
-#include "mesh/validate.hpp"
 #include "support/bcc.hpp"
 #include "support/cmocka.hpp"
+#include "support/topology.hpp"
 #include "support/volumes.hpp"
-#include "topology.hpp"
 
 #include <cmath>
 #include <set>

@@ -1,0 +1,93 @@
+// Looks for points that are not finite or at one place, and for tetrahedra that are flat or inverted.
+#include "checking/quick_check.hpp"
+
+#include "base/ordinal.hpp"
+#include "base/parallel.hpp"
+#include "mesh/predicates.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace cleft
+{
+
+namespace
+{
+
+constexpr int64_t kQuickGrain = 4096;
+
+// The least index that is at fault, or -1.
+template <class IsFault>
+int64_t first_that(int64_t count, const Run& run, const IsFault& is_fault)
+{
+    std::vector<int64_t> first(static_cast<size_t>(chunk_count(count, kQuickGrain)), -1);
+    parallel_chunks(run, count, kQuickGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
+        for (int64_t i = begin; i < end && first[static_cast<size_t>(chunk)] < 0; ++i)
+            if (is_fault(static_cast<size_t>(i)))
+                first[static_cast<size_t>(chunk)] = i;
+    });
+    const auto found = std::find_if(first.begin(), first.end(), [](int64_t i) { return i >= 0; });
+    return found == first.end() ? -1 : *found;
+}
+
+uint64_t mixed(uint64_t x)
+{
+    x ^= x >> 31;
+    x *= 0x9e3779b97f4a7c15u;
+    return x ^ x >> 29;
+}
+
+uint64_t hash_of(const Vec3& point)
+{
+    uint64_t hash = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double x = point[axis] + 0.0;  // no negative zero
+        uint64_t bits = 0;
+        std::memcpy(&bits, &x, sizeof bits);
+        hash = mixed(hash + bits);
+    }
+    return hash;
+}
+
+bool before(const Vec3& a, const Vec3& b)
+{
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+}
+
+// The later of two points at one place, or -1. Points of different hashes are at different places; where hashes are
+// equal, which is next to never for different points, all are sorted.
+int64_t repeated_point(const std::vector<Vec3>& points)
+{
+    std::vector<uint64_t> hashes(points.size());
+    std::transform(points.begin(), points.end(), hashes.begin(), hash_of);
+    std::sort(hashes.begin(), hashes.end());
+    if (std::adjacent_find(hashes.begin(), hashes.end()) == hashes.end())
+        return -1;
+    std::vector<size_t> order(points.size());
+    for (size_t i = 0; i < order.size(); ++i)
+        order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return before(points[a], points[b]); });
+    const auto twice = std::adjacent_find(order.begin(), order.end(),
+                                          [&](size_t a, size_t b) { return !before(points[a], points[b]); });
+    return twice == order.end() ? -1 : static_cast<int64_t>(*(twice + 1));
+}
+
+}  // namespace
+
+std::string quick_fault(const std::vector<Vec3>& points, const std::vector<Tet>& tets, const Run& run)
+{
+    const int64_t wild =
+        first_that(static_cast<int64_t>(points.size()), run, [&](size_t i) { return !points[i].allFinite(); });
+    if (wild >= 0)
+        return "the " + ordinal(wild) + " point is not finite";
+    const int64_t twice = repeated_point(points);
+    if (twice >= 0)
+        return "the " + ordinal(twice) + " point is at the place of another";
+    const int64_t turned = first_that(static_cast<int64_t>(tets.size()), run, [&](size_t t) {
+        const auto corner = [&](size_t i) -> const Vec3& { return points[static_cast<size_t>(tets[t][i])]; };
+        return orient_sign(corner(0), corner(1), corner(2), corner(3)) <= 0;
+    });
+    return turned < 0 ? "" : "the " + ordinal(turned) + " tetrahedron is flat or inverted";
+}
+
+}  // namespace cleft

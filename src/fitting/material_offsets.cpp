@@ -1,0 +1,72 @@
+#include "fitting/material_offsets.hpp"
+
+#include "base/disjoint_sets.hpp"
+
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+
+namespace cleft
+{
+
+namespace
+{
+
+// By material: the same number for all that touch, directly or over others.
+std::vector<int32_t> groups_in_touch(const std::vector<Contact>& contacts, size_t materials)
+{
+    DisjointSets sets(materials);
+    for (const Contact& c : contacts)
+        sets.join(c.first, c.second);
+    return sets.take();
+}
+
+// What one material wins another loses, so a group in touch cannot win together: what it misses in sum (the volume of a
+// label that is not in the mesh; rounding) is taken off, by areas. Without that the system has no solution, and
+// conjugate gradients run away.
+Eigen::VectorXd attainable(const std::vector<Contact>& contacts, const std::vector<double>& missing)
+{
+    const size_t n = missing.size();
+    const std::vector<int32_t> group = groups_in_touch(contacts, n);
+    const auto of = [&](size_t m) { return static_cast<size_t>(group[m]); };
+    std::vector<double> area(n, 0), group_area(n, 0), group_missing(n, 0);
+    for (const Contact& c : contacts) {
+        area[static_cast<size_t>(c.first)] += c.area;
+        area[static_cast<size_t>(c.second)] += c.area;
+    }
+    for (size_t m = 0; m < n; ++m) {
+        group_area[of(m)] += area[m];
+        group_missing[of(m)] += missing[m];
+    }
+    Eigen::VectorXd out(static_cast<Eigen::Index>(n));
+    for (size_t m = 0; m < n; ++m) {
+        const double share = group_area[of(m)] > 0 ? area[m] / group_area[of(m)] : 0;
+        out[static_cast<Eigen::Index>(m)] = area[m] > 0 ? missing[m] - share * group_missing[of(m)] : 0;
+    }
+    return out;
+}
+
+}  // namespace
+
+std::vector<double> material_offsets(const std::vector<Contact>& contacts, const std::vector<double>& missing)
+{
+    // Area-weighted graph Laplacian: singular, as offsets that are all equal move nothing. Conjugate gradients from
+    // zero stay orthogonal to that.
+    const auto n = static_cast<Eigen::Index>(missing.size());
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(4 * contacts.size());
+    for (const Contact& c : contacts) {
+        entries.emplace_back(c.first, c.first, c.area);
+        entries.emplace_back(c.second, c.second, c.area);
+        entries.emplace_back(c.first, c.second, -c.area);
+        entries.emplace_back(c.second, c.first, -c.area);
+    }
+    Eigen::SparseMatrix<double> laplacian(n, n);
+    laplacian.setFromTriplets(entries.begin(), entries.end());
+    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver(laplacian);
+    solver.setTolerance(1e-6);
+    solver.setMaxIterations(500);
+    const Eigen::VectorXd offsets = solver.solve(attainable(contacts, missing));
+    return {offsets.data(), offsets.data() + n};
+}
+
+}  // namespace cleft

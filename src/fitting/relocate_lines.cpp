@@ -1,0 +1,85 @@
+#include "fitting/relocate_lines.hpp"
+
+#include "remeshing/smoothing.hpp"
+#include "volume/tie.hpp"
+
+#include <algorithm>
+
+namespace cleft
+{
+
+namespace
+{
+
+// Smaller moves are not worth their price, in lengths of the edges around.
+constexpr double kLeastStep = 5e-3;
+constexpr double kLeastStepShare = 0.1;
+constexpr int kLineRounds = 3;  // a point that is in the way may have moved on
+
+class Settler
+{
+public:
+    Settler(LocalMesh& mesh, const Volume& volume, double floor) : mesh_(mesh), volume_(volume), floor_(floor) {}
+
+    enum class Place { on_tie, off_tie, without_tie };
+
+    Place settle(int32_t v)
+    {
+        star_.load(mesh_, v);
+        MaterialSet materials;
+        for (const int32_t t : star_.tets())
+            if (!materials.unite(MaterialSet(mesh_.material(t))))
+                return Place::without_tie;
+        const Vec3 from = mesh_.point(v);
+        const double reach = star_.reach(from);
+        const auto on_tie = project_to_tie(volume_, from, from, materials, mesh_.frozen(v), reach, samples_);
+        if (!on_tie)
+            return Place::without_tie;
+        if ((*on_tie - from).norm() < kLeastStep * reach)
+            return Place::on_tie;
+        const double least = std::min(floor_, star_.worst_at(from, -1));
+        for (double share = 1; share > kLeastStepShare; share *= 0.5) {
+            const Vec3 x = from + share * (*on_tie - from);
+            if (star_.worst_at(x, least) > least) {
+                mesh_.move(v, x);
+                return share == 1 ? Place::on_tie : Place::off_tie;
+            }
+        }
+        return Place::off_tie;
+    }
+
+private:
+    LocalMesh& mesh_;
+    const Volume& volume_;
+    const double floor_;
+    TetStar star_;
+    Samples samples_;
+};
+
+}  // namespace
+
+LinePoints settle_lines(LocalMesh& mesh, const Volume& volume, double floor, const Meetings& meetings, const Run& run)
+{
+    LinePoints out;
+    std::vector<int32_t> points;
+    for (int32_t v = 0; v < mesh.point_count(); ++v)
+        if (meetings[static_cast<size_t>(v)] == Meeting::line)
+            points.push_back(v);
+    Settler settler(mesh, volume, floor);
+    for (int round = 0; round < kLineRounds; ++round) {
+        std::vector<int32_t> left;
+        for (size_t i = 0; i < points.size(); ++i) {
+            run.check_at(i, 1 << 8);
+            const Settler::Place place = settler.settle(points[i]);
+            if (place == Settler::Place::off_tie)
+                left.push_back(points[i]);
+            else if (place == Settler::Place::without_tie)
+                out.without_tie.push_back(points[i]);
+        }
+        points.swap(left);
+    }
+    out.off = static_cast<int64_t>(points.size());
+    return out;
+}
+
+}  // namespace cleft

@@ -1,0 +1,20 @@
+// Points where three or four materials meet belong on the tie of all of them.
+#pragma once
+
+#include "fitting/meetings.hpp"
+#include "volume/volume.hpp"
+
+namespace cleft
+{
+
+struct LinePoints {
+    int64_t off = 0;                   // how many are not on their tie yet
+    std::vector<int32_t> without_tie;  // near enough
+};
+
+// Cleaving leaves triple points at the mean of the cuts around them, and improving lets the points of bad tetrahedra
+// leave the tie by a little: each such point moves back to it, or as much of the way as leaves the tetrahedra around no
+// worse than `floor` (of angle_quality) or than the worst of them already is.
+LinePoints settle_lines(LocalMesh& mesh, const Volume& volume, double floor, const Meetings& meetings, const Run& run);
+
+}  // namespace cleft

@@ -1,0 +1,49 @@
+// Edge contraction: takes out a point by moving it onto a neighbour.
+#pragma once
+
+#include "remeshing/cavity.hpp"
+
+namespace cleft
+{
+
+// Decides and does contractions that change nothing but shapes: the hull, which materials meet where, and the topology
+// of every material and interface stay. Keeps its memory between calls.
+class Contraction
+{
+public:
+    // Moves the first corner of t onto the second and takes out the tetrahedra between, if that is allowed and makes
+    // the worst tetrahedron at the first corner better (than `share` of its quality). What came in their place is in
+    // cavity.created.
+    bool contract(LocalMesh& mesh, int32_t t, int corner_gone, int corner_kept, Cavity& cavity, double share = 1);
+
+private:
+    // A boundary triangle (of an interface or the hull) at a point, by its two other points in ascending order.
+    using Opposite = std::array<int32_t, 2>;
+    // What the boundary triangles at a point look like from an edge of the point.
+    struct BoundaryEdge {
+        int32_t other;  // end of the edge
+        int triangles;  // at the edge
+    };
+    struct BoundaryStar {
+        std::vector<Opposite> triangles;  // ascending
+        std::vector<BoundaryEdge> edges;  // ascending by `other`
+
+        int triangles_at(int32_t other) const;
+        bool has(const Opposite& triangle) const;
+    };
+
+    bool hull_allows(const LocalMesh& mesh) const;
+    bool shapes_get_better(LocalMesh& mesh, Cavity& cavity, double share) const;
+    bool same_stratum(const LocalMesh& mesh);
+    bool materials_are_connected(LocalMesh& mesh);
+    bool links_allow(LocalMesh& mesh);
+    void load_boundary(const LocalMesh& mesh, int32_t v, const std::vector<int32_t>& star, BoundaryStar& out) const;
+
+    int32_t gone_ = -1, kept_ = -1;
+    std::vector<int32_t> star_gone_, star_kept_;
+    BoundaryStar boundary_gone_, boundary_kept_;
+    std::vector<Material> at_point_, at_edge_;
+    std::vector<int32_t> part_;
+};
+
+}  // namespace cleft

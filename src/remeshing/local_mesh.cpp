@@ -1,0 +1,266 @@
+#include "remeshing/local_mesh.hpp"
+
+#include "base/large_pages.hpp"
+#include "base/parallel.hpp"
+#include "base/wide_vectors.hpp"
+#include "mesh/adjacency.hpp"
+#include "mesh/angle_quality.hpp"
+#include "mesh/quality.hpp"
+#include "mesh/surface_points.hpp"
+
+#include <algorithm>
+
+namespace cleft
+{
+namespace
+{
+
+constexpr double kUnknown = 2;  // no quality
+
+// The other two corners of a tetrahedron at the edge a b, in the order that makes a, b, c, d positive.
+Hinge hinge(const Tet& v, int32_t t, int32_t a, int32_t b)
+{
+    for (size_t e = 0; e < 6; ++e) {
+        const int32_t from = v[at(kEdgeCorners[e][0])], to = v[at(kEdgeCorners[e][1])];
+        if (!((from == a && to == b) || (from == b && to == a)))
+            continue;
+        // (edge, opposite) is an even permutation of the corners for every edge but (0, 2) and (1, 3).
+        const bool even = e != 1 && e != 4;
+        const int32_t c = v[at(kEdgeOpposite[e][even ? 0 : 1])], d = v[at(kEdgeOpposite[e][even ? 1 : 0])];
+        return from == a ? Hinge{t, c, d} : Hinge{t, d, c};
+    }
+    return {t, -1, -1};
+}
+
+// Four tetrahedra side by side.
+class Foursome
+{
+public:
+    // True if it is full now.
+    bool add(int32_t t, const Tet& tet, const std::vector<Vec3>& points)
+    {
+        for (size_t c = 0; c < 4; ++c)
+            for (int axis = 0; axis < 3; ++axis)
+                corner_[c][axis][size_] = points[at(tet[c])][axis];
+        number_[size_++] = t;
+        return size_ == kLanes;
+    }
+    void measure(std::vector<double>& quality)
+    {
+        double found[kLanes];
+        find(found);
+        for (size_t i = 0; i < size_; ++i)
+            quality[at(number_[i])] = found[i];
+        size_ = 0;
+    }
+
+private:
+    static constexpr size_t kLanes = 4;
+
+    CLEFT_WIDE_VECTORS void find(double* quality) const
+    {
+        const auto& [a, b, c, d] = corner_;
+        for (size_t i = 0; i < kLanes; ++i)
+            quality[i] = angle_quality(Triple{a[0][i], a[1][i], a[2][i]}, Triple{b[0][i], b[1][i], b[2][i]},
+                                       Triple{c[0][i], c[1][i], c[2][i]}, Triple{d[0][i], d[1][i], d[2][i]});
+    }
+
+    double corner_[4][3][kLanes] = {};  // by corner and axis
+    int32_t number_[kLanes] = {};
+    size_t size_ = 0;
+};
+
+}  // namespace
+
+LocalMesh::LocalMesh(std::vector<Vec3> points, std::vector<Tet> tets, std::vector<Material> material, const Run& run)
+    : points_(std::move(points)),
+      tets_(std::move(tets)),
+      materials_(std::move(material)),
+      stars_(tets_, points_.size(), run),
+      quality_(large_vector(tets_.size(), kUnknown))
+{
+    freeze_hull(run);
+}
+
+void LocalMesh::freeze_hull(const Run& run)
+{
+    frozen_.assign(points_.size(), 0);
+    const std::vector<uint8_t> inside = points_inside(tets_, points_.size(), run);
+    for (int32_t v = 0; v < point_count(); ++v) {
+        if (inside[at(v)])
+            continue;
+        for (const int32_t t : star(v))
+            for (int corner = 0; corner < 4; ++corner) {
+                const auto& f = kFaceCorners[corner];
+                const int32_t a = tet(t)[at(f[0])], b = tet(t)[at(f[1])], c = tet(t)[at(f[2])];
+                if (v != std::min({a, b, c}) || inside[at(a)] || inside[at(b)] || inside[at(c)] ||
+                    neighbour(t, corner) >= 0)
+                    continue;
+                const unsigned axes = hull_axes(point(a), point(b), point(c));
+                for (const int32_t p : {a, b, c})
+                    frozen_[at(p)] = static_cast<uint8_t>(frozen_[at(p)] | axes);
+            }
+    }
+}
+
+int32_t LocalMesh::neighbour(int32_t t, int corner) const
+{
+    const auto& f = kFaceCorners[corner];
+    const int32_t a = tet(t)[at(f[0])], b = tet(t)[at(f[1])], c = tet(t)[at(f[2])];
+    for (const int32_t n : star(a))
+        if (n != t && has_corner(tet(n), b) && has_corner(tet(n), c))
+            return n;
+    return -1;
+}
+
+bool LocalMesh::is_boundary(int32_t t, int corner) const
+{
+    const int32_t n = neighbour(t, corner);
+    return n < 0 || material(n) != material(t);
+}
+
+void LocalMesh::ring(int32_t t, int corner_a, int corner_b, EdgeRing& out) const
+{
+    out.a = tet(t)[at(corner_a)];
+    out.b = tet(t)[at(corner_b)];
+    auto& left = out.unordered;
+    left.clear();
+    for (const int32_t n : star(out.a))
+        if (has_corner(tet(n), out.b))
+            left.push_back(hinge(tet(n), n, out.a, out.b));
+    // It begins at the hinge that no other leads to, if there is one, else at t.
+    auto first = std::find_if(left.begin(), left.end(), [&](const Hinge& h) { return h.tet == t; });
+    for (auto h = left.begin(); h != left.end(); ++h)
+        if (std::none_of(left.begin(), left.end(), [&](const Hinge& before) { return before.d == h->c; }))
+            first = h;
+    out.points.clear();
+    out.tets.clear();
+    const int32_t start = first->c;
+    int32_t end = start;
+    while (first != left.end()) {
+        out.points.push_back(first->c);
+        out.tets.push_back(first->tet);
+        end = first->d;
+        *first = left.back();
+        left.pop_back();
+        first = std::find_if(left.begin(), left.end(), [&](const Hinge& h) { return h.c == end; });
+    }
+    out.closed = end == start;
+    out.whole = left.empty();
+    if (!out.closed)
+        out.points.push_back(end);
+}
+
+void LocalMesh::move(int32_t v, const Vec3& to)
+{
+    points_[at(v)] = to;
+    for (const int32_t t : star(v))
+        quality_[at(t)] = kUnknown;
+}
+
+int32_t LocalMesh::add_point(const Vec3& x, uint8_t frozen)
+{
+    points_.push_back(x);
+    frozen_.push_back(frozen);
+    stars_.add_point();
+    return point_count() - 1;
+}
+
+void LocalMesh::replace(const std::vector<int32_t>& old_tets, const std::vector<Tet>& new_tets,
+                        const std::vector<Material>& new_materials, std::vector<int32_t>& created)
+{
+    for (const int32_t t : old_tets) {
+        for (const int32_t v : tet(t))
+            stars_.remove(v, t);
+        tets_[at(t)][0] = -1;
+        free_slots_.push_back(t);
+    }
+    created.clear();
+    for (size_t i = 0; i < new_tets.size(); ++i) {
+        const int32_t t = take_slot();
+        tets_[at(t)] = new_tets[i];
+        quality_[at(t)] = kUnknown;
+        if (!materials_.empty())
+            materials_[at(t)] = new_materials[i];
+        created.push_back(t);
+        for (const int32_t v : new_tets[i])
+            stars_.add(v, t);
+    }
+}
+
+int32_t LocalMesh::take_slot()
+{
+    if (!free_slots_.empty()) {
+        const int32_t t = free_slots_.back();
+        free_slots_.pop_back();
+        return t;
+    }
+    tets_.emplace_back();
+    quality_.push_back(kUnknown);
+    if (!materials_.empty())
+        materials_.push_back(0);
+    return slot_count() - 1;
+}
+
+double LocalMesh::quality(const Tet& corners) const
+{
+    return angle_quality(point(corners[0]), point(corners[1]), point(corners[2]), point(corners[3]));
+}
+
+double LocalMesh::quality(int32_t t) const
+{
+    double& known = quality_[at(t)];
+    if (known == kUnknown)
+        known = quality(tet(t));
+    return known;
+}
+
+void LocalMesh::find_qualities(const Run& run) const
+{
+    constexpr int64_t kGrain = 1 << 14;
+    parallel_for(run, slot_count(), kGrain, [&](int64_t begin, int64_t end) {
+        Foursome four;
+        for (auto t = static_cast<int32_t>(begin); t < end; ++t)
+            if (alive(t) && quality_[at(t)] == kUnknown && four.add(t, tet(t), points_))
+                four.measure(quality_);
+        four.measure(quality_);
+    });
+}
+
+double LocalMesh::worst(const std::vector<int32_t>& tets) const
+{
+    double least = 1;
+    for (const int32_t t : tets)
+        least = std::min(least, quality(t));
+    return least;
+}
+
+LabelledMesh LocalMesh::take()
+{
+    LabelledMesh mesh;
+    reserve_large(mesh.points, points_.size());
+    std::vector<int32_t> number = large_vector(points_.size(), -1);
+    for (int32_t v = 0; v < point_count(); ++v)
+        if (!star(v).empty()) {
+            number[at(v)] = static_cast<int32_t>(mesh.points.size());
+            mesh.points.push_back(point(v));
+        }
+    size_t kept = 0;
+    for (int32_t t = 0; t < slot_count(); ++t)
+        if (alive(t)) {
+            for (int32_t& v : tets_[at(t)])
+                v = number[at(v)];
+            tets_[kept] = tets_[at(t)];
+            if (!materials_.empty())
+                materials_[kept] = materials_[at(t)];
+            ++kept;
+        }
+    tets_.resize(kept);
+    if (!materials_.empty())
+        materials_.resize(kept);
+    mesh.tets = std::move(tets_);
+    mesh.material = std::move(materials_);
+    return mesh;
+}
+
+}  // namespace cleft

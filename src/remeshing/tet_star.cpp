@@ -1,0 +1,125 @@
+#include "remeshing/tet_star.hpp"
+
+#include "base/wide_vectors.hpp"
+#include "mesh/adjacency.hpp"
+#include "mesh/angle_quality.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cleft
+{
+void TetStar::load(const LocalMesh& mesh, int32_t v)
+{
+    begin(mesh.star(v).size());
+    tets_.assign(mesh.star(v).begin(), mesh.star(v).end());
+    for (const int32_t t : tets_)
+        add(mesh, mesh.tet(t), mesh.corner_of(t, v));
+    fill_last();
+}
+
+// Each tetrahedron of the ring is split in two: the new point takes the place of either end.
+void TetStar::load(const LocalMesh& mesh, const EdgeRing& ring)
+{
+    begin(2 * ring.tets.size());
+    tets_ = ring.tets;
+    for (const int32_t t : tets_) {
+        add(mesh, mesh.tet(t), mesh.corner_of(t, ring.a));
+        add(mesh, mesh.tet(t), mesh.corner_of(t, ring.b));
+    }
+    fill_last();
+}
+
+void TetStar::begin(size_t capacity)
+{
+    lanes_.resize((capacity + kLanes - 1) / kLanes);
+    size_ = 0;
+}
+
+void TetStar::add(const LocalMesh& mesh, const Tet& tet, int corner)
+{
+    Lanes& lanes = lanes_[size_ / kLanes];
+    for (size_t c = 0; c < 3; ++c) {
+        const Vec3& x = mesh.point(tet[at(kFaceCorners[corner][c])]);
+        for (size_t axis = 0; axis < 3; ++axis)
+            lanes.corner[c][axis][size_ % kLanes] = x[static_cast<int>(axis)];
+    }
+    ++size_;
+}
+
+void TetStar::fill_last()
+{
+    for (size_t lane = size_ % kLanes; lane != 0 && lane < kLanes; ++lane)
+        for (auto& corner : lanes_.back().corner)
+            for (auto& axis : corner)
+                axis[lane] = axis[0];
+}
+
+double TetStar::reach(const Vec3& x) const
+{
+    double sum = 0;
+    for (size_t i = 0; i < size_; ++i)
+        sum += (opposite(i, 0) - x).norm();
+    return sum / static_cast<double>(size_);
+}
+
+Vec3 TetStar::centroid(const Vec3& x) const
+{
+    Vec3 sum(0, 0, 0);
+    for (size_t i = 0; i < size_; ++i)
+        sum += opposite(i, 0) + opposite(i, 1) + opposite(i, 2);
+    return 0.25 * (x + sum / static_cast<double>(size_));
+}
+
+// Nearly all the time of smoothing is spent here.
+CLEFT_WIDE_VECTORS double TetStar::worst_of(const Lanes& lanes, const Vec3& x)
+{
+    const auto& [b, c, d] = lanes.corner;
+    const Triple a{x.x(), x.y(), x.z()};
+    double quality[kLanes];
+    for (size_t i = 0; i < kLanes; ++i)
+        quality[i] =
+            angle_quality(a, {b[0][i], b[1][i], b[2][i]}, {c[0][i], c[1][i], c[2][i]}, {d[0][i], d[1][i], d[2][i]});
+    return *std::min_element(quality, quality + kLanes);
+}
+
+double TetStar::worst_at(const Vec3& x, double floor) const
+{
+    double worst = 1;
+    for (const Lanes& lanes : lanes_) {
+        worst = std::min(worst, worst_of(lanes, x));
+        if (worst <= floor)
+            return worst;
+    }
+    return worst;
+}
+
+CLEFT_WIDE_VECTORS void TetStar::find_gradients(const Lanes& lanes, const Vec3& x, Gradients& out)
+{
+    const auto& [b, c, d] = lanes.corner;
+    const Triple a{x.x(), x.y(), x.z()};
+    for (size_t i = 0; i < kLanes; ++i) {
+        const AngleQuality found = angle_quality_gradient(a, {b[0][i], b[1][i], b[2][i]}, {c[0][i], c[1][i], c[2][i]},
+                                                          {d[0][i], d[1][i], d[2][i]});
+        out.quality[i] = found.value;
+        out.gradient[0][i] = found.gradient.x;
+        out.gradient[1][i] = found.gradient.y;
+        out.gradient[2][i] = found.gradient.z;
+    }
+}
+
+void TetStar::gradients_at(const Vec3& x, std::vector<double>& quality, std::vector<Vec3>& gradient) const
+{
+    quality.resize(size_);
+    gradient.resize(size_);
+    Gradients found;
+    for (size_t i = 0; i < size_; ++i) {
+        if (i % kLanes == 0)
+            find_gradients(lanes_[i / kLanes], x, found);
+        quality[i] = found.quality[i % kLanes];
+        for (int axis = 0; axis < 3; ++axis)
+            gradient[i][axis] = found.gradient[axis][i % kLanes];
+    }
+}
+
+}  // namespace cleft

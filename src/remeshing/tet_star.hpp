@@ -1,0 +1,64 @@
+// The tetrahedra around a point, and how good they would be with the point elsewhere.
+#pragma once
+
+#include "remeshing/local_mesh.hpp"
+
+namespace cleft
+{
+
+// The tetrahedra around one point, copied together so that trial positions are judged without walking the mesh.
+class TetStar
+{
+public:
+    // The star of a point of the mesh.
+    void load(const LocalMesh& mesh, int32_t v);
+    // The star that a point put into an edge would have.
+    void load(const LocalMesh& mesh, const EdgeRing& ring);
+
+    // Of the mesh, around the point or the edge.
+    const std::vector<int32_t>& tets() const { return tets_; }
+    bool empty() const { return size_ == 0; }
+    // Length of a typical edge from x to the corners around.
+    double reach(const Vec3& x) const;
+    // Mean of the centroids of the tetrahedra with the point at x.
+    Vec3 centroid(const Vec3& x) const;
+    // By how much the volume of tets()[i], a star of a point, changes when the point moves by `shift`.
+    double volume_change(size_t i, const Vec3& shift) const
+    {
+        const Vec3 b = opposite(i, 0);
+        return -(opposite(i, 1) - b).cross(opposite(i, 2) - b).dot(shift) / 6;
+    }
+    // Least quality with the point at x; may stop early with any value once it is not above `floor`.
+    double worst_at(const Vec3& x, double floor) const;
+    // Quality of each tetrahedron with the point at x, and its gradient with respect to x.
+    void gradients_at(const Vec3& x, std::vector<double>& quality, std::vector<Vec3>& gradient) const;
+
+private:
+    void begin(size_t capacity);
+    void add(const LocalMesh& mesh, const Tet& tet, int corner);
+    void fill_last();
+
+    static constexpr size_t kLanes = 4;
+    // The three other corners of four tetrahedra side by side, so that (x, corners) is positively oriented.
+    struct Lanes {
+        double corner[3][3][kLanes];  // by corner and axis
+    };
+    struct Gradients {
+        double quality[kLanes];
+        double gradient[3][kLanes];  // by axis
+    };
+    static double worst_of(const Lanes& lanes, const Vec3& x);
+    static void find_gradients(const Lanes& lanes, const Vec3& x, Gradients& out);
+
+    Vec3 opposite(size_t i, size_t corner) const
+    {
+        const auto& c = lanes_[i / kLanes].corner[corner];
+        return {c[0][i % kLanes], c[1][i % kLanes], c[2][i % kLanes]};
+    }
+
+    std::vector<Lanes> lanes_;  // the last filled up with copies
+    size_t size_ = 0;
+    std::vector<int32_t> tets_;
+};
+
+}  // namespace cleft

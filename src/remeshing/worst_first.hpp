@@ -1,0 +1,46 @@
+// The order of work of every local search here: bad tetrahedra, the worst first, in passes. A tetrahedron that could
+// not be made better is not tried again before something at its corners has changed.
+#pragma once
+
+#include "remeshing/local_mesh.hpp"
+
+namespace cleft
+{
+
+class WorstFirst
+{
+public:
+    // Starts a search: every tetrahedron of the mesh with a quality below `target`.
+    void collect_all(const LocalMesh& mesh, double target, const Run& run);
+    // Starts another search over what is left of the last one: all that was tried in vain may be tried again.
+    void collect_left(const LocalMesh& mesh, double target);
+    // The next pass: those below the target that the last pass changed or gave back.
+    void collect_next(const LocalMesh& mesh, double target);
+
+    size_t size() const { return list_.size(); }
+    int32_t operator[](size_t i) const { return list_[i].tet; }
+    // It is still bad, and something has changed since it was last tried.
+    bool worth_trying(const LocalMesh& mesh, size_t i, double target) const;
+
+    // These are new or have been moved.
+    void changed(const LocalMesh& mesh, const std::vector<int32_t>& tets);
+    // These took the place of others that were tried in vain.
+    void renumbered(const std::vector<int32_t>& tets);
+    // Gives the i-th one back for the next pass. `in_vain`: it was tried and nothing helped.
+    void give_back(size_t i, bool in_vain);
+
+private:
+    struct Item {
+        double quality;
+        int32_t tet;
+        uint32_t tried;  // when, in vain
+    };
+
+    void sort_list();
+
+    std::vector<Item> list_, next_;
+    std::vector<uint32_t> changed_;  // by point: when something in its star changed last
+    uint32_t now_ = 1;
+};
+
+}  // namespace cleft
