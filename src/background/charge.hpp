@@ -6,7 +6,7 @@
 #pragma once
 
 #include "base/mix.hpp"
-#include "sizing/sizing.hpp"
+#include "sizing/sizing_field.hpp"
 
 #include <algorithm>
 #include <array>

@@ -7,22 +7,10 @@
 // The walls are mirrors: every charge has its images behind them.
 #pragma once
 
-#include "background/charge.hpp"
-#include "background/near_lists.hpp"
-#include "background/particle_set.hpp"
-
 namespace cleft
 {
 
 // The reach R of a particle in units of its h.
 constexpr float kReach = 1.7F;
-
-// The repulsion of every particle by all near ones and by near images. All arrays in tree order; `reach` is kReach
-// times h.
-void near_repulsion(const std::vector<NearGroup>& groups, const ParticleSet& particles, const std::vector<float>& reach,
-                    const Vec3& extent, std::vector<Eigen::Vector3f>& force, const Run& run);
-
-// The attraction by the near background charge, at a point where the size is h.
-Eigen::Vector3f near_attraction(const SizeSampler& size, const Vec3& x, float h);
 
 }  // namespace cleft

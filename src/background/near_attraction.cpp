@@ -1,3 +1,5 @@
+#include "background/near_attraction.hpp"
+
 #include "background/forces.hpp"
 #include "base/wide_vectors.hpp"
 

@@ -1,5 +1,6 @@
-#include "background/forces.hpp"
+#include "background/near_repulsion.hpp"
 
+#include "background/forces.hpp"
 #include "base/parallel.hpp"
 #include "base/wide_vectors.hpp"
 

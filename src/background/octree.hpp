@@ -3,7 +3,7 @@
 
 #include "base/run.hpp"
 #include "mesh/tet_mesh.hpp"
-#include "sizing/sizing.hpp"
+#include "sizing/sizing_field.hpp"
 
 namespace cleft
 {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/run.hpp"
-#include "sizing/sizing.hpp"
+#include "sizing/sizing_field.hpp"
 
 #include <array>
 #include <cstdint>

@@ -2,6 +2,8 @@
 
 #include "background/forces.hpp"
 #include "background/long_waves.hpp"
+#include "background/near_attraction.hpp"
+#include "background/near_repulsion.hpp"
 #include "background/particle_tree.hpp"
 #include "base/parallel.hpp"
 

@@ -5,6 +5,7 @@
 #include "background/delaunay.hpp"
 #include "base/number_text.hpp"
 #include "base/parallel.hpp"
+#include "sizing/sizing_charge.hpp"
 
 #include <cmath>
 #include <string>

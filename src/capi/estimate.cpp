@@ -6,6 +6,7 @@
 #include "capi/given_mesh.hpp"
 #include "capi/mesh_frame.hpp"
 #include "capi/options.hpp"
+#include "sizing/volume_sizing.hpp"
 
 using namespace cleft::capi;
 using cleft::Estimate;

@@ -8,7 +8,7 @@
 #include "checking/quick_check.hpp"
 #include "checking/validate.hpp"
 #include "mesh/bounding_box.hpp"
-#include "mesh/finish.hpp"
+#include "mesh/materials.hpp"
 #include "mesh/strip.hpp"
 
 #include <algorithm>

@@ -10,7 +10,7 @@
 #include "mesh/interfaces.hpp"
 #include "mesh/tet_mesh.hpp"
 #include "pipeline/label_report.hpp"
-#include "sizing/sizing.hpp"
+#include "sizing/sizing_field.hpp"
 #include "volume/frame.hpp"
 #include "volume/volume.hpp"
 

@@ -6,6 +6,7 @@
 #include "base/utf8.hpp"
 #include "capi/firewall.hpp"
 #include "capi/kept_labels.hpp"
+#include "sizing/compute.hpp"
 
 #include <cmath>
 #include <cstdlib>

@@ -2,6 +2,7 @@
 #include "capi/firewall.hpp"
 #include "capi/options.hpp"
 #include "pipeline/pipeline.hpp"
+#include "sizing/volume_sizing.hpp"
 
 #include <cmath>
 

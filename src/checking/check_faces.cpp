@@ -1,5 +1,6 @@
+#include "checking/check_faces.hpp"
+
 #include "base/parallel.hpp"
-#include "checking/checks.hpp"
 #include "mesh/face_buckets.hpp"
 
 #include <initializer_list>

@@ -1,4 +1,5 @@
-#include "checking/checks.hpp"
+#include "checking/check_points.hpp"
+
 #include "mesh/face_buckets.hpp"
 
 #include <cmath>

@@ -1,5 +1,6 @@
+#include "checking/check_tets.hpp"
+
 #include "base/parallel.hpp"
-#include "checking/checks.hpp"
 #include "mesh/face_buckets.hpp"
 #include "mesh/predicates.hpp"
 #include "mesh/quality.hpp"

@@ -3,7 +3,8 @@
 #include "base/counted.hpp"
 #include "base/ordinal.hpp"
 #include "base/stage.hpp"
-#include "checking/checks.hpp"
+#include "checking/check_faces.hpp"
+#include "checking/check_points.hpp"
 #include "mesh/face_buckets.hpp"
 
 #include <cstdio>

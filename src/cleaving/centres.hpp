@@ -5,7 +5,6 @@
 // tables made at the start hold all that can ever be.
 #pragma once
 
-#include "base/stage.hpp"
 #include "cleaving/sample_store.hpp"
 #include "cleaving/stencil_table.hpp"
 #include "volume/tie.hpp"
@@ -82,11 +81,5 @@ struct Centres {
     // Finds a cut anew, after an end has moved or changed its materials.
     void place_cut(CutEdge& e, Samples& scratch) const;
 };
-
-// Samples the volume at the vertices, finds all centres, and chooses fans: three steps.
-Centres find_centres(const Volume& volume, const TetMesh& background, Steps& steps);
-
-// The part of it without geometry: fills the tables of edges, faces and tetrahedra from vertices of one material each.
-void list_centres(Centres& c, const Run& run);
 
 }  // namespace cleft

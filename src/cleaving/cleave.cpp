@@ -2,7 +2,8 @@
 
 #include "base/stage.hpp"
 #include "cleaving/assemble.hpp"
-#include "cleaving/centres.hpp"
+#include "cleaving/find_centres.hpp"
+#include "cleaving/flat_cuts.hpp"
 #include "cleaving/mend.hpp"
 #include "cleaving/snap.hpp"
 

@@ -1,7 +1,8 @@
 // Making the tables of centres: sample the vertices, list the cut edges, then the simplices above them.
+#include "cleaving/find_centres.hpp"
+
 #include "base/large_pages.hpp"
 #include "base/parallel.hpp"
-#include "cleaving/centres.hpp"
 #include "cleaving/split_tet.hpp"
 
 namespace cleft

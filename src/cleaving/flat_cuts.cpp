@@ -1,6 +1,7 @@
 // Slivers of the background must not split into pieces of no volume.
+#include "cleaving/flat_cuts.hpp"
+
 #include "base/parallel.hpp"
-#include "cleaving/assemble.hpp"
 #include "cleaving/split_tet.hpp"
 #include "mesh/quality.hpp"
 

@@ -6,7 +6,7 @@
 #include "fitting/material_offsets.hpp"
 #include "fitting/relocate_gaps.hpp"
 #include "fitting/relocate_lines.hpp"
-#include "mesh/finish.hpp"
+#include "mesh/materials.hpp"
 #include "remeshing/smoothing.hpp"
 
 #include <Eigen/Eigenvalues>

@@ -1,8 +1,9 @@
 // What is in a mesh by material.
+#include "mesh/materials.hpp"
+
 #include "base/disjoint_sets.hpp"
 #include "base/stage.hpp"
 #include "mesh/face_buckets.hpp"
-#include "mesh/finish.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/surface_points.hpp"
 

@@ -1,9 +1,10 @@
 // Numbering along a Hilbert curve.
+#include "mesh/order.hpp"
+
 #include "base/large_pages.hpp"
 #include "base/parallel.hpp"
 #include "base/stage.hpp"
 #include "mesh/curve_order.hpp"
-#include "mesh/finish.hpp"
 
 #include <algorithm>
 #include <numeric>

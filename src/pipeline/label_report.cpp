@@ -1,7 +1,7 @@
 #include "pipeline/label_report.hpp"
 
 #include "base/stage.hpp"
-#include "mesh/finish.hpp"
+#include "mesh/materials.hpp"
 #include "mesh/quality.hpp"
 #include "pipeline/pipeline.hpp"
 #include "volume/voxel_components.hpp"

@@ -4,12 +4,13 @@
 #include "base/counted.hpp"
 #include "base/stage.hpp"
 #include "fitting/fit_volumes.hpp"
-#include "mesh/finish.hpp"
+#include "mesh/order.hpp"
 #include "pipeline/improved_mesh.hpp"
 #include "pipeline/label_report.hpp"
 #include "pipeline/missed_angles.hpp"
 #include "pipeline/number_search.hpp"
 #include "pipeline/volume_differences.hpp"
+#include "sizing/volume_sizing.hpp"
 
 #include <algorithm>
 #include <cmath>

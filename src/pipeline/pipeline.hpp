@@ -4,7 +4,8 @@
 #include "background/kinds.hpp"
 #include "cleaving/cleave.hpp"
 #include "improving/improve.hpp"
-#include "sizing/sizing.hpp"
+#include "sizing/sizing_field.hpp"
+#include "sizing/sizing_options.hpp"
 #include "volume/volume.hpp"
 
 #include <functional>

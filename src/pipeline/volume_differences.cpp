@@ -1,6 +1,6 @@
 #include "pipeline/volume_differences.hpp"
 
-#include "mesh/finish.hpp"
+#include "mesh/materials.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,20 +2,19 @@
 #pragma once
 
 #include "sizing/labelling.hpp"
-#include "sizing/sizing.hpp"
+#include "sizing/sizing_field.hpp"
+#include "sizing/sizing_options.hpp"
 
 #include <vector>
 
 namespace cleft
 {
 
+// Throws if the greatest wanted size is less than the least.
+void check_size_range(const SizingOptions& options);
+
 // labels[m] is the user's value of material m, as in Volume::labels.
 SizingField compute_sizing(const Labelling& labelling, const std::vector<int32_t>& labels, const SizingOptions& options,
                            const Run& run);
-
-// Refuses a grid that no sizing field can have.
-void check_sizing_grid(const Grid& grid);
-// What to throw for a value that is not positive and finite.
-Error bad_sizing_value(double value, int64_t voxel, const Grid& grid);
 
 }  // namespace cleft

@@ -1,5 +1,5 @@
 // The charge of a sizing field: the integral of h^-3 over the box, from which numbers of tetrahedra follow.
-#include "sizing/sizing.hpp"
+#include "sizing/sizing_charge.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,10 @@
 // Sizing fields that are given, what can be asked of any, and scaling it.
+#include "sizing/sizing_field.hpp"
+
 #include "base/number_text.hpp"
 #include "base/ordinal.hpp"
-#include "sizing/compute.hpp"
 #include "sizing/gradient_limit.hpp"
+#include "sizing/sizing_charge.hpp"
 #include "volume/limits.hpp"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+#include "sizing/volume_sizing.hpp"
+
 #include "sizing/compute.hpp"
 
 namespace cleft

@@ -1,6 +1,6 @@
 // How far each voxel lies inside its material, in the maximum norm: the radius of the block around it that holds one
 // material. Where it is at least the kernel's reach, a sample needs one look-up.
-#include "volume/label_weights.hpp"
+#include "volume/label_depth.hpp"
 
 #include "base/parallel.hpp"
 #include "volume/chessboard.hpp"

@@ -1,7 +1,7 @@
 // Local volume feedback. Eight points of each voxel of the band are given to the materials that hold there. Where a
 // material holds less around a voxel than the voxels that carry its label, these voxels gain weight, and lose where it
 // holds more.
-#include "volume/label_weights.hpp"
+#include "volume/label_feedback.hpp"
 
 #include "base/parallel.hpp"
 #include "volume/label_block.hpp"

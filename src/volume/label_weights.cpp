@@ -3,6 +3,7 @@
 #include "base/parallel.hpp"
 #include "base/stage.hpp"
 #include "volume/label_block.hpp"
+#include "volume/label_feedback.hpp"
 
 #include <algorithm>
 #include <cmath>

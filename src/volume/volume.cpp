@@ -5,6 +5,7 @@
 #include "base/ordinal.hpp"
 #include "base/stage.hpp"
 #include "volume/indicator_field.hpp"
+#include "volume/label_depth.hpp"
 #include "volume/label_sample.hpp"
 #include "volume/label_values.hpp"
 #include "volume/label_weights.hpp"

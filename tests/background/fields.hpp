@@ -1,7 +1,7 @@
 // Sizing fields for the tests of particles.
 #pragma once
 
-#include "sizing/sizing.hpp"
+#include "sizing/sizing_field.hpp"
 
 #include <algorithm>
 #include <array>

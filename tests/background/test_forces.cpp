@@ -1,6 +1,8 @@
 // The forces that move particles against the exact electrostatic forces of a mirrored box.
 #include "background/forces.hpp"
 #include "background/long_waves.hpp"
+#include "background/near_attraction.hpp"
+#include "background/near_repulsion.hpp"
 #include "background/seeding.hpp"
 #include "ewald.hpp"
 #include "fields.hpp"

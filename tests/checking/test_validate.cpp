@@ -1,7 +1,6 @@
 #include "base/ordinal.hpp"
 #include "checking/validate.hpp"
 
-#include "mesh/finish.hpp"
 #include "mesh/strip.hpp"
 #include "support/cmocka.hpp"
 #include "support/meshes.hpp"

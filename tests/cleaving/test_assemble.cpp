@@ -1,6 +1,8 @@
 // Every label pattern, vertex order and snap state of one tetrahedron and of two that share a face, through the code
 // that makes the output: volumes add up, every piece is positive, the hull is that of the background, the pieces fit.
 #include "cleaving/assemble.hpp"
+#include "cleaving/find_centres.hpp"
+#include "cleaving/flat_cuts.hpp"
 
 #include "cleaving/split_tet.hpp"
 #include "mesh/quality.hpp"

@@ -1,7 +1,6 @@
 // Links find what is pinched, and mending leaves surfaces.
 #include "cleaving/link.hpp"
 #include "cleaving/mend.hpp"
-#include "mesh/finish.hpp"
 #include "mesh/point_stars.hpp"
 #include "support/bcc.hpp"
 #include "support/cmocka.hpp"

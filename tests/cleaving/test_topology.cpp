@@ -1,6 +1,7 @@
 // Thin parts stay whole, and the interface of two materials stays a manifold.
 #include "pipeline/label_report.hpp"
 #include "pipeline/pipeline.hpp"
+#include "sizing/volume_sizing.hpp"
 #include "support/cmocka.hpp"
 #include "support/pinches.hpp"
 #include "support/topology.hpp"

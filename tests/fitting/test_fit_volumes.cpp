@@ -6,7 +6,7 @@
 #include "cleaving/cleave.hpp"
 #include "fitting/fit_volumes.hpp"
 #include "fitting/material_offsets.hpp"
-#include "mesh/finish.hpp"
+#include "mesh/materials.hpp"
 #include "mesh/quality.hpp"
 #include "support/volumes.hpp"
 

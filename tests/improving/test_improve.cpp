@@ -2,7 +2,7 @@
 #include "checking/validate.hpp"
 #include "cleaving/cleave.hpp"
 #include "improving/improve.hpp"
-#include "mesh/finish.hpp"
+#include "mesh/materials.hpp"
 #include "mesh/quality.hpp"
 #include "support/bcc.hpp"
 #include "support/cmocka.hpp"

@@ -1,4 +1,5 @@
-#include "mesh/finish.hpp"
+#include "mesh/materials.hpp"
+#include "mesh/order.hpp"
 #include "mesh/strip.hpp"
 
 #include "checking/validate.hpp"

@@ -2,6 +2,7 @@
 
 #include "label_shapes.hpp"
 #include "lipschitz.hpp"
+#include "sizing/sizing_charge.hpp"
 #include "support/cmocka.hpp"
 
 #include <string>

@@ -1,7 +1,7 @@
 // The connected parts of a mesh, by material.
 #pragma once
 
-#include "mesh/finish.hpp"
+#include "mesh/materials.hpp"
 #include "mesh/quality.hpp"
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "mesh/adjacency.hpp"
-#include "mesh/finish.hpp"
 #include "support/parts.hpp"
 
 #include <algorithm>

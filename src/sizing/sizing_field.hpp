@@ -1,36 +1,16 @@
 // The sizing field h(x): the wanted edge length of tetrahedra, in world units, gradation-Lipschitz.
 #pragma once
 
+#include "base/error.hpp"
 #include "base/mix.hpp"
 #include "base/run.hpp"
-#include "volume/grid.hpp"
 #include "volume/volume.hpp"
 
 #include <algorithm>
-#include <functional>
-#include <utility>
 #include <vector>
 
 namespace cleft
 {
-
-// Lengths are in world units. What is said explicitly wins: interface_size, label_sizes and the user's field may ask
-// for sizes below the least spacing. A size_min that is given (not 0) holds for them too: nothing is smaller.
-struct SizingOptions {
-    double size = 0;            // constant size instead of features (size_min, size_max unused); 0: from the volume
-    double size_min = 0;        // 0: the least spacing of the grid, for sizes that come from features
-    double size_max = 0;        // 0: a quarter of the longest side of the box, but no more than its shortest side
-                                // or the greatest spacing, nor 1.5 times the shortest side, unless a very flat plate
-                                // would have very many elements (they should not be flatter than it)
-    double feature_scale = 1;   // size at an interface = feature_scale * local feature size
-    double gradation = 0.3;     // Lipschitz constant of h
-    double interface_size = 0;  // greatest size at an interface; 0: none
-    bool keep_thin = false;     // half the least spacing where a material is one voxel thick
-    double max_tets = 0;        // where size_min is 0, sizes from features are at least as large as keeps the expected
-                                // number of background tetrahedra to about this; 0: no limit
-    std::vector<std::pair<int32_t, double>> label_sizes;  // (label, greatest size inside it)
-    const float* user = nullptr;  // a user's own field at voxel centres, combined by minimum; may be null
-};
 
 // Values at the voxel centres of the grid; read between them by trilinear interpolation, constant past the outermost.
 struct SizingField {
@@ -67,17 +47,15 @@ inline double SizingField::at(const Vec3& x) const
     return mix(in_plane(corner), in_plane(corner + step[2]), t[2]);
 }
 
-// The three distance transforms of the paper (section 3, Sizing Field), then limits, user's field and gradation.
-SizingField compute_sizing(const Volume& volume, const SizingOptions& options, const Run& run);
-
-// Throws if the greatest wanted size is less than the least.
-void check_size_range(const SizingOptions& options);
 SizingField constant_sizing(const Grid& grid, double size);
 // A user's own values (positive, finite; an Error names the first that is not), taken as they are.
 SizingField sizing_from_values(const Grid& grid, const double* values);
 
-// Integral of h^-3 over the voxels that count (all, if `counts` is null), as the field is interpolated.
-double sizing_charge(const SizingField& field, const std::function<bool(int64_t voxel)>& counts = nullptr);
+// Refuses a grid that no sizing field can have.
+void check_sizing_grid(const Grid& grid);
+// What to throw for a value that is not positive and finite.
+Error bad_sizing_value(double value, int64_t voxel, const Grid& grid);
+
 // Tetrahedra that the particle background would have.
 double expected_background_tets(const SizingField& field);
 // Those of them in the voxels of some materials; keep[material] != 0, all if it is empty.

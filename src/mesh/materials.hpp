@@ -1,4 +1,4 @@
-// The last steps before a mesh leaves the library.
+// What is in a mesh by material: volumes, connected parts and common borders.
 #pragma once
 
 #include "base/run.hpp"
@@ -6,9 +6,6 @@
 
 namespace cleft
 {
-
-// Renumbers points and tetrahedra along a Hilbert curve, for solvers; drops unused points.
-void order_spatially(LabelledMesh& mesh, const Run& run);
 
 // Two materials, the lesser first, and the number of triangles between them.
 struct Border {

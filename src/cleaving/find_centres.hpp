@@ -1,0 +1,16 @@
+// Makes the centres of a background.
+#pragma once
+
+#include "base/stage.hpp"
+#include "cleaving/centres.hpp"
+
+namespace cleft
+{
+
+// Samples the volume at the vertices, finds all centres, and chooses fans: three steps.
+Centres find_centres(const Volume& volume, const TetMesh& background, Steps& steps);
+
+// The part of it without geometry: fills the tables of edges, faces and tetrahedra from vertices of one material each.
+void list_centres(Centres& c, const Run& run);
+
+}  // namespace cleft

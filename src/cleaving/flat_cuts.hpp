@@ -1,0 +1,13 @@
+// Cuts that leave no room for tetrahedra.
+#pragma once
+
+#include "cleaving/centres.hpp"
+
+namespace cleft
+{
+
+// Gives up cuts of tetrahedra that would otherwise split into pieces of no volume (slivers of the background), the
+// least central cut first, until none is left that a smaller number of cuts can mend. Returns the number given up.
+int64_t give_up_flat_cuts(Centres& c, const Run& run);
+
+}  // namespace cleft

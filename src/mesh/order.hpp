@@ -1,0 +1,13 @@
+// The numbering of a finished mesh.
+#pragma once
+
+#include "base/run.hpp"
+#include "mesh/tet_mesh.hpp"
+
+namespace cleft
+{
+
+// Renumbers points and tetrahedra along a Hilbert curve, for solvers; drops unused points.
+void order_spatially(LabelledMesh& mesh, const Run& run);
+
+}  // namespace cleft

@@ -1,0 +1,29 @@
+// What a caller may ask of a sizing field.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace cleft
+{
+
+// Lengths are in world units. What is said explicitly wins: interface_size, label_sizes and the user's field may ask
+// for sizes below the least spacing. A size_min that is given (not 0) holds for them too: nothing is smaller.
+struct SizingOptions {
+    double size = 0;            // constant size instead of features (size_min, size_max unused); 0: from the volume
+    double size_min = 0;        // 0: the least spacing of the grid, for sizes that come from features
+    double size_max = 0;        // 0: a quarter of the longest side of the box, but no more than its shortest side
+                                // or the greatest spacing, nor 1.5 times the shortest side, unless a very flat plate
+                                // would have very many elements (they should not be flatter than it)
+    double feature_scale = 1;   // size at an interface = feature_scale * local feature size
+    double gradation = 0.3;     // Lipschitz constant of h
+    double interface_size = 0;  // greatest size at an interface; 0: none
+    bool keep_thin = false;     // half the least spacing where a material is one voxel thick
+    double max_tets = 0;        // where size_min is 0, sizes from features are at least as large as keeps the expected
+                                // number of background tetrahedra to about this; 0: no limit
+    std::vector<std::pair<int32_t, double>> label_sizes;  // (label, greatest size inside it)
+    const float* user = nullptr;  // a user's own field at voxel centres, combined by minimum; may be null
+};
+
+}  // namespace cleft
