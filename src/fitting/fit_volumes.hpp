@@ -9,9 +9,9 @@ namespace cleft
 {
 
 // A triangle whose corners lie on a curved interface is a chord: the convex side loses volume, by some h^2 / (4 R^2) on
-// a sphere of radius R. Moves the points of interfaces (not of lines where three materials meet, and not off the walls)
-// along the normal so that each triangle's share of the loss is given back by its corners. No tetrahedron gets worse
-// than `least_angle` degrees (or than the worst around already is). Notes fitting.*.
+// a sphere of radius R. Moves the points of interfaces, and of lines where interfaces meet, along the normals (not off
+// the walls), so that the corners of each triangle give back its share of the loss. No tetrahedron gets worse than
+// `least_angle` degrees (or than the worst around already is). Notes fitting.*.
 void fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, const Run& run);
 void fit_volumes(LabelledMesh& mesh, const Volume& volume, double least_angle, const Run& run);
 

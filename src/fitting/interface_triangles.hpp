@@ -1,8 +1,7 @@
-// The triangles between materials, and how far below the interface they lie.
+// The triangles between materials.
 #pragma once
 
 #include "fitting/meetings.hpp"
-#include "volume/volume.hpp"
 
 namespace cleft
 {
@@ -16,10 +15,5 @@ struct InterfaceTriangle {
 };
 
 std::vector<InterfaceTriangle> find_triangles(const LocalMesh& mesh, const Meetings& meetings, const Run& run);
-
-// Sets the heights. Points in `astray` are not where their materials tie: heights are above the triangle that the
-// interface has under it there.
-void find_heights(const LocalMesh& mesh, const Volume& volume, const std::vector<int32_t>& astray,
-                  std::vector<InterfaceTriangle>& triangles, const Run& run);
 
 }  // namespace cleft

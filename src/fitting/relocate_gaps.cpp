@@ -27,10 +27,10 @@ struct Interface {
     double cost;
 };
 
-class GapSettler
+class GapRelocator
 {
 public:
-    GapSettler(LocalMesh& mesh, const Volume& volume, const std::vector<int64_t>& voxels, double floor)
+    GapRelocator(LocalMesh& mesh, const Volume& volume, const std::vector<int64_t>& voxels, double floor)
         : mesh_(mesh), volume_(volume), voxels_(voxels), floor_(floor)
     {
     }
@@ -45,7 +45,7 @@ public:
 
     // Moves the point onto an interface, and one of three materials or more also towards their tie, as far as may be.
     // False if there is way left.
-    bool settle(int32_t v)
+    bool relocate(int32_t v)
     {
         star_.load(mesh_, v);
         const auto materials = materials_around();
@@ -160,43 +160,42 @@ private:
     double least_ = 0;  // quality that must be left around the point
 };
 
-// The points given, and then the points of two materials next to them that lie inside another.
-std::vector<int32_t> points_in_gaps(const LocalMesh& mesh, GapSettler& settler, std::vector<int32_t> found,
-                                    const Run& run)
+// Adds the points of two materials next to them that lie inside another.
+void add_points_of_patch(const LocalMesh& mesh, GapRelocator& relocator, std::vector<int32_t>& without_tie,
+                         const Run& run)
 {
     std::vector<uint8_t> seen(static_cast<size_t>(mesh.point_count()), 0);
-    for (const int32_t v : found)
+    for (const int32_t v : without_tie)
         seen[static_cast<size_t>(v)] = 1;
-    for (size_t i = 0; i < found.size(); ++i) {
+    for (size_t i = 0; i < without_tie.size(); ++i) {
         run.check_at(i, 1 << 8);
-        for (const int32_t t : mesh.star(found[i]))
+        for (const int32_t t : mesh.star(without_tie[i]))
             for (const int32_t w : mesh.tet(t))
-                if (!std::exchange(seen[static_cast<size_t>(w)], uint8_t{1}) && settler.is_inside_another(w))
-                    found.push_back(w);
+                if (!std::exchange(seen[static_cast<size_t>(w)], uint8_t{1}) && relocator.is_inside_another(w))
+                    without_tie.push_back(w);
     }
-    return found;
 }
 
 }  // namespace
 
-std::vector<int32_t> settle_gaps(LocalMesh& mesh, const Volume& volume, const std::vector<int64_t>& voxels,
-                                 double floor, const std::vector<int32_t>& without_tie, const Run& run)
+std::vector<int32_t> relocate_gaps(LocalMesh& mesh, const Volume& volume, const std::vector<int64_t>& voxels,
+                                   double floor, std::vector<int32_t> without_tie, const Run& run)
 {
-    GapSettler settler(mesh, volume, voxels, floor);
-    const std::vector<int32_t> found = points_in_gaps(mesh, settler, without_tie, run);
-    std::vector<int32_t> left = found;
+    GapRelocator relocator(mesh, volume, voxels, floor);
+    add_points_of_patch(mesh, relocator, without_tie, run);
+    std::vector<int32_t> left = without_tie;
     int64_t moves = -1;
-    for (int round = 0; round < kGapRounds && settler.moves() != moves; ++round) {
-        moves = settler.moves();
+    for (int round = 0; round < kGapRounds && relocator.moves() != moves; ++round) {
+        moves = relocator.moves();
         size_t kept = 0;
         for (size_t i = 0; i < left.size(); ++i) {
             run.check_at(i, 1 << 8);
-            if (!settler.settle(left[i]))
+            if (!relocator.relocate(left[i]))
                 left[kept++] = left[i];
         }
         left.resize(kept);
     }
-    return found;
+    return without_tie;
 }
 
 }  // namespace cleft

@@ -11,9 +11,9 @@ namespace cleft
 // Where two balls all but touch, the mesh joins them: they meet in a patch halfway across the gap, and along its rim
 // three materials meet that tie nowhere near. Such points belong on a true interface, on one side of the gap, as far as
 // the tetrahedra around get no worse than `floor` (of angle_quality) or than the worst of them already is.
-// `voxels`: of each material. `without_tie`: points of three materials or more without a tie; the points of the patch
-// are found from them. Returns all of them.
-std::vector<int32_t> settle_gaps(LocalMesh& mesh, const Volume& volume, const std::vector<int64_t>& voxels,
-                                 double floor, const std::vector<int32_t>& without_tie, const Run& run);
+// `voxels`: of each material. `without_tie`: points of three materials or more without a tie. Returns these and the
+// points of the patch, which it finds from them.
+std::vector<int32_t> relocate_gaps(LocalMesh& mesh, const Volume& volume, const std::vector<int64_t>& voxels,
+                                   double floor, std::vector<int32_t> without_tie, const Run& run);
 
 }  // namespace cleft

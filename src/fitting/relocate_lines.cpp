@@ -16,14 +16,14 @@ constexpr double kLeastStep = 5e-3;
 constexpr double kLeastStepShare = 0.1;
 constexpr int kLineRounds = 3;  // a point that is in the way may have moved on
 
-class Settler
+class LineRelocator
 {
 public:
-    Settler(LocalMesh& mesh, const Volume& volume, double floor) : mesh_(mesh), volume_(volume), floor_(floor) {}
+    LineRelocator(LocalMesh& mesh, const Volume& volume, double floor) : mesh_(mesh), volume_(volume), floor_(floor) {}
 
     enum class Place { on_tie, off_tie, without_tie };
 
-    Place settle(int32_t v)
+    Place relocate(int32_t v)
     {
         star_.load(mesh_, v);
         MaterialSet materials;
@@ -58,22 +58,22 @@ private:
 
 }  // namespace
 
-LinePoints settle_lines(LocalMesh& mesh, const Volume& volume, double floor, const Meetings& meetings, const Run& run)
+LinePoints relocate_lines(LocalMesh& mesh, const Volume& volume, double floor, const Meetings& meetings, const Run& run)
 {
     LinePoints out;
     std::vector<int32_t> points;
     for (int32_t v = 0; v < mesh.point_count(); ++v)
         if (meetings[static_cast<size_t>(v)] == Meeting::line)
             points.push_back(v);
-    Settler settler(mesh, volume, floor);
+    LineRelocator relocator(mesh, volume, floor);
     for (int round = 0; round < kLineRounds; ++round) {
         std::vector<int32_t> left;
         for (size_t i = 0; i < points.size(); ++i) {
             run.check_at(i, 1 << 8);
-            const Settler::Place place = settler.settle(points[i]);
-            if (place == Settler::Place::off_tie)
+            const LineRelocator::Place place = relocator.relocate(points[i]);
+            if (place == LineRelocator::Place::off_tie)
                 left.push_back(points[i]);
-            else if (place == Settler::Place::without_tie)
+            else if (place == LineRelocator::Place::without_tie)
                 out.without_tie.push_back(points[i]);
         }
         points.swap(left);

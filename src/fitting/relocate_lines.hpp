@@ -15,6 +15,7 @@ struct LinePoints {
 // Cleaving leaves triple points at the mean of the cuts around them, and improving lets the points of bad tetrahedra
 // leave the tie by a little: each such point moves back to it, or as much of the way as leaves the tetrahedra around no
 // worse than `floor` (of angle_quality) or than the worst of them already is.
-LinePoints settle_lines(LocalMesh& mesh, const Volume& volume, double floor, const Meetings& meetings, const Run& run);
+LinePoints relocate_lines(LocalMesh& mesh, const Volume& volume, double floor, const Meetings& meetings,
+                          const Run& run);
 
 }  // namespace cleft

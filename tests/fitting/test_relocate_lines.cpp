@@ -69,7 +69,7 @@ void triple_points_of_every_rule_come_to_the_line(void**)
         const Distances before = distances_of(mesh);
         LocalMesh local(std::move(mesh), Run());
         const int64_t left =
-            settle_lines(local, volume, rule == Snap::none ? 1e-3 : 0.2, find_meetings(local, Run()), Run()).off;
+            relocate_lines(local, volume, rule == Snap::none ? 1e-3 : 0.2, find_meetings(local, Run()), Run()).off;
         mesh = local.take();
         const Distances after = distances_of(mesh);
         assert_true(before.count > 10 && after.count == before.count);
@@ -92,7 +92,7 @@ void no_point_moves_where_shapes_would_suffer(void**)
     for (int32_t t = 0; t < local.slot_count(); ++t)
         before.push_back(local.quality(t));
     constexpr double kFloor = 0.3;
-    settle_lines(local, volume, kFloor, find_meetings(local, Run()), Run());
+    relocate_lines(local, volume, kFloor, find_meetings(local, Run()), Run());
     double least_before = 1, least_after = 1;
     for (int32_t t = 0; t < local.slot_count(); ++t) {
         least_before = std::min(least_before, before[static_cast<size_t>(t)]);

@@ -1,0 +1,20 @@
+// How far beyond its tie each interface of a label map moves, for the volumes of the labels.
+#pragma once
+
+#include "fitting/material_offsets.hpp"
+#include "fitting/residuals.hpp"
+#include "fitting/volume_deficits.hpp"
+
+namespace cleft
+{
+
+// The pairs of materials that touch, each once, without areas.
+std::vector<Contact> find_contacts(const std::vector<InterfaceTriangle>& triangles);
+
+// Adds to the offsets of the triangles what the labels miss. The first round counts the heights as applied; later, what
+// has not been applied will hardly be.
+void add_offsets(const LocalMesh& mesh, const VolumeDeficits& deficits, const Vec3& spacing,
+                 const std::vector<FitPoint>& points, bool first, std::vector<Contact> contacts,
+                 std::vector<InterfaceTriangle>& triangles);
+
+}  // namespace cleft

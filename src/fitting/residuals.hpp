@@ -1,0 +1,31 @@
+// What is left to do at the points of interfaces: how far the triangles around each of them are from where they belong.
+#pragma once
+
+#include "fitting/interface_triangles.hpp"
+
+namespace cleft
+{
+
+// A point of interfaces, and how far it has been moved from its place on the tie.
+struct FitPoint {
+    int32_t number;
+    bool is_fixed = false;
+    Vec3 moved{0, 0, 0};
+};
+
+// What is left of the heights of the triangles at a point, along their normals.
+struct Residual {
+    Mat3 normals = Mat3::Zero();  // sum of area n n^T
+    Vec3 heights = Vec3::Zero();  // sum of area height n
+    double area = 0;
+};
+
+// Numbers the corners of the triangles among themselves. Those in `without_tie` are fixed, since there is no tie from
+// which to move them.
+std::vector<FitPoint> find_points(const LocalMesh& mesh, const std::vector<int32_t>& without_tie,
+                                  std::vector<InterfaceTriangle>& triangles);
+
+std::vector<Residual> find_residuals(const LocalMesh& mesh, const std::vector<InterfaceTriangle>& triangles,
+                                     const std::vector<FitPoint>& points);
+
+}  // namespace cleft
