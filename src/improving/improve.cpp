@@ -30,7 +30,7 @@ std::vector<Search> searches_of(Effort effort)
     return searches;
 }
 
-void note_counts(const Improver::Counts& counts, const Run& run)
+void note_counts(const SearchCounts& counts, const Run& run)
 {
     run.note("improving.points_moved", static_cast<double>(counts.moved));
     run.note("improving.edges_removed", static_cast<double>(counts.edges_removed));

@@ -1,3 +1,4 @@
+// Passes over the bad tetrahedra: cheap operations for all, expensive ones for the worst.
 #include "improving/improver.hpp"
 
 #include "mesh/adjacency.hpp"
@@ -12,10 +13,11 @@ namespace cleft
 namespace
 {
 
-constexpr size_t kImprovedAtOnce = 16;  // tetrahedra, between two looks for a cancel: a rescue takes milliseconds
+constexpr size_t kImprovedAtOnce =
+    16;  // tetrahedra, between two looks for a cancel: a compound operation takes milliseconds
 
-// Dear operations are for a few: where a target is out of reach for many (random noise, an angle asked too much), only
-// the worst get them, one in so many tetrahedra of the mesh and some more.
+// Expensive operations are for a few: where a target is out of reach for many (random noise, an angle asked too much),
+// only the worst get them, one in so many tetrahedra of the mesh and some more.
 constexpr size_t kThoroughOneIn = 200, kThoroughAtLeast = 200;
 constexpr size_t kAttemptsOneIn = 10000, kAttemptsAtLeast = 5;
 constexpr size_t kWideOneIn = 100000, kWideAtLeast = 5;
@@ -42,15 +44,15 @@ size_t attempts_in_pass(const Search& search, size_t tets)
 }  // namespace
 
 Improver::Improver(LocalMesh& mesh, const Volume& volume, double target, const Run& run)
-    : target_(target), voxel_(volume.grid().spacing.minCoeff()), mesh_(mesh), constraint_(volume)
+    : target_(target), mesh_(mesh), smoother_(mesh, volume), compound_(mesh, smoother_, bad_)
 {
     mesh_.find_qualities(run);
-    home_ = mesh_.points();
 }
 
 void Improver::work(const Search& search, const Run& run)
 {
     search_ = search;
+    smoother_.aim_at(target_, search.tolerance);
     if (started_)
         bad_.collect_left(mesh_, target_);
     else
@@ -96,7 +98,11 @@ bool Improver::improve_tet(int32_t t)
     if (attempts_left_ == 0)
         return false;
     --attempts_left_;
-    return rescue(t);
+    if (!compound_.improve(t, search_, target_))
+        return false;
+    counts_.moved += compound_.points_moved();
+    ++counts_.compound;
+    return true;
 }
 
 bool Improver::smooth_corners(int32_t t)
@@ -104,45 +110,12 @@ bool Improver::smooth_corners(int32_t t)
     bool moved = false;
     const Tet corners = mesh_.tet(t);
     for (const int32_t v : corners)
-        if (mesh_.quality(t) < target_ && smooth(v, search_.thorough)) {
-            bad_.changed(mesh_, star_.tets());
+        if (mesh_.quality(t) < target_ && smoother_.smooth(v, search_.thorough)) {
+            ++counts_.moved;
+            bad_.changed(mesh_, smoother_.star().tets());
             moved = true;
         }
     return moved;
-}
-
-bool Improver::smooth(int32_t v, bool thorough)
-{
-    if (mesh_.frozen(v) == 7)
-        return false;
-    star_.load(mesh_, v);
-    const Place place = better_place(v, thorough);
-    if (place.x == mesh_.point(v))
-        return false;
-    mesh_.move(v, place.x);
-    ++counts_.moved;
-    return true;
-}
-
-// Where the star that is loaded is better with the point there; the point's own place if there is none.
-Place Improver::better_place(int32_t v, bool thorough)
-{
-    const Vec3 from = mesh_.point(v);
-    constrain(star_.tets(), from, home_[static_cast<size_t>(v)], mesh_.frozen(v));
-    if (constraint_.fixed())
-        return {from, -1};
-    const auto project = [&](Vec3& x) { return constraint_.project(x); };
-    const Place place = smoother_.climb(star_, from, target_, constraint_.tangent(), project);
-    if (!thorough || place.worst >= target_)
-        return place;
-    const Place start = smoother_.explore(star_, place.x, constraint_.tangent(), project);
-    return start.x == place.x ? place : smoother_.climb(star_, start.x, target_, constraint_.tangent(), project);
-}
-
-void Improver::constrain(const std::vector<int32_t>& tets, const Vec3& x, const Vec3& home, uint8_t frozen)
-{
-    const double reach = star_.reach(x);
-    constraint_.set(mesh_, tets, x, home, frozen, reach, search_.tolerance * std::min(reach, voxel_));
 }
 
 bool Improver::change_connections(int32_t t)
@@ -154,7 +127,7 @@ bool Improver::change_connections(int32_t t)
     };
     for (const size_t e : most_obtuse_first(mesh_, t)) {
         const auto& edge = kEdgeCorners[e];
-        if (remove_edge(mesh_, t, edge[0], edge[1], bend(t, edge[0], edge[1]), cavity_))
+        if (remove_edge(mesh_, t, edge[0], edge[1], bend_at(mesh_, search_, t, edge[0], edge[1]), cavity_))
             return done(counts_.edges_removed);
     }
     for (int corner = 0; corner < 4; ++corner)
@@ -170,32 +143,20 @@ bool Improver::change_connections(int32_t t)
     return false;
 }
 
-double Improver::bend(int32_t t, int corner_a, int corner_b) const
-{
-    const Tet& v = mesh_.tet(t);
-    return search_.bend *
-           (mesh_.point(v[static_cast<size_t>(corner_a)]) - mesh_.point(v[static_cast<size_t>(corner_b)])).norm();
-}
-
 // A point put into the edge and smoothed, if that makes the worst tetrahedron at the edge better.
 bool Improver::split(int32_t t, int corner_a, int corner_b)
 {
     EdgeRing& ring = cavity_.ring;
     mesh_.ring(t, corner_a, corner_b, ring);
-    if (!ring.whole)
+    Vec3 middle;
+    if (!ring.whole || !smoother_.load_middle(ring, middle))
         return false;
-    star_.load(mesh_, ring);
     const double floor = std::max(mesh_.worst(ring.tets), kLeastSine);
-    Vec3 middle = 0.5 * (mesh_.point(ring.a) + mesh_.point(ring.b));
-    constrain(ring.tets, middle, middle, frozen_on_edge(mesh_, ring));
-    const auto project = [&](Vec3& x) { return constraint_.project(x); };
-    if (!project(middle))
-        return false;
-    const Place place = smoother_.climb(star_, middle, target_, constraint_.tangent(), project);
+    const Place place = smoother_.climb(middle);
     if (!(place.worst > floor))
         return false;
     split_edge(mesh_, ring, place.x, cavity_);
-    home_.push_back(place.x);
+    smoother_.add_point(place.x);
     return true;
 }
 

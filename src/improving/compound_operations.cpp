@@ -1,6 +1,5 @@
-// Attempts: an operation that may make things worse at first, the points around smoothed, and all taken back if the
-// worst tetrahedron has not become better by it. Dear, so for the few that nothing else could help.
-#include "improving/improver.hpp"
+// Each attempt is an operation, a round of smoothing, and a verdict.
+#include "improving/compound_operations.hpp"
 
 #include "mesh/adjacency.hpp"
 #include "remeshing/edge_split.hpp"
@@ -21,9 +20,9 @@ constexpr double kShare = 0.3;
 // A new tetrahedron that smoothing cannot bring to this share of it never gets better than it, or hardly ever: with
 // those the attempt is given up. That saves half the time, and costs 2 % of the attempts that would help.
 constexpr double kHopeful = 0.95;
-constexpr double kRescueGain = 1e-3;
+constexpr double kLeastGain = 1e-3;
 
-// What an operation does is told by its kind and the points it is about: the tetrahedra at an edge have it in common.
+// What an operation does follows from its kind and the points it is about: the tetrahedra at an edge have it in common.
 std::array<int32_t, 4> subject_of(int operation, const Tet& place)
 {
     const auto edge = [&](int kind, int number) {
@@ -48,22 +47,24 @@ std::array<int32_t, 4> subject_of(int operation, const Tet& place)
 
 }  // namespace
 
-bool Improver::rescue(int32_t t)
+bool CompoundOperations::improve(int32_t t, const Search& search, double target)
 {
+    search_ = search;
+    target_ = target;
     const Tet bad = mesh_.tet(t);
     const double before = mesh_.quality(t);
     tried_.clear();
-    if (rescue_at(bad, bad, before))
+    if (improve_at(bad, bad, before))
         return true;
     if (!search_.wide)
         return false;
     const std::vector<Tet> around = tets_around(bad);
-    return std::any_of(around.begin(), around.end(), [&](const Tet& place) { return rescue_at(place, bad, before); });
+    return std::any_of(around.begin(), around.end(), [&](const Tet& place) { return improve_at(place, bad, before); });
 }
 
 // Tries every operation at a tetrahedron for the sake of a bad one. An operation that is taken back gives tetrahedra
 // new numbers, so that they are known by their corners.
-bool Improver::rescue_at(const Tet& place, const Tet& bad, double before)
+bool CompoundOperations::improve_at(const Tet& place, const Tet& bad, double before)
 {
     for (int operation = 0; operation < kOperations; ++operation) {
         if (!tried_.insert(subject_of(operation, place)).second || !attempt(find(place), operation))
@@ -77,9 +78,8 @@ bool Improver::rescue_at(const Tet& place, const Tet& bad, double before)
     return false;
 }
 
-void Improver::accept()
+void CompoundOperations::accept()
 {
-    ++counts_.compound;
     bad_.changed(mesh_, cavity_.created);
     for (const Move& move : moves_) {
         star_.load(mesh_, move.point);
@@ -88,14 +88,14 @@ void Improver::accept()
 }
 
 // -1 if there is none.
-int32_t Improver::find(const Tet& corners) const
+int32_t CompoundOperations::find(const Tet& corners) const
 {
     const auto star = mesh_.star(corners[0]);
     const auto found = std::find_if(star.begin(), star.end(), [&](int32_t t) { return mesh_.tet(t) == corners; });
     return found == star.end() ? -1 : *found;
 }
 
-std::vector<Tet> Improver::tets_around(const Tet& corners) const
+std::vector<Tet> CompoundOperations::tets_around(const Tet& corners) const
 {
     std::vector<int32_t> numbers;
     for (const int32_t v : corners)
@@ -109,13 +109,13 @@ std::vector<Tet> Improver::tets_around(const Tet& corners) const
     return around;
 }
 
-bool Improver::attempt(int32_t t, int operation)
+bool CompoundOperations::attempt(int32_t t, int operation)
 {
     moves_.clear();
     attempt_began_ = ++clock_;
     if (operation < 6) {
         const auto& edge = kEdgeCorners[operation];
-        return remove_edge(mesh_, t, edge[0], edge[1], bend(t, edge[0], edge[1]), cavity_, kShare);
+        return remove_edge(mesh_, t, edge[0], edge[1], bend_at(mesh_, search_, t, edge[0], edge[1]), cavity_, kShare);
     }
     if (operation < 10)
         return remove_face(mesh_, t, operation - 6, cavity_, kShare);
@@ -128,26 +128,23 @@ bool Improver::attempt(int32_t t, int operation)
     return split_in_middle(t, edge[0], edge[1]);
 }
 
-bool Improver::split_in_middle(int32_t t, int corner_a, int corner_b)
+bool CompoundOperations::split_in_middle(int32_t t, int corner_a, int corner_b)
 {
     EdgeRing& ring = cavity_.ring;
     mesh_.ring(t, corner_a, corner_b, ring);
-    if (!ring.whole)
-        return false;
-    star_.load(mesh_, ring);
-    Vec3 middle = 0.5 * (mesh_.point(ring.a) + mesh_.point(ring.b));
-    constrain(ring.tets, middle, middle, frozen_on_edge(mesh_, ring));
-    if (!constraint_.project(middle) || !(star_.worst_at(middle, -1) > kShare * mesh_.worst(ring.tets)))
+    Vec3 middle;
+    if (!ring.whole || !smoother_.load_middle(ring, middle) ||
+        !(smoother_.star().worst_at(middle, -1) > kShare * mesh_.worst(ring.tets)))
         return false;
     split_edge(mesh_, ring, middle, cavity_);
-    home_.push_back(middle);
+    smoother_.add_point(middle);
     return true;
 }
 
 // Moves the corners of the new tetrahedra, the worst first, and then those of the bad one. True if it pays.
-bool Improver::smooth_all(const Tet& bad, double before)
+bool CompoundOperations::smooth_all(const Tet& bad, double before)
 {
-    const double wanted = std::min(before + kRescueGain, target_);
+    const double wanted = std::min(before + kLeastGain, target_);
     std::sort(cavity_.created.begin(), cavity_.created.end(), [&](int32_t s, int32_t t) {
         return mesh_.quality(s) != mesh_.quality(t) ? mesh_.quality(s) < mesh_.quality(t) : s < t;
     });
@@ -166,40 +163,40 @@ bool Improver::smooth_all(const Tet& bad, double before)
     return pays(bad, wanted);
 }
 
-void Improver::smooth_and_note(int32_t t)
+void CompoundOperations::smooth_and_note(int32_t t)
 {
     for (const int32_t v : mesh_.tet(t)) {
         if (mesh_.quality(t) >= target_)
             break;
-        if (is_settled(v))
+        if (is_smoothed(v))
             continue;
         const Vec3 from = mesh_.point(v);
-        if (smooth(v, false)) {
+        if (smoother_.smooth(v, false)) {
             moves_.push_back({v, from});
-            unsettle_around(v);
+            disturb_around(v);
         }
-        settled_[at(v)] = ++clock_;
+        smoothed_[at(v)] = ++clock_;
     }
 }
 
 // Nothing around the point has moved since the attempt smoothed it: it would stay where it is.
-bool Improver::is_settled(int32_t v)
+bool CompoundOperations::is_smoothed(int32_t v)
 {
-    settled_.resize(mesh_.points().size(), 0);
-    unsettled_.resize(mesh_.points().size(), 0);
-    return settled_[at(v)] > std::max(unsettled_[at(v)], attempt_began_);
+    smoothed_.resize(mesh_.points().size(), 0);
+    disturbed_.resize(mesh_.points().size(), 0);
+    return smoothed_[at(v)] > std::max(disturbed_[at(v)], attempt_began_);
 }
 
-void Improver::unsettle_around(int32_t v)
+void CompoundOperations::disturb_around(int32_t v)
 {
     ++clock_;
     for (const int32_t t : mesh_.star(v))
         for (const int32_t w : mesh_.tet(t))
-            unsettled_[at(w)] = clock_;
+            disturbed_[at(w)] = clock_;
 }
 
 // Everything new or moved, and the bad tetrahedron if there still is one, is as good as wanted.
-bool Improver::pays(const Tet& bad, double wanted)
+bool CompoundOperations::pays(const Tet& bad, double wanted)
 {
     const int32_t t = find(bad);
     if (!(mesh_.worst(cavity_.created) >= wanted) || (t >= 0 && !(mesh_.quality(t) >= wanted)))
@@ -210,11 +207,10 @@ bool Improver::pays(const Tet& bad, double wanted)
     });
 }
 
-void Improver::take_back()
+void CompoundOperations::take_back()
 {
     for (size_t i = moves_.size(); i-- > 0;)
         mesh_.move(moves_[i].point, moves_[i].from);
-    counts_.moved -= static_cast<int64_t>(moves_.size());
     cavity_.undo(mesh_);
     bad_.renumbered(cavity_.old_tets);
 }

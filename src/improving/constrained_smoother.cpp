@@ -1,0 +1,69 @@
+// A point climbs along the directions that its ties leave free, and is projected back onto them.
+#include "improving/constrained_smoother.hpp"
+
+#include "remeshing/edge_split.hpp"
+
+#include <algorithm>
+
+namespace cleft
+{
+
+ConstrainedSmoother::ConstrainedSmoother(LocalMesh& mesh, const Volume& volume)
+    : mesh_(mesh), voxel_(volume.grid().spacing.minCoeff()), home_(mesh.points()), constraint_(volume)
+{
+}
+
+void ConstrainedSmoother::aim_at(double target, double tolerance)
+{
+    target_ = target;
+    tolerance_ = tolerance;
+}
+
+bool ConstrainedSmoother::smooth(int32_t v, bool thorough)
+{
+    if (mesh_.frozen(v) == 7)
+        return false;
+    star_.load(mesh_, v);
+    const Place place = better_place(v, thorough);
+    if (place.x == mesh_.point(v))
+        return false;
+    mesh_.move(v, place.x);
+    return true;
+}
+
+// Where the star that is loaded is better with the point there; the point's own place if there is none.
+Place ConstrainedSmoother::better_place(int32_t v, bool thorough)
+{
+    const Vec3 from = mesh_.point(v);
+    constrain(star_.tets(), from, home_[at(v)], mesh_.frozen(v));
+    if (constraint_.fixed())
+        return {from, -1};
+    const Place place = climb(from);
+    if (!thorough || place.worst >= target_)
+        return place;
+    const auto project = [&](Vec3& x) { return constraint_.project(x); };
+    const Place start = smoother_.explore(star_, place.x, constraint_.tangent(), project);
+    return start.x == place.x ? place : climb(start.x);
+}
+
+void ConstrainedSmoother::constrain(const std::vector<int32_t>& tets, const Vec3& x, const Vec3& home, uint8_t frozen)
+{
+    const double reach = star_.reach(x);
+    constraint_.set(mesh_, tets, x, home, frozen, reach, tolerance_ * std::min(reach, voxel_));
+}
+
+bool ConstrainedSmoother::load_middle(const EdgeRing& ring, Vec3& middle)
+{
+    star_.load(mesh_, ring);
+    middle = 0.5 * (mesh_.point(ring.a) + mesh_.point(ring.b));
+    constrain(ring.tets, middle, middle, frozen_on_edge(mesh_, ring));
+    return constraint_.project(middle);
+}
+
+Place ConstrainedSmoother::climb(const Vec3& from)
+{
+    return smoother_.climb(star_, from, target_, constraint_.tangent(),
+                           [&](Vec3& x) { return constraint_.project(x); });
+}
+
+}  // namespace cleft

@@ -1,0 +1,43 @@
+// Finds better places for points of a multi-material mesh, where their ties and the box let them go.
+#pragma once
+
+#include "improving/tie_constraint.hpp"
+#include "remeshing/cavity.hpp"
+
+namespace cleft
+{
+
+class ConstrainedSmoother
+{
+public:
+    ConstrainedSmoother(LocalMesh& mesh, const Volume& volume);
+
+    // Places of quality `target` (of angle_quality) are good enough. For `tolerance` see Search.
+    void aim_at(double target, double tolerance);
+
+    // Moves a point to where the worst tetrahedron around it is better; false if it stays. After that, star() is the
+    // star of the point.
+    bool smooth(int32_t v, bool thorough);
+    const TetStar& star() const { return star_; }
+
+    // Loads the tetrahedra around an edge, and finds its middle on the tie of their materials; false if there is none.
+    bool load_middle(const EdgeRing& ring, Vec3& middle);
+    // A better place for a point in the tetrahedra that are loaded, from one on the tie.
+    Place climb(const Vec3& from);
+    // A new point of the mesh, the last one, has its home here.
+    void add_point(const Vec3& home) { home_.push_back(home); }
+
+private:
+    Place better_place(int32_t v, bool thorough);
+    void constrain(const std::vector<int32_t>& tets, const Vec3& x, const Vec3& home, uint8_t frozen);
+
+    LocalMesh& mesh_;
+    const double voxel_;
+    double target_ = 0, tolerance_ = 0;
+    std::vector<Vec3> home_;  // of each point: where cleaving, or the split that made it, put it
+    TieConstraint constraint_;
+    Smoother smoother_;
+    TetStar star_;
+};
+
+}  // namespace cleft

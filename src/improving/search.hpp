@@ -1,0 +1,31 @@
+// What one search of improving may do, and what it did.
+#pragma once
+
+#include "remeshing/local_mesh.hpp"
+
+namespace cleft
+{
+
+// Passes over the tetrahedra below the target.
+struct Search {
+    int passes;
+    double tolerance = 0;   // how far points of interfaces may leave the tie, in least voxel spacings (or edge
+                            // lengths, where those are shorter)
+    double bend = 0.05;     // how far an interface may move when an edge in it is flipped, in lengths of the edge
+    bool thorough = false;  // only for the worst, if there are many: also tries places far from where a point is
+    bool compound = false;  // also tries operations that help only after the points around have moved
+    bool wide = false;      // compound operations at the tetrahedra around, too
+};
+
+struct SearchCounts {
+    int64_t moved = 0, edges_removed = 0, faces_removed = 0, contracted = 0, split = 0, compound = 0;
+};
+
+// How far the interface may move when this edge is flipped.
+inline double bend_at(const LocalMesh& mesh, const Search& search, int32_t t, int corner_a, int corner_b)
+{
+    const Tet& v = mesh.tet(t);
+    return search.bend * (mesh.point(v[at(corner_a)]) - mesh.point(v[at(corner_b)])).norm();
+}
+
+}  // namespace cleft
