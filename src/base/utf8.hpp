@@ -26,7 +26,7 @@ inline Character first_character(std::string_view text)
     if (lead < 0x80)
         return {lead, 1};
     const size_t bytes = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-    constexpr uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+    constexpr uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
     if (lead < 0xC2 || lead > 0xF4 || text.size() < bytes)
         return {};
     uint32_t code = lead & (0x7FU >> bytes);
@@ -36,7 +36,7 @@ inline Character first_character(std::string_view text)
         code = code << 6 | (byte(i) & 0x3FU);
     }
     const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-    return code < least[bytes] || surrogate || code > 0x10FFFF ? Character{} : Character{code, bytes};
+    return code < kLeast[bytes] || surrogate || code > 0x10FFFF ? Character{} : Character{code, bytes};
 }
 
 // What came from outside stands in sentences, which must be text nevertheless.

@@ -106,8 +106,8 @@ FacesPart check_all_faces(const Subject& s, const Run& run)
 {
     const auto point_count = static_cast<int64_t>(s.mesh.points.size());
     const FaceBuckets buckets(s.mesh.tets, point_count, run);
-    std::vector<FacesPart> parts(static_cast<size_t>(chunk_count(point_count, FaceBuckets::points_at_once)));
-    parallel_chunks(run, point_count, FaceBuckets::points_at_once, [&](int64_t chunk, int64_t begin, int64_t end) {
+    std::vector<FacesPart> parts(static_cast<size_t>(chunk_count(point_count, FaceBuckets::kPointsAtOnce)));
+    parallel_chunks(run, point_count, FaceBuckets::kPointsAtOnce, [&](int64_t chunk, int64_t begin, int64_t end) {
         FacesPart& part = parts[static_cast<size_t>(chunk)];
         buckets.for_each_face(begin, end,
                               [&](const HalfFace* face, size_t count) { check_face(s, face, count, part); });

@@ -31,7 +31,7 @@ std::vector<std::array<int32_t, 4>> tet_neighbours(const std::vector<Tet>& tets,
     const auto link = [&](const HalfFace& from, const HalfFace& to) {
         neighbours[static_cast<size_t>(from.tet())][static_cast<size_t>(from.corner())] = to.tet();
     };
-    parallel_for(run, point_count, FaceBuckets::points_at_once, [&](int64_t begin, int64_t end) {
+    parallel_for(run, point_count, FaceBuckets::kPointsAtOnce, [&](int64_t begin, int64_t end) {
         buckets.for_each_face(begin, end, [&](const HalfFace* faces, size_t count) {
             if (count > 2)
                 refuse_crowded_face(faces, count);

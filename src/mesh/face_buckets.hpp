@@ -42,7 +42,7 @@ inline std::array<int32_t, 3> face_points(const std::vector<Tet>& tets, uint32_t
 class FaceBuckets
 {
 public:
-    static constexpr int64_t points_at_once = 2048;  // whose faces a thread looks at
+    static constexpr int64_t kPointsAtOnce = 2048;  // whose faces a thread looks at
 
     // Throws CLEFT_ERROR_TOO_LARGE from 2^30 tetrahedra on: four times their number must fit 32 bits.
     // With `among`, by point, only faces all of whose points are marked there; these then are found much sooner.

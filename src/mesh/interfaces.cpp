@@ -101,9 +101,9 @@ Interfaces extract_interfaces(const RegionMesh& mesh, const Vec3& lo, const Vec3
     const BoundingBox box{lo, hi};
     const std::vector<uint8_t> surface = surface_points(mesh, of_points);
     const FaceBuckets buckets(mesh.tets, point_count, of_points, &surface);
-    std::vector<Faces> parts(static_cast<size_t>(chunk_count(point_count, FaceBuckets::points_at_once)));
+    std::vector<Faces> parts(static_cast<size_t>(chunk_count(point_count, FaceBuckets::kPointsAtOnce)));
     parallel_chunks(
-        steps.next(), point_count, FaceBuckets::points_at_once, [&](int64_t chunk, int64_t begin, int64_t end) {
+        steps.next(), point_count, FaceBuckets::kPointsAtOnce, [&](int64_t chunk, int64_t begin, int64_t end) {
             Faces& part = parts[static_cast<size_t>(chunk)];
             buckets.for_each_face(begin, end,
                                   [&](const HalfFace* face, size_t count) { add_face(mesh, face, count, box, part); });

@@ -10,7 +10,7 @@ namespace
 {
 
 // Columns that are worked on together, so that a cache line of a strided read is used whole.
-constexpr int32_t block_width = 16;
+constexpr int32_t kBlockWidth = 16;
 
 void transform_row(int32_t* row, int32_t first, int32_t n)
 {
@@ -52,7 +52,7 @@ struct Columns {
     }
 
     int32_t length() const { return grid.dims[static_cast<size_t>(axis)]; }
-    int64_t blocks_in_row() const { return chunk_count(grid.dims[0], block_width); }
+    int64_t blocks_in_row() const { return chunk_count(grid.dims[0], kBlockWidth); }
     int64_t count() const { return blocks_in_row() * grid.dims[static_cast<size_t>(3 - axis)]; }
 
     // The first voxel of the row (axis 1) or plane (axis 2) that holds place y of a column: the sites there were found
@@ -81,7 +81,7 @@ struct ColumnScratch {
     std::vector<int32_t> held;   // their sites
     std::vector<double> start;   // from where each is the lowest
 
-    explicit ColumnScratch(size_t n) : site(n * block_width), height(n * block_width), place(n), held(n), start(n) {}
+    explicit ColumnScratch(size_t n) : site(n * kBlockWidth), height(n * kBlockWidth), place(n), held(n), start(n) {}
 };
 
 // height[y] + (x - y)^2 for each y that has a site: which is the lowest at each x?
@@ -122,8 +122,8 @@ void transform_column(const Columns& columns, int32_t* site, const double* heigh
 void transform_block(const Columns& columns, int64_t number, std::vector<int32_t>& nearest, ColumnScratch& s)
 {
     const auto other = static_cast<int32_t>(number / columns.blocks_in_row());
-    const auto i0 = static_cast<int32_t>(number % columns.blocks_in_row()) * block_width;
-    const int32_t width = std::min(block_width, columns.grid.dims[0] - i0);
+    const auto i0 = static_cast<int32_t>(number % columns.blocks_in_row()) * kBlockWidth;
+    const int32_t width = std::min(kBlockWidth, columns.grid.dims[0] - i0);
     const int64_t n = columns.length();
     int32_t* const corner =
         nearest.data() + (columns.axis == 1 ? columns.grid.index(i0, 0, other) : columns.grid.index(i0, other, 0));
@@ -147,7 +147,7 @@ void transform_columns(const Grid& grid, int axis, std::vector<int32_t>& nearest
     const Columns columns(grid, axis);
     if (columns.length() == 1)
         return;
-    const int64_t grain = std::max<int64_t>(1, 16384 / (int64_t{columns.length()} * block_width));
+    const int64_t grain = std::max<int64_t>(1, 16384 / (int64_t{columns.length()} * kBlockWidth));
     parallel_with_progress(run, columns.count(), grain, [&](int64_t, int64_t begin, int64_t end) {
         ColumnScratch scratch(static_cast<size_t>(columns.length()));
         for (int64_t block = begin; block < end; ++block)

@@ -22,7 +22,7 @@ namespace cleft
 namespace
 {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // The direction of a scan along each axis; scanned coordinates count up from 0 in that direction.
 struct Scan {
@@ -43,7 +43,7 @@ struct ConeRow {
     {
         for (auto* v : {&x, &y, &z})
             v->assign(n + 2, 0);
-        value.assign(n + 2, infinity);
+        value.assign(n + 2, kInfinity);
         apex.assign(n + 2, -1);
     }
 };
@@ -62,7 +62,7 @@ public:
         for (size_t a = 0; a < 3; ++a)
             spacing_[a] = static_cast<float>(grid.spacing[static_cast<int>(a)] / unit);
         slope_ = static_cast<float>(gradation * unit);
-        scratch_.resize(static_cast<size_t>(std::min(wavefront_batch, grid.dims[2])));
+        scratch_.resize(static_cast<size_t>(std::min(kWavefrontBatch, grid.dims[2])));
         for (Scratch& s : scratch_) {
             for (ConeRow& row : s.rows)
                 row.resize(static_cast<size_t>(grid.dims[0]));
@@ -217,7 +217,7 @@ void ConeScan::along(int32_t j, int32_t k, ConeRow& own, float* best) const
 
 void ConeScan::row(int32_t plane, int32_t row)
 {
-    Scratch& s = scratch_[static_cast<size_t>(plane % wavefront_batch)];
+    Scratch& s = scratch_[static_cast<size_t>(plane % kWavefrontBatch)];
     const int32_t k = scan_.at(2, plane, grid_);
     const int32_t j = scan_.at(1, row, grid_);
     ConeRow& own = s.rows[slot_own(row)];
@@ -325,17 +325,17 @@ private:
 
 void limit_gradient(const Grid& grid, double gradation, std::vector<float>& h, const Run& run)
 {
-    constexpr std::array<Scan, 4> scans{{{{1, 1, 1}}, {{-1, -1, -1}}, {{1, -1, 1}}, {{-1, 1, -1}}}};
-    Steps steps(run, std::vector<Step>(scans.size() + 3, {"sizing: gradation", 1}));
+    constexpr std::array<Scan, 4> kScans{{{{1, 1, 1}}, {{-1, -1, -1}}, {{1, -1, 1}}, {{-1, 1, -1}}}};
+    Steps steps(run, std::vector<Step>(kScans.size() + 3, {"sizing: gradation", 1}));
     std::vector<int32_t> apex(h.size());
     for (size_t v = 0; v < apex.size(); ++v)
         apex[v] = static_cast<int32_t>(v);
-    for (const Scan& scan : scans) {
+    for (const Scan& scan : kScans) {
         ConeScan cones(grid, gradation, h, apex, scan);
         wavefront(steps.next(), grid.dims[2], grid.dims[1], [&](int32_t plane, int32_t row) { cones.row(plane, row); });
     }
-    ConeScan(grid, gradation, h, apex, scans[0]).finish(steps.next());
-    for (const Scan& scan : {scans[0], scans[1]}) {
+    ConeScan(grid, gradation, h, apex, kScans[0]).finish(steps.next());
+    for (const Scan& scan : {kScans[0], kScans[1]}) {
         ChamferScan chamfer(grid, gradation, h, scan);
         wavefront(steps.next(), grid.dims[2], grid.dims[1],
                   [&](int32_t plane, int32_t row) { chamfer.row(plane, row); });

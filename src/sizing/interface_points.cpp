@@ -11,8 +11,8 @@ namespace cleft
 namespace
 {
 
-constexpr int steps = 19;  // the gradient along an axis is -9 .. 9: nine voxels on either side
-constexpr size_t code_count = size_t{8} * steps * steps * steps;
+constexpr int kSteps = 19;  // the gradient along an axis is -9 .. 9: nine voxels on either side
+constexpr size_t kCodeCount = size_t{8} * kSteps * kSteps * kSteps;
 
 struct Code {
     std::array<int, 3> gradient;  // of the own share
@@ -20,13 +20,13 @@ struct Code {
 
     uint16_t pack() const
     {
-        return static_cast<uint16_t>((((gradient[2] + 9) * steps + gradient[1] + 9) * steps + gradient[0] + 9) * 8 +
+        return static_cast<uint16_t>((((gradient[2] + 9) * kSteps + gradient[1] + 9) * kSteps + gradient[0] + 9) * 8 +
                                      faces);
     }
     static Code unpack(size_t packed)
     {
         const auto g = static_cast<int>(packed / 8);
-        return {{g % steps - 9, g / steps % steps - 9, g / (steps * steps) - 9}, static_cast<int>(packed % 8)};
+        return {{g % kSteps - 9, g / kSteps % kSteps - 9, g / (kSteps * kSteps) - 9}, static_cast<int>(packed % 8)};
     }
 };
 
@@ -50,8 +50,8 @@ InterfacePoint decode(const Code& code, const Vec3& spacing)
 
 std::vector<InterfacePoint> decode_all(const Vec3& spacing)
 {
-    std::vector<InterfacePoint> table(code_count);
-    for (size_t packed = 0; packed < code_count; ++packed) {
+    std::vector<InterfacePoint> table(kCodeCount);
+    for (size_t packed = 0; packed < kCodeCount; ++packed) {
         const Code code = Code::unpack(packed);
         if (code.faces != 0 && code.gradient != std::array<int, 3>{0, 0, 0})
             table[packed] = decode(code, spacing);

@@ -9,9 +9,9 @@ namespace
 // sphere would have branches to each stair. A place m between two voxels counts only if the two interface points p, q
 // subtend more than 120 degrees at m and are further apart than any stair (pruning of the integer medial axis), or, in
 // a sheet thinner than that, belong to opposite sides of it. Stairs are as high as the greatest spacing.
-constexpr double stair_length = 4;        // in greatest spacings
-constexpr double least_sheet = 0.8;       // in voxels, each axis by its own spacing
-constexpr double opposite_sides = -0.85;  // cosine of the angle between the normals of two sides of a sheet
+constexpr double kStairLength = 4;        // in greatest spacings
+constexpr double kLeastSheet = 0.8;       // in voxels, each axis by its own spacing
+constexpr double kOppositeSides = -0.85;  // cosine of the angle between the normals of two sides of a sheet
 
 struct Position {
     Vec3 point, normal;
@@ -25,11 +25,11 @@ bool is_medial(const Vec3& m, const Position& p, const Position& q, const Vec3& 
     if (dot >= 0 || 4 * dot * dot <= to_p.squaredNorm() * to_q.squaredNorm())
         return false;
     const Vec3 apart = p.point - q.point;
-    const double stair = stair_length * spacing.maxCoeff();
+    const double stair = kStairLength * spacing.maxCoeff();
     if (apart.squaredNorm() > stair * stair)
         return true;
-    return p.normal.dot(q.normal) < opposite_sides &&
-           apart.cwiseQuotient(spacing).squaredNorm() > least_sheet * least_sheet;
+    return p.normal.dot(q.normal) < kOppositeSides &&
+           apart.cwiseQuotient(spacing).squaredNorm() > kLeastSheet * kLeastSheet;
 }
 
 // Where the way from x along an axis is as far from p as from q, as a part of its length.
@@ -100,7 +100,7 @@ private:
             return false;
         const auto& n = points_[p].normal;
         const auto& m = points_[q].normal;
-        return n[0] * m[0] + n[1] * m[1] + n[2] * m[2] >= opposite_sides;
+        return n[0] * m[0] + n[1] * m[1] + n[2] * m[2] >= kOppositeSides;
     }
 
     // The place between x and the next voxel along an axis, in steps from x, or -1 if it is not medial.

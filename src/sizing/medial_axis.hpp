@@ -12,11 +12,11 @@ namespace cleft
 
 // What a voxel holds of the medial axis: nothing (0), or one place in a byte. Either on the way from its centre to that
 // of the next voxel along an axis, in steps of 1/63, or half a voxel or none away from its centre along each axis.
-constexpr int medial_steps = 63;
+constexpr int kMedialSteps = 63;
 
 inline uint8_t pack_medial(int axis, double part)
 {
-    return static_cast<uint8_t>((axis + 1) << 6 | static_cast<int>(part * medial_steps + 0.5));
+    return static_cast<uint8_t>((axis + 1) << 6 | static_cast<int>(part * kMedialSteps + 0.5));
 }
 
 // halves: -1, 0 or 1 half a voxel along each axis.
@@ -28,13 +28,13 @@ inline uint8_t pack_medial(const std::array<int, 3>& halves)
 // The place, relative to the voxel's centre.
 inline Vec3 medial_offset(uint8_t held, const Vec3& spacing)
 {
-    if (held <= medial_steps) {
+    if (held <= kMedialSteps) {
         const int halves = held - 1;
         return 0.5 * Vec3(halves % 3 - 1, halves / 3 % 3 - 1, halves / 9 - 1).cwiseProduct(spacing);
     }
     Vec3 offset = Vec3::Zero();
     const int axis = (held >> 6) - 1;
-    offset[axis] = (held & medial_steps) * spacing[axis] / medial_steps;
+    offset[axis] = (held & kMedialSteps) * spacing[axis] / kMedialSteps;
     return offset;
 }
 

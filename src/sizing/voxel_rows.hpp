@@ -47,9 +47,9 @@ inline int64_t rows_per_chunk(const Grid& grid) { return std::max<int64_t>(1, 16
 template <class Body>
 void parallel_with_progress(const Run& run, int64_t n, int64_t grain, const Body& body)
 {
-    constexpr int64_t batches = 16;
+    constexpr int64_t kBatches = 16;
     const int64_t chunks = chunk_count(n, grain);
-    const int64_t batch = std::max<int64_t>(1, chunk_count(chunks, batches));
+    const int64_t batch = std::max<int64_t>(1, chunk_count(chunks, kBatches));
     for (int64_t first = 0; first < chunks; first += batch) {
         run.report(static_cast<double>(first) / static_cast<double>(chunks));
         const int64_t begin = first * grain;

@@ -13,15 +13,15 @@ namespace cleft
 {
 
 // Planes that are handed out together, between two reports.
-constexpr int32_t wavefront_batch = 16;
+constexpr int32_t kWavefrontBatch = 16;
 
 // body(plane, row) in the order above. It must not throw: planes that wait for its rows would wait forever.
 template <class Body>
 void wavefront(const Run& run, int32_t planes, int32_t rows, const Body& body)
 {
-    for (int32_t first = 0; first < planes; first += wavefront_batch) {
+    for (int32_t first = 0; first < planes; first += kWavefrontBatch) {
         run.report(static_cast<double>(first) / planes);
-        const int32_t count = std::min(wavefront_batch, planes - first);
+        const int32_t count = std::min(kWavefrontBatch, planes - first);
         std::vector<std::atomic<int32_t>> done(static_cast<size_t>(count));
         parallel_for(run, count, 1, [&](int64_t p, int64_t) {
             for (int32_t row = 0; row < rows; ++row) {

@@ -49,8 +49,8 @@ public:
     {
         alignas(16) float phi[4] = {}, sine[4], cosine[4];
         for (size_t a = 0; a < 3; ++a) {
-            constexpr int positive = 4;
-            out.first[a] = static_cast<int32_t>(u[a] - 0.5 * width_ + (1 + positive)) - positive;
+            constexpr int kPositive = 4;
+            out.first[a] = static_cast<int32_t>(u[a] - 0.5 * width_ + (1 + kPositive)) - kPositive;
             phi[a] = static_cast<float>(u[a] - (out.first[a] + 0.5 * (width_ - 1)));
         }
         const float frequency = static_cast<float>(2 * kPi / width_);

@@ -60,13 +60,13 @@ bool next_share(LabelBlock<Label>& block, const BlockWeights& weights, Shares& o
     });
     if (material < 0)
         return false;
-    constexpr double step = 1.0 / kWeightOne;
+    constexpr double kStep = 1.0 / kWeightOne;
     const int k = out.count++;
     out.material[k] = material;
-    out.value[k] = step * f.total();
+    out.value[k] = kStep * f.total();
     if (WithGradient)
         for (int d = 0; d < 3; ++d)
-            out.gradient[k][d] = step * slope[d].total();
+            out.gradient[k][d] = kStep * slope[d].total();
     return true;
 }
 

@@ -19,10 +19,10 @@ constexpr int64_t kVoxelsListed = int64_t{1} << 18;
 
 // Sets and maps over all values of a small type are arrays; 32-bit values are hashed.
 template <class Value>
-constexpr bool is_small = sizeof(Value) <= 2;
+constexpr bool kIsSmall = sizeof(Value) <= 2;
 
 template <class Value>
-constexpr size_t value_count = size_t{1} << (8 * (is_small<Value> ? sizeof(Value) : 0));
+constexpr size_t kValueCount = size_t{1} << (8 * (kIsSmall<Value> ? sizeof(Value) : 0));
 
 template <class Value>
 size_t slot(Value value)
@@ -35,11 +35,11 @@ template <class Value>
 class ValueSet
 {
 public:
-    ValueSet() : seen_(value_count<Value>, 0) {}
+    ValueSet() : seen_(kValueCount<Value>, 0) {}
     void insert(Value value)
     {
         bool is_new = false;
-        if constexpr (is_small<Value>)
+        if constexpr (kIsSmall<Value>)
             is_new = std::exchange(seen_[slot(value)], uint8_t{1}) == 0;
         else
             is_new = hashed_.insert(value).second;
@@ -58,11 +58,11 @@ template <class Value, class Label>
 class ValueMap
 {
 public:
-    explicit ValueMap(const std::vector<int32_t>& labels) : place_(value_count<Value>, 0)
+    explicit ValueMap(const std::vector<int32_t>& labels) : place_(kValueCount<Value>, 0)
     {
         for (size_t i = 0; i < labels.size(); ++i) {
             const auto value = static_cast<Value>(labels[i]);
-            if constexpr (is_small<Value>)
+            if constexpr (kIsSmall<Value>)
                 place_[slot(value)] = static_cast<Label>(i);
             else
                 hashed_.emplace(value, static_cast<Label>(i));
@@ -70,7 +70,7 @@ public:
     }
     Label at(Value value) const
     {
-        if constexpr (is_small<Value>)
+        if constexpr (kIsSmall<Value>)
             return place_[slot(value)];
         else
             return hashed_.at(value);
