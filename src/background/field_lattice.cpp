@@ -48,7 +48,6 @@ double field_lattice_size(const SizingField& field, const LatticeOptions& option
 
 TetMesh field_lattice(const SizingField& field, const LatticeOptions& options, const Run& run)
 {
-    warn_of_coarse_lattice(field, run);
     const double size = field_lattice_size(field, options);
     warn_of_raised_size(field, size, options.max_tets, run);
     refuse_flat_lattice(field.grid, size, options.max_tets);
@@ -57,12 +56,12 @@ TetMesh field_lattice(const SizingField& field, const LatticeOptions& options, c
 
 // Scaled for a wanted number of tetrahedra, the one size of a lattice can come out coarser than the thinnest parts ask
 // for, which is half of their thickness. A field that is constant asks for nothing of the kind.
-void warn_of_coarse_lattice(const SizingField& field, const Run& run)
+void warn_of_coarse_lattice(const SizingField& field, double scale, const Run& run)
 {
     constexpr double kCoarse = 1.1;
-    if (field.scale > kCoarse && field.least() < field.greatest())
+    if (scale > kCoarse && field.least() < field.greatest())
         run.warn("the lattice has one size, " + number_text(field.least()) +
-                 ", which may lose the thinnest parts: a size of " + number_text(field.least() / field.scale) +
+                 ", which may lose the thinnest parts: a size of " + number_text(field.least() / scale) +
                  " resolves them, or a graded background with fewer tetrahedra");
 }
 

@@ -16,11 +16,11 @@ struct LatticeOptions {
 // The size that the lattice gets.
 double field_lattice_size(const SizingField& field, const LatticeOptions& options);
 
-// Warns where the size is raised, or is coarser than the thinnest parts ask for. Refuses the lattice of a plate that
-// has more tetrahedra than max_tets although its size asks for no more: cells are no longer than the box is thin.
+// Warns where the size is raised. Refuses the lattice of a plate that has more tetrahedra than max_tets although its
+// size asks for no more: cells are no longer than the box is thin.
 TetMesh field_lattice(const SizingField& field, const LatticeOptions& options, const Run& run);
 
-// Warns if the one size of a lattice is coarser than the thinnest parts ask for.
-void warn_of_coarse_lattice(const SizingField& field, const Run& run);
+// Warns if the one size of a lattice is coarser than the thinnest parts ask for, where the field was scaled.
+void warn_of_coarse_lattice(const SizingField& field, double scale, const Run& run);
 
 }  // namespace cleft

@@ -25,9 +25,11 @@ Estimate estimated(const cleft_volume& volume, const cleft_sizing* sizing, const
     if (background)
         return cleft::estimate_from_background(volume.volume, given_background(*background, volume.frame, run).mesh, p,
                                                run);
-    return cleft::estimate_from_sizing(
-        volume.volume, sizing ? given_field(*sizing, volume) : cleft::compute_sizing(volume.volume, p.sizing, run), p,
-        run);
+    return cleft::estimate_from_sizing(volume.volume,
+                                       sizing
+                                           ? given_sizing(*sizing, volume)
+                                           : cleft::ScaledSizing{cleft::compute_sizing(volume.volume, p.sizing, run)},
+                                       p, run);
 }
 
 }  // namespace

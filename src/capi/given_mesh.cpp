@@ -94,11 +94,11 @@ GivenBackground given_background(const cleft_mesh& mesh, const Frame& frame, con
     return {checked_background(mesh, frame, run), false};
 }
 
-SizingField given_field(const cleft_sizing& sizing, const cleft_volume& volume)
+ScaledSizing given_sizing(const cleft_sizing& sizing, const cleft_volume& volume)
 {
     if (sizing.frame.grid.dims != volume.frame.grid.dims)
         throw Error(CLEFT_ERROR_ARGUMENT, "the sizing field and the volume have different dims");
-    return sizing.field;
+    return sizing.sizing;
 }
 
 }  // namespace cleft::capi

@@ -30,6 +30,6 @@ struct GivenBackground {
 GivenBackground given_background(const cleft_mesh& mesh, const Frame& frame, const Run& run);
 
 // A copy of the field, which must have the dims of the volume.
-SizingField given_field(const cleft_sizing& sizing, const cleft_volume& volume);
+ScaledSizing given_sizing(const cleft_sizing& sizing, const cleft_volume& volume);
 
 }  // namespace cleft::capi

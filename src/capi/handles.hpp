@@ -10,7 +10,7 @@
 #include "mesh/interfaces.hpp"
 #include "mesh/tet_mesh.hpp"
 #include "pipeline/label_report.hpp"
-#include "sizing/sizing_field.hpp"
+#include "pipeline/scaled_sizing.hpp"
 #include "volume/frame.hpp"
 #include "volume/volume.hpp"
 
@@ -89,7 +89,7 @@ struct cleft_volume : cleft::capi::Handle<cleft::capi::Mark::volume> {
 
 struct cleft_sizing : cleft::capi::Handle<cleft::capi::Mark::sizing> {
     cleft::Frame frame;
-    cleft::SizingField field;
+    cleft::ScaledSizing sizing;
     double expected_tets = 0;  // of a background, in the labels that the options keep
 };
 

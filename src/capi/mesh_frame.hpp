@@ -20,7 +20,7 @@ bool is_as_left(const cleft_mesh& mesh, MadeBy stage, const Frame& frame);
 // Its points and tetrahedra, then.
 TetMesh as_left(const cleft_mesh& mesh);
 
-// The points and tetrahedra of a user's mesh in the local frame of a volume.
+// The points and tetrahedra of a user-supplied mesh in the local frame of a volume.
 void to_local(const cleft_mesh& mesh, const Frame& frame, std::vector<Vec3>& points, std::vector<Tet>& tets);
 
 // The same with labels turned into the volume's materials; a label that the volume lacks is an Error.

@@ -52,7 +52,7 @@ LabelledMesh meshed(const cleft_volume& volume, const cleft_sizing* sizing, cons
         return cleft::mesh_from_background(volume.volume, std::move(from.mesh), from.options(p), run);
     }
     if (sizing)
-        return cleft::mesh_from_sizing(volume.volume, given_field(*sizing, volume), p, run);
+        return cleft::mesh_from_sizing(volume.volume, given_sizing(*sizing, volume), p, run);
     return cleft::mesh_from_volume(volume.volume, p, run);
 }
 
@@ -63,7 +63,7 @@ cleft_status cleft_background_create(cleft_context* context, const cleft_sizing*
 {
     return guarded_create(context, out, [&](const Run& run) {
         const auto s = held(sizing, "sizing");
-        cleft::TetMesh mesh = cleft::make_background(s->field, pipeline_options(options), run);
+        cleft::TetMesh mesh = cleft::make_background(s->sizing, pipeline_options(options), run);
         LabelledMesh labelled{std::move(mesh.points), std::move(mesh.tets), {}};
         labelled.material.assign(labelled.tets.size(), 0);
         return to_next_stage(std::move(labelled), MadeBy::background, s->frame, {0}, run);

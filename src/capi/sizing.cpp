@@ -9,6 +9,7 @@
 using namespace cleft::capi;
 using cleft::Error;
 using cleft::Run;
+using cleft::ScaledSizing;
 using cleft::SizingField;
 
 namespace
@@ -25,11 +26,11 @@ std::vector<double> as_doubles(cleft_type type, const void* values, int64_t coun
 }
 
 // The handle of a field.
-cleft_sizing finished(const cleft_volume& v, SizingField field, const cleft::PipelineOptions& p, const Run& run)
+cleft_sizing finished(const cleft_volume& v, ScaledSizing sizing, const cleft::PipelineOptions& p, const Run& run)
 {
-    const cleft::ExpectedTets expected = cleft::expected_tets(field, p.background, v.volume, p.keep, run);
+    const cleft::ExpectedTets expected = cleft::expected_tets(sizing.field, p.background, v.volume, p.keep, run);
     run.note("sizing.expected_background_tets", expected.all);
-    return {{}, v.frame, std::move(field), expected.kept};
+    return {{}, v.frame, std::move(sizing), expected.kept};
 }
 
 }  // namespace
@@ -54,7 +55,7 @@ cleft_status cleft_sizing_create_constant(cleft_context* context, const cleft_vo
             throw Error(CLEFT_ERROR_NOT_FINITE, "the size is NaN or infinite");
         SizingField field = cleft::constant_sizing(v->frame.grid, size);
         const double expected = cleft::expected_background_tets(field);
-        return cleft_sizing{{}, v->frame, std::move(field), expected};
+        return cleft_sizing{{}, v->frame, {std::move(field)}, expected};
     });
 }
 
@@ -73,8 +74,9 @@ cleft_status cleft_sizing_create_values(cleft_context* context, const cleft_volu
             p.sizing.user = field.h.data();
             field = cleft::compute_sizing(v->volume, p.sizing, run);
         }
-        cleft::scale_to_number(field, v->volume, p, run);
-        return finished(*v, std::move(field), p, run);
+        ScaledSizing sizing{std::move(field)};
+        cleft::scale_to_number(sizing, v->volume, p, run);
+        return finished(*v, std::move(sizing), p, run);
     });
 }
 
@@ -98,7 +100,7 @@ cleft_status cleft_sizing_affine(const cleft_sizing* sizing, double affine[12]) 
 
 const float* cleft_sizing_values(const cleft_sizing* sizing) noexcept
 {
-    return is_sound(sizing) ? sizing->field.h.data() : nullptr;
+    return is_sound(sizing) ? sizing->sizing.field.h.data() : nullptr;
 }
 
 cleft_status cleft_sizing_at(const cleft_sizing* sizing, const double point[3], double* size) noexcept
@@ -109,7 +111,7 @@ cleft_status cleft_sizing_at(const cleft_sizing* sizing, const double point[3], 
         const cleft::Vec3 world(point[0], point[1], point[2]);
         if (!world.allFinite())
             throw Error(CLEFT_ERROR_NOT_FINITE, "the point is NaN or infinite");
-        *required(size, "size") = s.field.at(s.frame.to_local(world));
+        *required(size, "size") = s.sizing.field.at(s.frame.to_local(world));
     });
 }
 

@@ -32,10 +32,10 @@ Estimate estimate_of(const Volume& volume, const ExpectedMesh& expected, double 
 
 }  // namespace
 
-Estimate estimate_from_sizing(const Volume& volume, SizingField field, const PipelineOptions& options, const Run& run)
+Estimate estimate_from_sizing(const Volume& volume, ScaledSizing sizing, const PipelineOptions& options, const Run& run)
 {
-    fit_to_number(field, volume, options, run);
-    const ExpectedMesh expected = expected_mesh(volume, field, options, run);
+    fit_to_number(sizing, volume, options, run);
+    const ExpectedMesh expected = expected_mesh(volume, sizing.field, options, run);
     // The search goes on by meshing, to the number itself.
     const bool is_searched = options.tets > 0 && expected.kept > 0;
     return estimate_of(volume, expected, is_searched ? static_cast<double>(options.tets) / expected.kept : 1);

@@ -16,7 +16,8 @@ struct Estimate {
 };
 
 // For a sizing field, of which no mesh is made.
-Estimate estimate_from_sizing(const Volume& volume, SizingField field, const PipelineOptions& options, const Run& run);
+Estimate estimate_from_sizing(const Volume& volume, ScaledSizing sizing, const PipelineOptions& options,
+                              const Run& run);
 // For a background that is there.
 Estimate estimate_from_background(const Volume& volume, const TetMesh& background, const PipelineOptions& options,
                                   const Run& run);

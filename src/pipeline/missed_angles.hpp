@@ -1,4 +1,4 @@
-// Tells of dihedral angles that improving could not bring to its target.
+// Reports dihedral angles that improving could not bring to its target.
 #pragma once
 
 #include "pipeline/pipeline.hpp"

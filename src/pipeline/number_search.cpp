@@ -28,12 +28,18 @@ int64_t kept_count(const LabelledMesh& mesh, const PipelineOptions& options)
     return std::count_if(mesh.material.begin(), mesh.material.end(), [&](Material m) { return options.keeps(m); });
 }
 
+void scale(ScaledSizing& sizing, double factor, const Run& run)
+{
+    scale_sizing(sizing.field, factor, run);
+    sizing.scale *= factor;
+}
+
 // One run at one size, without the finishing.
-LabelledMesh attempt(const Volume& volume, const SizingField& field, const PipelineOptions& options, const Run& run)
+LabelledMesh attempt(const Volume& volume, const ScaledSizing& sizing, const PipelineOptions& options, const Run& run)
 {
     const double share = row_of(options.background.kind).share_of_time;
     Steps steps(run, {{nullptr, share}, {nullptr, 100 - share}});
-    const TetMesh background = make_background(field, options, steps.next());
+    const TetMesh background = make_background(sizing, options, steps.next());
     return cleave_and_improve(volume, background, options, steps.next());
 }
 
@@ -115,59 +121,59 @@ void warn_of_number(const LabelledMesh& mesh, const PipelineOptions& options, bo
 
 }  // namespace
 
-void fit_to_number(SizingField& field, const Volume& volume, const PipelineOptions& options, const Run& run)
+void fit_to_number(ScaledSizing& sizing, const Volume& volume, const PipelineOptions& options, const Run& run)
 {
     constexpr int kFittingRounds = 6;  // the gradation limit bends the power law
     constexpr double kFitted = 0.01;   // of the factor: 3 % of the number
     constexpr double kMostOff = 1.1;   // what comes out is hardly ever more than so many times what is expected
-    if (options.tets <= 0 || field.found_for == options.tets)
+    if (options.tets <= 0 || sizing.found_for == options.tets)
         return;
     const PipelineOptions unlimited = without_limit(options);
     const double wanted = static_cast<double>(options.tets), limit = limit_of(options);
     for (int round = 0; round < kFittingRounds; ++round) {
-        const ExpectedMesh expected = expected_mesh(volume, field, unlimited, run);
+        const ExpectedMesh expected = expected_mesh(volume, sizing.field, unlimited, run);
         const double for_number = expected.kept > 0 ? std::cbrt(expected.kept / wanted) : 1;
         const double factor = std::max(for_number, least_factor(1, kMostOff * expected.whole, limit));
         if (std::abs(factor - 1) < kFitted)
             return;
-        scale_sizing(field, factor, run);
+        scale(sizing, factor, run);
     }
 }
 
-LabelledMesh mesh_of_number(const Volume& volume, SizingField& field, const PipelineOptions& options, const Run& run)
+LabelledMesh mesh_of_number(const Volume& volume, ScaledSizing& sizing, const PipelineOptions& options, const Run& run)
 {
     constexpr double kTolerance = 0.08, kNearLimit = 0.9;
     const StageTimer timer(run, "pipeline.rounds");  // of all; the stages note their last round
     const double wanted = static_cast<double>(options.tets), limit = limit_of(options);
     NumberSearch search(wanted);
     Steps steps(run, steps_of_rounds());
-    const bool was_found = field.found_for == options.tets;
+    const bool was_found = sizing.found_for == options.tets;
     double factor = 1, next = 1;
-    fit_to_number(field, volume, options, steps.next());
+    fit_to_number(sizing, volume, options, steps.next());
     bool is_limited = false;
     LabelledMesh mesh;
     for (int round = 0; round < kRounds && !is_limited; ++round) {
         if (next != factor)
-            scale_sizing(field, next / factor, steps.next());
+            scale(sizing, next / factor, steps.next());
         else
             steps.next();
         factor = next;
         mesh = LabelledMesh();
-        mesh = attempt(volume, field, options, silenced(steps.next()));
+        mesh = attempt(volume, sizing, options, silenced(steps.next()));
         const double all = static_cast<double>(mesh.tets.size());
         const double count = static_cast<double>(kept_count(mesh, options));
         run.note("pipeline.rounds.count", round + 1);
-        const bool is_where_a_search_ended = round == 0 && was_found && kept_count(mesh, options) == field.found;
+        const bool is_where_a_search_ended = round == 0 && was_found && kept_count(mesh, options) == sizing.found;
         if (is_where_a_search_ended || std::abs(count - wanted) <= kTolerance * wanted)
             break;
         next = std::max(search.next(factor, count), least_factor(factor, all, limit));
         is_limited = limit > 0 && all >= kNearLimit * limit && count < wanted;
     }
-    field.found_for = options.tets;
-    field.found = kept_count(mesh, options);
+    sizing.found_for = options.tets;
+    sizing.found = kept_count(mesh, options);
     warn_of_number(mesh, options, is_limited, run);
     if (!is_graded(options.background.kind))
-        warn_of_coarse_lattice(field, run);
+        warn_of_coarse_lattice(sizing.field, sizing.scale, run);
     return mesh;
 }
 

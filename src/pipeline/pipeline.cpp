@@ -82,24 +82,27 @@ LabelledMesh finished(const Volume& volume, LabelledMesh mesh, const PipelineOpt
 
 }  // namespace
 
-SizingField make_sizing(const Volume& volume, const PipelineOptions& options, const Run& run)
+ScaledSizing make_sizing(const Volume& volume, const PipelineOptions& options, const Run& run)
 {
     Steps steps(run, {{nullptr, 1}, {nullptr, options.tets > 0 ? 20.0 : 0}});
-    SizingField field = compute_sizing(volume, options.sizing, steps.next());
-    scale_to_number(field, volume, options, steps.next());
-    return field;
+    ScaledSizing sizing{compute_sizing(volume, options.sizing, steps.next())};
+    scale_to_number(sizing, volume, options, steps.next());
+    return sizing;
 }
 
-void scale_to_number(SizingField& field, const Volume& volume, const PipelineOptions& options, const Run& run)
+void scale_to_number(ScaledSizing& sizing, const Volume& volume, const PipelineOptions& options, const Run& run)
 {
     if (options.tets > 0)
-        mesh_of_number(volume, field, options, run);
+        mesh_of_number(volume, sizing, options, run);
 }
 
-TetMesh make_background(const SizingField& field, const PipelineOptions& options, const Run& run)
+TetMesh make_background(const ScaledSizing& sizing, const PipelineOptions& options, const Run& run)
 {
     Stage stage(run, "background", {{"background", 1}});
-    TetMesh mesh = row_of(options.background.kind).make(field, options.background, stage.next());
+    const Run part = stage.next();
+    if (!is_graded(options.background.kind))
+        warn_of_coarse_lattice(sizing.field, sizing.scale, part);
+    TetMesh mesh = row_of(options.background.kind).make(sizing.field, options.background, part);
     run.note("background.points", static_cast<double>(mesh.points.size()));
     run.note("background.tets", static_cast<double>(mesh.tets.size()));
     return mesh;
@@ -134,22 +137,22 @@ LabelledMesh improved_and_finished(const Volume& volume, const Cleaved& cleaved,
 LabelledMesh mesh_from_volume(const Volume& volume, const PipelineOptions& options, const Run& run)
 {
     Steps steps(run, {{nullptr, 13}, {nullptr, options.tets > 0 ? 200.0 : 87}});
-    SizingField field = compute_sizing(volume, options.sizing, steps.next());
-    return mesh_from_sizing(volume, std::move(field), options, steps.next());
+    ScaledSizing sizing{compute_sizing(volume, options.sizing, steps.next())};
+    return mesh_from_sizing(volume, std::move(sizing), options, steps.next());
 }
 
-LabelledMesh mesh_from_sizing(const Volume& volume, SizingField field, const PipelineOptions& options, const Run& run)
+LabelledMesh mesh_from_sizing(const Volume& volume, ScaledSizing sizing, const PipelineOptions& options, const Run& run)
 {
     if (options.tets > 0) {
         Steps steps(run, {{nullptr, 95}, {nullptr, 5}});
-        LabelledMesh mesh = mesh_of_number(volume, field, options, steps.next());
-        field = SizingField();
+        LabelledMesh mesh = mesh_of_number(volume, sizing, options, steps.next());
+        sizing = ScaledSizing();
         return finished(volume, std::move(mesh), options, steps.next());
     }
     const double share = row_of(options.background.kind).share_of_time;
     Steps steps(run, {{nullptr, share}, {nullptr, 97 - share}, {nullptr, 3}});
-    TetMesh background = make_background(field, options, steps.next());
-    field = SizingField();
+    TetMesh background = make_background(sizing, options, steps.next());
+    sizing = ScaledSizing();
     LabelledMesh mesh = cleave_and_improve(volume, background, options, steps.next());
     background = TetMesh();
     return finished(volume, std::move(mesh), options, steps.next());

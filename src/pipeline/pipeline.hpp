@@ -4,7 +4,7 @@
 #include "background/kinds.hpp"
 #include "cleaving/cleave.hpp"
 #include "improving/improve.hpp"
-#include "sizing/sizing_field.hpp"
+#include "pipeline/scaled_sizing.hpp"
 #include "sizing/sizing_options.hpp"
 #include "volume/volume.hpp"
 
@@ -29,13 +29,13 @@ struct PipelineOptions {
 };
 
 // The stage of sizing. With options.tets the field is scaled until its mesh has that number, for which meshes are made.
-SizingField make_sizing(const Volume& volume, const PipelineOptions& options, const Run& run);
+ScaledSizing make_sizing(const Volume& volume, const PipelineOptions& options, const Run& run);
 // The same for a field that is given.
-void scale_to_number(SizingField& field, const Volume& volume, const PipelineOptions& options, const Run& run);
+void scale_to_number(ScaledSizing& sizing, const Volume& volume, const PipelineOptions& options, const Run& run);
 
-TetMesh make_background(const SizingField& field, const PipelineOptions& options, const Run& run);
+TetMesh make_background(const ScaledSizing& sizing, const PipelineOptions& options, const Run& run);
 
-// Repairs poor tetrahedra of a user's own background, as the options say.
+// Repairs poor tetrahedra of a user-supplied background, as the options say.
 void repair_background(TetMesh& background, const PipelineOptions& options, const Run& run);
 
 // Cleaving and improving, without what ends a mesh.
@@ -45,8 +45,8 @@ LabelledMesh cleave_and_improve(const Volume& volume, const TetMesh& background,
 // Gives a cleaved mesh, the same one whenever it is called: improving may need it again, and need not hold it.
 using Cleaved = std::function<LabelledMesh(const Run& run)>;
 
-// The last stage: angles and volumes of a cleaved mesh are improved, what was missed is told (with `strict`, refused),
-// and the mesh is ordered.
+// The last stage: angles and volumes of a cleaved mesh are improved, what was missed is reported (with `strict`,
+// refused), and the mesh is ordered.
 LabelledMesh improved_and_finished(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options,
                                    const Run& run);
 
@@ -54,9 +54,10 @@ LabelledMesh improved_and_finished(const Volume& volume, const Cleaved& cleaved,
 LabelledMesh mesh_from_volume(const Volume& volume, const PipelineOptions& options, const Run& run);
 
 // From the sizing field on; the field is given away so that its memory is free when cleaving begins.
-LabelledMesh mesh_from_sizing(const Volume& volume, SizingField field, const PipelineOptions& options, const Run& run);
+LabelledMesh mesh_from_sizing(const Volume& volume, ScaledSizing sizing, const PipelineOptions& options,
+                              const Run& run);
 
-// From a user's background on.
+// From a user-supplied background on.
 LabelledMesh mesh_from_background(const Volume& volume, TetMesh background, const PipelineOptions& options,
                                   const Run& run);
 

@@ -51,7 +51,7 @@ struct Adjacency {
 };
 constexpr Adjacency kByFaces(false), kByCorners(true);
 
-// In how many parts the places are, joined as told; parts that do not reach `touched` do not count.
+// In how many parts the places are, joined as said; parts that do not reach `touched` do not count.
 int count_parts(Neighbourhood places, const Adjacency& joined, Neighbourhood touched)
 {
     int parts = 0;

@@ -13,7 +13,7 @@ namespace
 
 double density(double h) { return 1 / (h * h * h); }
 
-// A voxel among others of about its size stands for its surroundings. Where sizes jump, as in fields of a user's own,
+// A voxel among others of about its size stands for its surroundings. Where sizes jump, as in user-supplied fields,
 // one small value counts as what interpolation makes of it: a spike around the centre of its voxel.
 constexpr float kSmooth = 1.5F;  // greatest over least size
 

@@ -19,8 +19,8 @@ namespace
 // Particles per unit of charge at which relaxed particles have a mean distance of h, and tetrahedra per particle of
 // their Delaunay mesh. Particles on the walls count for the half, quarter or eighth of their surroundings that is in
 // the box, so that the charge of the box is that of its particles, and their share of tetrahedra likewise.
-constexpr double particles_per_charge = 1.75;
-constexpr double tets_per_particle = 5.9;
+constexpr double kParticlesPerCharge = 1.75;
+constexpr double kTetsPerParticle = 5.9;
 
 }  // namespace
 
@@ -73,14 +73,14 @@ double SizingField::greatest() const { return *std::max_element(h.begin(), h.end
 
 double expected_background_tets(const SizingField& field)
 {
-    return tets_per_particle * particles_per_charge * sizing_charge(field);
+    return kTetsPerParticle * kParticlesPerCharge * sizing_charge(field);
 }
 
 double expected_background_tets(const SizingField& field, const Volume& volume, const std::vector<char>& keep)
 {
     if (keep.empty())
         return expected_background_tets(field);
-    return tets_per_particle * particles_per_charge * sizing_charge(field, [&](int64_t voxel) {
+    return kTetsPerParticle * kParticlesPerCharge * sizing_charge(field, [&](int64_t voxel) {
                return keep[static_cast<size_t>(volume.voxel_material(voxel))] != 0;
            });
 }
@@ -91,7 +91,6 @@ void scale_sizing(SizingField& field, double factor, const Run& run)
         throw Error(CLEFT_ERROR_ARGUMENT, "the factor of a sizing field must be positive and finite");
     for (float& value : field.h)
         value = static_cast<float>(value * factor);
-    field.scale *= factor;
     if (factor > 1)  // a smaller field grows the more slowly
         limit_gradient(field.grid, field.gradation, field.h, run);
 }

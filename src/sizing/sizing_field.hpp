@@ -17,9 +17,6 @@ struct SizingField {
     Grid grid;
     std::vector<float> h;
     double gradation = 0.3;
-    double scale = 1;  // what its values have been multiplied by since they were asked for
-    // The scale was found by meshing for a wanted number of tetrahedra (0: for none), and gave so many.
-    int64_t found_for = 0, found = 0;
 
     double at(const Vec3& x) const;
     double least() const;
@@ -48,7 +45,7 @@ inline double SizingField::at(const Vec3& x) const
 }
 
 SizingField constant_sizing(const Grid& grid, double size);
-// A user's own values (positive, finite; an Error names the first that is not), taken as they are.
+// User-supplied values (positive, finite; an Error names the first that is not), taken as they are.
 SizingField sizing_from_values(const Grid& grid, const double* values);
 
 // Refuses a grid that no sizing field can have.

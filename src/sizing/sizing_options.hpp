@@ -23,7 +23,7 @@ struct SizingOptions {
     double max_tets = 0;        // where size_min is 0, sizes from features are at least as large as keeps the expected
                                 // number of background tetrahedra to about this; 0: no limit
     std::vector<std::pair<int32_t, double>> label_sizes;  // (label, greatest size inside it)
-    const float* user = nullptr;  // a user's own field at voxel centres, combined by minimum; may be null
+    const float* user = nullptr;  // a user-supplied field at voxel centres, combined by minimum; may be null
 };
 
 }  // namespace cleft

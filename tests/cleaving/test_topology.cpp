@@ -40,7 +40,7 @@ LabelledMesh meshed(const LabelVolume& labels, const PipelineOptions& options)
 {
     const Grid grid{labels.dims, Vec3(1, 1, 1)};
     const Volume volume = Volume::from_labels(VoxelType::uint8, labels.voxels.data(), grid, 5, Run());
-    return mesh_from_sizing(volume, compute_sizing(volume, options.sizing, Run()), options, Run());
+    return mesh_from_sizing(volume, {compute_sizing(volume, options.sizing, Run())}, options, Run());
 }
 
 // The parts and Euler numbers of the two labels.
@@ -108,7 +108,7 @@ static void near_balls_stay_apart(void**)
 }
 
 // A curve of voxels that touch by faces, one voxel thick: edges of half a voxel keep it, those of two and a half break
-// it and those of six lose it, and then the report tells.
+// it and those of six lose it, and then the report says so.
 static void half_a_voxel_keeps_what_is_one_thick(void**)
 {
     LabelVolume labels = part([](const Vec3&) { return false; });

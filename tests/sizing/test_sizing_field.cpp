@@ -229,7 +229,7 @@ void charge_scales_as_the_inverse_cube(void**)
     const double charge = sizing_charge(field);
     const double least = field.least();
     scale_sizing(field, 0.7, Run());
-    assert_true(std::abs(field.least() / field.scale / least - 1) < 1e-6);
+    assert_true(std::abs(field.least() / 0.7 / least - 1) < 1e-6);
     assert_true(std::abs(sizing_charge(field) * 0.7 * 0.7 * 0.7 / charge - 1) < 1e-5);
     assert_true(std::abs(sizing_charge(constant_sizing(grid_of(10, 20, 30, {1, 2, 3}), 2)) - 36000.0 / 8) < 1e-6);
 }
@@ -242,7 +242,6 @@ void scaling_keeps_the_gradation(void**)
     options.size_max = 5;
     SizingField field = field_of(labels, options);
     scale_sizing(field, 3, Run());
-    assert_true(field.scale == 3);
     assert_true(field.gradation == options.gradation);
     assert_true(worst_slope(field.grid, field.h) < options.gradation * (1 + 1e-4));
     options.feature_scale = 3;
