@@ -19,7 +19,7 @@ struct NearGroup {
         CopyNumber copy;
         size_t end;
     };
-    // Places are told in float, relative to `centre`, in units of `unit`.
+    // Places are stored in float, relative to `centre`, in units of `unit`.
     Vec3 centre{0, 0, 0};
     double unit = 1;
     int32_t first_leaf = 0, leaf_count = 0;

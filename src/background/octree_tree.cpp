@@ -23,8 +23,8 @@ constexpr int32_t kMostLevels = 20;
 // What 32-bit numbers and memory hold with a margin: some twelve tetrahedra a leaf.
 constexpr double kMostTets = 600e6;
 constexpr size_t kMostCells = 60'000'000;
-// Tetrahedra of an octree over those of particles of the same field, mostly. Around spikes of a user's field there are
-// more: there the number of cells is the bound.
+// Tetrahedra of an octree over those of particles of the same field, mostly. Around spikes of a user-supplied field
+// there are more: there the number of cells is the bound.
 constexpr double kTetsOverParticles = 1.5;
 
 void refuse_too_many(const SizingField& field)
@@ -87,8 +87,8 @@ Int3 root_counts(const Vec3& extent, const SizingField& field)
     return roots;
 }
 
-// A spike of a user's field can ask for more levels than the keys of points hold: better told at once than when the
-// tree is built. One level less than the least size needs, for the tree may miss the very tip.
+// A spike of a user-supplied field can ask for more levels than the keys of points hold: better refused at once than
+// when the tree is built. One level less than the least size needs, for the tree may miss the very tip.
 void refuse_too_deep(const Octree& tree, const SizingField& field, const Vec3& root_side)
 {
     const double halvings = std::log2(kMeanEdge * std::cbrt(root_side.prod()) / (kSlack * field.least()));
@@ -100,8 +100,8 @@ void refuse_too_deep(const Octree& tree, const SizingField& field, const Vec3& r
 }
 
 // Least h at the centre and the corners of a cell and at the centres of its octants. With a gradation below 0.7 this
-// finds every smaller value in it by and by: h at the centre is at most the least value inside plus gradation times
-// half the diagonal.
+// finds every smaller value in it on the way down: h at the centre is at most the least value inside plus gradation
+// times half the diagonal.
 double least_size(const SizingField& field, const OctreeCell& cell, const Vec3& root_side)
 {
     const Vec3 side = std::ldexp(1.0, -cell.level) * root_side;

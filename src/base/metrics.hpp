@@ -1,4 +1,4 @@
-// What a stage tells about itself: named numbers in the order in which they were noted.
+// What a stage reports about itself: named numbers in the order in which they were noted.
 // Names are dotted, stage first: "background.repair.min_angle_before".
 #pragma once
 

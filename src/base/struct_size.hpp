@@ -1,5 +1,5 @@
 // The structs of the C interfaces, which begin with struct_size and grow at their end: what an older or a newer program
-// gives or takes is told by that number.
+// gives or takes is known by that number.
 #pragma once
 
 #include "base/error.hpp"

@@ -11,7 +11,7 @@ namespace cleft
 {
 
 // Tetrahedra with a bad index take no part in the other counts; those with a point that is not finite take no part in
-// what needs coordinates. Sides of the bounding box are told with a tolerance of 1e-6 of its longest side.
+// what needs coordinates. Sides of the bounding box are recognized with a tolerance of 1e-6 of its longest side.
 struct Validation {
     // Tetrahedra. Negative or flat by the exact sign, but flat also with a volume below 1e-12 of the cube of
     // its own mean edge.
@@ -48,7 +48,7 @@ struct Validation {
 
 // With `fills_box`, hull faces off the bounding box, open interface edges, and a volume or hull area unlike the box's
 // (by 1e-9) are faults too; a mesh with a material stripped has them by right. An empty `region` stands for one
-// region. Volumes, areas and places are told in the world, in which the mesh lies as `world` says.
+// region. Volumes, areas and places are reported in the world, in which the mesh lies as `world` says.
 Validation validate(const RegionMesh& mesh, bool fills_box, const Run& run, const Placement& world = {});
 
 }  // namespace cleft

@@ -155,7 +155,7 @@ private:
     }
 
     // A face is listed by the first of its two tetrahedra. The second one finds it in the chain of the faces that have
-    // the same lowest edge; two edges tell a face.
+    // the same lowest edge; two edges determine a face.
     void list_faces()
     {
         std::vector<int32_t> newest(c_.edges.size(), -1), older;

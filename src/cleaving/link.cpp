@@ -52,7 +52,7 @@ void Link::find_defects(bool is_sphere, bool has_third)
         find_rim(rim);
     for (const Vertex& v : vertices_)
         pinched_edges_ += v.is_pinched();
-    // The hull of a user's background may have stars that are no balls, as their Euler number tells.
+    // The hull of a user-supplied background may have stars that are no balls, as their Euler number shows.
     const bool is_disk = vertices_.size() + triangles_.size() == edges_.size() + 1;
     if (!has_third && is_sphere)
         extra_pieces_ = pieces() - 2;

@@ -60,7 +60,7 @@ void CutStar::gather(int32_t v)
             seen_[static_cast<size_t>(w)] = v;
             link_.push_back(w);
             shortest = std::min(shortest, (c_.point(w) - x).squaredNorm());
-            // All tetrahedra around an edge that was ever cut are mixed, so the first one tells.
+            // All tetrahedra around an edge that was ever cut are mixed, so the first one is enough.
             if (mixed < 0)
                 continue;
             const size_t local = place_in(corners, v);

@@ -20,7 +20,7 @@
 //                            faces with one cut and faces with two, where it is the greater one.
 // Only cuts that are there take part: a cut that snapped to a vertex (a virtual cut of the paper) has no place in the
 // stencil, and a triple point exists only among three cuts. So no cyclic choice and no Steiner point can arise.
-// tests/cleaving/stencil_test.cpp proves both lemmas by enumeration.
+// tests/cleaving/test_stencil.cpp proves both lemmas by enumeration.
 #pragma once
 
 #include "mesh/adjacency.hpp"

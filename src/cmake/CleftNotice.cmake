@@ -1,4 +1,4 @@
-# What a build is made of, and under which licences: told once, where a library is found, and put into every package.
+# What a build is made of, and under which licences: stated once, where a library is found, and put into every package.
 
 # cleft_builds_on(PART NAME LICENCE): PART (a library, the command) of this build has NAME in it or is linked with it.
 function(cleft_builds_on part name licence)

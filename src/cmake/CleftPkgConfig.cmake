@@ -1,6 +1,6 @@
 # The files by which pkg-config and its kin find the library: one set to install, one to use the build tree.
 
-# cleft_link_flags(VARIABLE LIBRARY...): what a linker is told of libraries, given as targets or files: -lNAME, after
+# cleft_link_flags(VARIABLE LIBRARY...): what a linker needs of libraries, given as targets or files: -lNAME, after
 # -LFOLDER where the folder is none that it searches by itself.
 function(cleft_link_flags variable)
     set(flags)

@@ -16,7 +16,7 @@ namespace
 {
 
 // Most tetrahedra are helped at no price. For the few that are left, an interface may give way by a little, more and
-// more, and then dear attempts are made, at last with the tetrahedra around as well.
+// more, and then expensive attempts are made, at last with the tetrahedra around as well.
 std::vector<Search> searches_of(Effort effort)
 {
     std::vector<Search> searches{{6, 0.0, 0.05, false, false},

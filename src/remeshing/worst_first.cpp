@@ -85,9 +85,6 @@ void WorstFirst::renumbered(const std::vector<int32_t>& tets)
         next_.push_back({0, t, now_});
 }
 
-void WorstFirst::give_back(size_t i, bool in_vain)
-{
-    next_.push_back({0, list_[i].tet, in_vain ? now_ : list_[i].tried});
-}
+void WorstFirst::give_back(size_t i, bool tried) { next_.push_back({0, list_[i].tet, tried ? now_ : list_[i].tried}); }
 
 }  // namespace cleft

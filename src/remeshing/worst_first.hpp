@@ -12,7 +12,7 @@ class WorstFirst
 public:
     // Starts a search: every tetrahedron of the mesh with a quality below `target`.
     void collect_all(const LocalMesh& mesh, double target, const Run& run);
-    // Starts another search over what is left of the last one: all that was tried in vain may be tried again.
+    // Starts another search over what is left of the last one: all that did not help may be tried again.
     void collect_left(const LocalMesh& mesh, double target);
     // The next pass: those below the target that the last pass changed or gave back.
     void collect_next(const LocalMesh& mesh, double target);
@@ -24,16 +24,16 @@ public:
 
     // These are new or have been moved.
     void changed(const LocalMesh& mesh, const std::vector<int32_t>& tets);
-    // These took the place of others that were tried in vain.
+    // These took the place of others for which nothing helped.
     void renumbered(const std::vector<int32_t>& tets);
-    // Gives the i-th one back for the next pass. `in_vain`: it was tried and nothing helped.
-    void give_back(size_t i, bool in_vain);
+    // Gives the i-th one back for the next pass. `tried`: it was tried and nothing helped.
+    void give_back(size_t i, bool tried);
 
 private:
     struct Item {
         double quality;
         int32_t tet;
-        uint32_t tried;  // when, in vain
+        uint32_t tried;  // when nothing helped it
     };
 
     void sort_list();

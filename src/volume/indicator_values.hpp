@@ -10,7 +10,7 @@ namespace cleft
 {
 
 // Copies of the fields. NaN and infinity are an Error. Values beyond kGreatestValue, which stand for "far away", become
-// kFarValue times the greatest magnitude that all the fields have within it, of their sign; a warning tells of them.
+// kFarValue times the greatest magnitude that all the fields have within it, of their sign; a warning reports them.
 // Taken as they are they would draw the cubic interpolation over zero where the field has none.
 template <class Value>
 std::vector<std::vector<float>> bounded_values(const std::vector<const Value*>& fields, const Grid& grid,

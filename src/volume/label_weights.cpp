@@ -87,7 +87,7 @@ void for_band(const LabelMap<Label>& map, const Run& run, const Body& body)
     }
 }
 
-// What a thin voxel lacks at its centre tells how thin it is: fitted so that a sheet, a rod and a single voxel keep
+// What a thin voxel lacks at its centre shows how thin it is: fitted so that a sheet, a rod and a single voxel keep
 // their volumes.
 uint8_t thin_bump(double lead)
 {

@@ -152,9 +152,9 @@ std::optional<Vec3> project_to_tie(const Volume& volume, const Vec3& x, const Ve
         const auto next = newton_step(volume, base, at, material, set.size(), free, scratch);
         if (!next || !((*next - x).norm() <= reach))
             return std::nullopt;
-        const bool settled = (*next - at).norm() < kTolerance * reach;
+        const bool converged = (*next - at).norm() < kTolerance * reach;
         base = at = *next;
-        if (settled)
+        if (converged)
             return at;
     }
     return std::nullopt;

@@ -62,7 +62,7 @@ double hull_area_off_box(const TetMesh& mesh, const Vec3& extent)
     return area;
 }
 
-// Repairs a mesh of the box [0, extent] and tells whether it is still one, with the same points on the same walls.
+// Repairs a mesh of the box [0, extent] and says whether it is still one, with the same points on the same walls.
 bool repair_keeps_the_box(TetMesh& mesh, const Vec3& extent, const RepairOptions& options = {})
 {
     const std::vector<Vec3> before = mesh.points;

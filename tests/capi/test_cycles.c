@@ -62,7 +62,7 @@ static void make_and_destroy(void)
     cleft_context_destroy(context);
 }
 
-/* 0 where it cannot be told: no such file, or a sanitizer, which keeps what was freed (and looks for leaks itself). */
+/* 0 where it is not known: no such file, or a sanitizer, which keeps what was freed (and looks for leaks itself). */
 static long resident_kilobytes(void)
 {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

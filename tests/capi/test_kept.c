@@ -24,8 +24,8 @@ static void the_wanted_number_is_that_of_what_is_kept(void** state)
 {
     static const int32_t lists[3][2] = {{-3, 1000}, {1000, 1000}, {7, 7}};
     (void)state;
-    warnings told;
-    cleft_context* context = listening_context(&told);
+    warnings reported;
+    cleft_context* context = listening_context(&reported);
     cleft_volume* volume = ball_volume(context, N);
     for (int b = 0; b < 3; ++b)
         for (int l = 0; l < 3; ++l) {
@@ -36,11 +36,11 @@ static void the_wanted_number_is_that_of_what_is_kept(void** state)
             assert_int_equal(cleft_options_set_strip(options, lists[l], 2), CLEFT_OK);
             assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, options, &mesh));
             const int is_met = fabs((double)cleft_mesh_tet_count(mesh) / 20000 - 1) <= 0.1;
-            /* cells fit the box in whole numbers: a lattice may jump over the wanted one, and tells so */
+            /* cells fit the box in whole numbers: a lattice may jump over the wanted one, and says so */
             if (!is_met && kBackgrounds[b] == CLEFT_BACKGROUND_PARTICLES)
                 fail_msg("background %d, list %d: %d", b, l, (int)cleft_mesh_tet_count(mesh));
-            assert_int_equal(is_met, strstr(told.all, "was not met") == NULL);
-            memset(&told, 0, sizeof told);
+            assert_int_equal(is_met, strstr(reported.all, "was not met") == NULL);
+            memset(&reported, 0, sizeof reported);
             cleft_mesh_destroy(mesh);
             cleft_options_destroy(options);
         }
@@ -53,8 +53,8 @@ static void a_number_that_would_fill_the_memory_is_not_met_and_told(void** state
 {
     const int64_t dims[3] = {N, N, N};
     const int32_t speck = 9;
-    warnings told;
-    cleft_context* context = listening_context(&told);
+    warnings reported;
+    cleft_context* context = listening_context(&reported);
     uint8_t* voxels = (uint8_t*)calloc(N * N * N, 1);
     cleft_volume* volume = NULL;
     (void)state;
@@ -70,8 +70,8 @@ static void a_number_that_would_fill_the_memory_is_not_met_and_told(void** state
         assert_int_equal(cleft_options_set_only(options, &speck, 1), CLEFT_OK);
         assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, options, &mesh));
         assert_true(cleft_mesh_tet_count(mesh) > 0 && cleft_mesh_tet_count(mesh) < 18000);
-        assert_non_null(strstr(told.all, "keeps to max_tets, 100000"));
-        memset(&told, 0, sizeof told);
+        assert_non_null(strstr(reported.all, "keeps to max_tets, 100000"));
+        memset(&reported, 0, sizeof reported);
         for (int64_t i = 0; i < cleft_context_metric_count(context); ++i) {
             const char* name = NULL;
             double value = 0;
@@ -117,8 +117,8 @@ static void a_sizing_field_expects_what_is_kept(void** state)
 static void lists_are_checked_against_the_volume(void** state)
 {
     static const int32_t all[3] = {-3, 7, 1000}, some[3] = {8, 1000, -1}, none[2] = {8, 9};
-    warnings told;
-    cleft_context* context = listening_context(&told);
+    warnings reported;
+    cleft_context* context = listening_context(&reported);
     cleft_volume* volume = ball_volume(context, N);
     cleft_options* options = plain();
     cleft_mesh *mesh = NULL, *part = NULL;
@@ -129,7 +129,7 @@ static void lists_are_checked_against_the_volume(void** state)
     assert_non_null(strstr(cleft_context_last_error(context), "strip would leave nothing of the volume"));
     assert_int_equal(cleft_options_set_strip(options, some, 3), CLEFT_OK);
     assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, options, &mesh));
-    assert_told(&told, "strip names labels -1 and 8, which the volume does not have");
+    assert_reported(&reported, "strip names labels -1 and 8, which the volume does not have");
     assert_int_equal(cleft_mesh_label_count(mesh), 2);
     assert_int_equal(cleft_options_set_strip(options, NULL, 0), CLEFT_OK);
     assert_int_equal(cleft_options_set_only(options, none, 2), CLEFT_OK);
@@ -138,11 +138,11 @@ static void lists_are_checked_against_the_volume(void** state)
     assert_non_null(strstr(cleft_context_last_error(context), "only would leave nothing of the mesh"));
     assert_int_equal(cleft_options_set_only(options, all, 2), CLEFT_OK);
     assert_ok(context, cleft_mesh_strip(context, mesh, options, &part));
-    assert_told(&told, NULL);
+    assert_reported(&reported, NULL);
     assert_int_equal(cleft_options_set_only(options, all + 1, 2), CLEFT_OK);
     cleft_mesh_destroy(part);
     assert_ok(context, cleft_mesh_strip(context, mesh, options, &part));
-    assert_told(&told, "only names label 1000, which the mesh does not have");
+    assert_reported(&reported, "only names label 1000, which the mesh does not have");
     assert_int_equal(cleft_mesh_label_count(part), 1);
     cleft_mesh_destroy(part);
     cleft_mesh_destroy(mesh);

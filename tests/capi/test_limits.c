@@ -1,4 +1,4 @@
-/* What is beyond the limits that the header states: told in a sentence where it comes in, never meshed badly. */
+/* What is beyond the limits that the header states: reported in a sentence where it comes in, never meshed badly. */
 #include "support/warnings.h"
 
 #include <float.h>
@@ -204,16 +204,16 @@ static void sentinels_lie_a_little_beyond_their_band(void** state)
 {
     static const double kSentinels[] = {FLT_MAX, DBL_MAX, 2e30};
     const double ball = 4 * kPi / 3 * 27;
-    warnings told;
-    cleft_context* context = listening_context(&told);
+    warnings reported;
+    cleft_context* context = listening_context(&reported);
     (void)state;
     for (size_t s = 0; s < sizeof kSentinels / sizeof *kSentinels; ++s)
         for (int b = 0; b < 3; ++b) {
-            memset(&told, 0, sizeof told);
+            memset(&reported, 0, sizeof reported);
             const double found = volume_of_ball(context, 1.5, kSentinels[s], kBackgrounds[b]);
             if (fabs(found - ball) > 0.05 * ball)
                 fail_msg("%s, sentinel %g: %g of %g", kBackgrounds[b], kSentinels[s], found, ball);
-            assert_non_null(strstr(told.all, "beyond 1e+30 and taken as far away"));
+            assert_non_null(strstr(reported.all, "beyond 1e+30 and taken as far away"));
         }
     cleft_context_destroy(context);
 }
@@ -303,8 +303,8 @@ static void backgrounds_that_do_not_fit_the_box_are_told(void** state)
         double lo, hi;
         const char* words;
     } kBoxes[] = {{0, N, NULL}, {0, N / 2, "fills 12.5 % of the volume's box"}, {-1, N, "reaches out"}};
-    warnings told;
-    cleft_context* context = listening_context(&told);
+    warnings reported;
+    cleft_context* context = listening_context(&reported);
     cleft_volume* volume = ball_volume(context, N);
     (void)state;
     for (int i = 0; i < 3; ++i) {
@@ -314,7 +314,7 @@ static void backgrounds_that_do_not_fit_the_box_are_told(void** state)
         points[24] = points[25] = points[26] = 77; /* a point that is not used is no fault */
         assert_ok(context, cleft_mesh_create(context, 9, points, 6, kKuhn, NULL, 0, &background));
         assert_ok(context, cleft_mesh_cleave(context, volume, background, NULL, &cleaved));
-        assert_told(&told, kBoxes[i].words);
+        assert_reported(&reported, kBoxes[i].words);
         cleft_validation found = {.struct_size = sizeof found};
         assert_ok(context, cleft_mesh_validate(context, cleaved, 0, &found));
         assert_true(found.valid);

@@ -1,4 +1,4 @@
-/* What the report tells, against the same told by other means: contacts that the voxels do not have. */
+/* What the report says, against the same found by other means: contacts that the voxels do not have. */
 #include "support/capi.h"
 
 #include <stdbool.h>

@@ -103,12 +103,12 @@ static void clear_padding(unsigned char* bytes)
 /* `bytes` of today's struct as a caller with a struct of `size` bytes gets them: no byte beyond is touched. */
 static void fill(world* w, filler from, uint32_t size, unsigned char* bytes)
 {
-    uint32_t told;
+    uint32_t reported;
     memset(bytes, 0x55, MOST);
     memcpy(bytes, &size, sizeof size);
     assert_int_equal(from(w, bytes), CLEFT_OK);
-    memcpy(&told, bytes, sizeof told);
-    assert_int_equal(told, size);
+    memcpy(&reported, bytes, sizeof reported);
+    assert_int_equal(reported, size);
     for (size_t i = size; i < MOST; ++i)
         assert_int_equal(bytes[i], 0x55);
     if (from == option)

@@ -1,4 +1,4 @@
-/* Structs are told apart by struct_size: too small a number is refused, never passed over. */
+/* Structs are distinguished by struct_size: too small a number is refused, never passed over. */
 #include "support/capi.h"
 
 #include <string.h>

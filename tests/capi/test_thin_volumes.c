@@ -1,4 +1,5 @@
-/* Volumes one or two voxels thick with long voxels, and labels one voxel thick: angles, volumes, and what is told. */
+/* Volumes one or two voxels thick with long voxels, and labels one voxel thick: angles, volumes, and what is reported.
+ */
 #include "support/warnings.h"
 
 #include <math.h>
@@ -94,12 +95,12 @@ static int is_met(const cleft_quality* q) { return q->min_dihedral >= 19.999 && 
 /* Meshes the box and asserts that the warning is there exactly if the angles are missed. Returns 1 if they are met. */
 static int angles_are_met(const box* b, int64_t background)
 {
-    warnings told;
-    cleft_context* context = listening_context(&told);
+    warnings reported;
+    cleft_context* context = listening_context(&reported);
     cleft_volume* volume = volume_of(context, b);
     cleft_mesh* mesh = mesh_of(context, volume, background);
     const cleft_quality quality = quality_of(context, mesh);
-    const char* const sentence = strstr(told.all, "dihedral angles below 20 or above 155 degrees");
+    const char* const sentence = strstr(reported.all, "dihedral angles below 20 or above 155 degrees");
     if (is_met(&quality))
         assert_null(sentence);
     else
@@ -157,8 +158,8 @@ static void a_search_that_ends_badly_is_tried_again(void** state)
     const char* const labels[1] = {"00100010001100001110011001101100"};
     (void)state;
     for (int i = 0; i < 1; ++i) {
-        warnings told;
-        cleft_context* context = listening_context(&told);
+        warnings reported;
+        cleft_context* context = listening_context(&reported);
         for (int v = 0; v < 32; ++v)
             bars.voxels[v] = (uint8_t)(labels[i][v] - '0');
         cleft_volume* volume = volume_of(context, &bars);
@@ -166,7 +167,7 @@ static void a_search_that_ends_badly_is_tried_again(void** state)
         assert_true(metric(context, "improving.rounds_around") > 0);
         const cleft_quality quality = quality_of(context, mesh);
         assert_true(is_met(&quality));
-        assert_told(&told, NULL);
+        assert_reported(&reported, NULL);
         cleft_mesh_destroy(mesh);
         cleft_volume_destroy(volume);
         cleft_context_destroy(context);
@@ -195,8 +196,8 @@ static void beyond_it_a_warning_tells_of_missed_angles(void** state)
 /* Labels of 100 voxels or more keep their volume within 5 %, as the report and the want of a warning say. */
 static void assert_volumes(const box* b, int64_t background)
 {
-    warnings told;
-    cleft_context* context = listening_context(&told);
+    warnings reported;
+    cleft_context* context = listening_context(&reported);
     cleft_volume* volume = volume_of(context, b);
     cleft_mesh* mesh = mesh_of(context, volume, background);
     cleft_report* report = NULL;
@@ -213,7 +214,7 @@ static void assert_volumes(const box* b, int64_t background)
             fail_msg("label %d: %g of %g", (int)row.label, row.mesh_volume, row.voxel_volume);
     }
     assert_true(compared > 0);
-    assert_told(&told, NULL);
+    assert_reported(&reported, NULL);
     cleft_report_destroy(report);
     cleft_mesh_destroy(mesh);
     cleft_volume_destroy(volume);

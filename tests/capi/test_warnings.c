@@ -1,4 +1,4 @@
-/* What is told in a sentence, and what is not: volumes that differ, masks, ties, options without an effect. */
+/* What is reported in a sentence, and what is not: volumes that differ, masks, ties, options without an effect. */
 #include "support/warnings.h"
 
 #include <math.h>
@@ -12,12 +12,12 @@ static cleft_options* plain(void)
     return options;
 }
 
-static void assert_mesh_tells(cleft_context* context, const cleft_volume* volume, const cleft_options* options,
-                              warnings* told, const char* words)
+static void assert_mesh_reports(cleft_context* context, const cleft_volume* volume, const cleft_options* options,
+                                warnings* reported, const char* words)
 {
     cleft_mesh* mesh = NULL;
     assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, options, &mesh));
-    assert_told(told, words);
+    assert_reported(reported, words);
     cleft_mesh_destroy(mesh);
 }
 
@@ -25,8 +25,8 @@ static void volumes_that_differ_are_told_in_one_sentence(void** state)
 {
     const int64_t dims[3] = {24, 24, 24};
     const int32_t sheet = 1;
-    warnings told;
-    cleft_context* context = listening_context(&told);
+    warnings reported;
+    cleft_context* context = listening_context(&reported);
     uint8_t* voxels = (uint8_t*)calloc(24 * 24 * 24, 1);
     cleft_volume *volume = NULL, *ball = ball_volume(context, N);
     cleft_options *coarse = plain(), *fine = plain();
@@ -38,18 +38,18 @@ static void volumes_that_differ_are_told_in_one_sentence(void** state)
     assert_int_equal(cleft_options_set_real(coarse, CLEFT_OPTION_SIZE, 6), CLEFT_OK);
     cleft_mesh* mesh = NULL;
     assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, coarse, &mesh));
-    assert_non_null(strstr(told.all, "differ"));
-    assert_non_null(strstr(told.all, "label 1 ("));
-    assert_null(strstr(told.all, "label 3 ("));
-    assert_told(&told, "by more than 5 % from that of the voxels: label ");
+    assert_non_null(strstr(reported.all, "differ"));
+    assert_non_null(strstr(reported.all, "label 1 ("));
+    assert_null(strstr(reported.all, "label 3 ("));
+    assert_reported(&reported, "by more than 5 % from that of the voxels: label ");
     cleft_mesh_destroy(mesh);
     mesh = NULL;
     assert_int_equal(cleft_options_set_strip(coarse, &sheet, 1), CLEFT_OK);
     assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, coarse, &mesh));
-    assert_null(strstr(told.all, "label 1 ("));
-    assert_told(&told, "label 2 (");
+    assert_null(strstr(reported.all, "label 1 ("));
+    assert_reported(&reported, "label 2 (");
     cleft_mesh_destroy(mesh);
-    assert_mesh_tells(context, ball, fine, &told, NULL);
+    assert_mesh_reports(context, ball, fine, &reported, NULL);
     free(voxels);
     cleft_options_destroy(fine);
     cleft_options_destroy(coarse);
@@ -115,8 +115,8 @@ static void masks_that_leave_voxels_to_nobody_are_refused_and_ties_told(void** s
     };
     const int64_t dims[3] = {N, N, N};
     float* field[3];
-    warnings told;
-    cleft_context* context = listening_context(&told);
+    warnings reported;
+    cleft_context* context = listening_context(&reported);
     (void)state;
     for (int f = 0; f < 3; ++f)
         field[f] = (float*)malloc(sizeof(float) * VOXELS);
@@ -127,14 +127,15 @@ static void masks_that_leave_voxels_to_nobody_are_refused_and_ties_told(void** s
             context, CLEFT_TYPE_FLOAT32, (const void* const*)field, 3, dims, NULL, NULL, &volume);
         if (status != cases[c].status)
             fail_msg("case %d: status %d: %s", (int)c, (int)status, cleft_context_last_error(context));
-        assert_told(&told, status == CLEFT_OK ? cases[c].words : NULL);
+        assert_reported(&reported, status == CLEFT_OK ? cases[c].words : NULL);
         if (status != CLEFT_OK) {
             assert_null(volume);
             assert_non_null(strstr(cleft_context_last_error(context), cases[c].words));
         }
         cleft_volume_destroy(volume);
     }
-    /* the number of voxels that nobody claims, exactly; and one function alone is signed, which is told of a mask */
+    /* the number of voxels that nobody claims, exactly; and one function alone is signed, which is reported of a mask
+     */
     int64_t unclaimed = 0;
     char sentence[64];
     cleft_volume* volume = NULL;
@@ -148,28 +149,28 @@ static void masks_that_leave_voxels_to_nobody_are_refused_and_ties_told(void** s
     assert_non_null(strstr(cleft_context_last_error(context), sentence));
     assert_ok(context, cleft_volume_create_indicators(context, CLEFT_TYPE_FLOAT32, (const void* const*)field, 1, dims,
                                                       NULL, NULL, &volume));
-    assert_told(&told, "the only indicator function is 0 or one other number");
+    assert_reported(&reported, "the only indicator function is 0 or one other number");
     cleft_volume_destroy(volume);
     volume = NULL;
     fill(field, signs);
     assert_ok(context, cleft_volume_create_indicators(context, CLEFT_TYPE_FLOAT32, (const void* const*)field, 1, dims,
                                                       NULL, NULL, &volume));
-    assert_told(&told, NULL);
+    assert_reported(&reported, NULL);
     cleft_volume_destroy(volume);
     volume = NULL;
     fill(field, clipped);
     assert_ok(context, cleft_volume_create_indicators(context, CLEFT_TYPE_FLOAT32, (const void* const*)field, 2, dims,
                                                       NULL, NULL, &volume));
-    assert_told(&told, "several indicator functions are the greatest at");
+    assert_reported(&reported, "several indicator functions are the greatest at");
     cleft_volume_destroy(volume);
     for (int f = 0; f < 3; ++f)
         free(field[f]);
     cleft_context_destroy(context);
 }
 
-/* Every call that takes options and a volume tells that the width of the kernel is another one, or none. */
-static void assert_smooth_is_told(cleft_context* context, const cleft_volume* volume, const cleft_options* options,
-                                  warnings* told, const char* words)
+/* Every call that takes options and a volume reports that the width of the kernel is another one, or none. */
+static void assert_smooth_is_reported(cleft_context* context, const cleft_volume* volume, const cleft_options* options,
+                                      warnings* reported, const char* words)
 {
     cleft_sizing *sizing = NULL, *own = NULL;
     cleft_mesh *background = NULL, *cleaved = NULL, *improved = NULL;
@@ -177,16 +178,16 @@ static void assert_smooth_is_told(cleft_context* context, const cleft_volume* vo
     for (int v = 0; v < VOXELS; ++v)
         values[v] = 3;
     assert_ok(context, cleft_sizing_create(context, volume, options, &sizing));
-    assert_told(told, words);
+    assert_reported(reported, words);
     assert_ok(context, cleft_sizing_create_values(context, volume, CLEFT_TYPE_FLOAT32, values, 1, options, &own));
-    assert_told(told, words);
+    assert_reported(reported, words);
     assert_ok(context, cleft_background_create(context, own, options, &background));
-    assert_told(told, NULL);
+    assert_reported(reported, NULL);
     assert_ok(context, cleft_mesh_cleave(context, volume, background, options, &cleaved));
-    assert_told(told, words);
+    assert_reported(reported, words);
     assert_ok(context, cleft_mesh_improve(context, volume, cleaved, options, &improved));
-    assert_told(told, words);
-    assert_mesh_tells(context, volume, options, told, words);
+    assert_reported(reported, words);
+    assert_mesh_reports(context, volume, options, reported, words);
     free(values);
     cleft_mesh_destroy(improved);
     cleft_mesh_destroy(cleaved);
@@ -198,8 +199,8 @@ static void assert_smooth_is_told(cleft_context* context, const cleft_volume* vo
 static void smooth_that_has_no_effect_is_told(void** state)
 {
     const int64_t dims[3] = {N, N, N};
-    warnings told;
-    cleft_context* context = listening_context(&told);
+    warnings reported;
+    cleft_context* context = listening_context(&reported);
     int32_t* labels = ball_labels(N);
     float* function = (float*)malloc(sizeof(float) * VOXELS);
     cleft_options *three = plain(), *five = plain(), *none = plain();
@@ -213,15 +214,18 @@ static void smooth_that_has_no_effect_is_told(void** state)
     assert_ok(context, cleft_volume_create_labels(context, CLEFT_TYPE_INT32, labels, dims, NULL, NULL, &by_default));
     assert_ok(context, cleft_volume_create_indicators(context, CLEFT_TYPE_FLOAT32, (const void* const*)&function, 1,
                                                       dims, NULL, NULL, &signed_function));
-    assert_told(&told, NULL);
-    assert_smooth_is_told(context, by_three, three, &told, NULL);
-    assert_smooth_is_told(context, by_three, none, &told, NULL);
-    assert_mesh_tells(context, by_three, NULL, &told, NULL);
-    assert_smooth_is_told(context, by_three, five, &told, "smooth is 5 and has no effect: the volume was made with 3");
-    assert_mesh_tells(context, by_default, five, &told, NULL);
-    assert_mesh_tells(context, by_default, three, &told, "smooth is 3 and has no effect: the volume was made with 5");
-    assert_mesh_tells(context, signed_function, none, &told, NULL);
-    assert_smooth_is_told(context, signed_function, five, &told, "smooth has no effect on a volume of indicator");
+    assert_reported(&reported, NULL);
+    assert_smooth_is_reported(context, by_three, three, &reported, NULL);
+    assert_smooth_is_reported(context, by_three, none, &reported, NULL);
+    assert_mesh_reports(context, by_three, NULL, &reported, NULL);
+    assert_smooth_is_reported(context, by_three, five, &reported,
+                              "smooth is 5 and has no effect: the volume was made with 3");
+    assert_mesh_reports(context, by_default, five, &reported, NULL);
+    assert_mesh_reports(context, by_default, three, &reported,
+                        "smooth is 3 and has no effect: the volume was made with 5");
+    assert_mesh_reports(context, signed_function, none, &reported, NULL);
+    assert_smooth_is_reported(context, signed_function, five, &reported,
+                              "smooth has no effect on a volume of indicator");
     free(labels);
     free(function);
     cleft_volume_destroy(signed_function);
@@ -235,8 +239,8 @@ static void smooth_that_has_no_effect_is_told(void** state)
 
 static void a_number_for_a_background_that_is_given_is_told(void** state)
 {
-    warnings told;
-    cleft_context* context = listening_context(&told);
+    warnings reported;
+    cleft_context* context = listening_context(&reported);
     cleft_volume* volume = ball_volume(context, N);
     cleft_options* options = plain();
     cleft_sizing* sizing = NULL;
@@ -246,7 +250,7 @@ static void a_number_for_a_background_that_is_given_is_told(void** state)
     assert_ok(context, cleft_background_create(context, sizing, NULL, &background));
     assert_int_equal(cleft_options_set_integer(options, CLEFT_OPTION_TETS, 500000), CLEFT_OK);
     assert_ok(context, cleft_mesh_volume(context, volume, NULL, background, options, &mesh));
-    assert_told(&told, "tets has no effect on a background that is given");
+    assert_reported(&reported, "tets has no effect on a background that is given");
     cleft_mesh_destroy(mesh);
     cleft_mesh_destroy(background);
     cleft_sizing_destroy(sizing);
@@ -258,8 +262,8 @@ static void a_number_for_a_background_that_is_given_is_told(void** state)
 /* A size that is given for interfaces holds, so that a raised least size of features cannot keep to max_tets. */
 static void a_number_that_sizes_of_the_user_exceed_is_told(void** state)
 {
-    warnings told;
-    cleft_context* context = listening_context(&told);
+    warnings reported;
+    cleft_context* context = listening_context(&reported);
     cleft_volume* volume = ball_volume(context, N);
     cleft_options *features = plain(), *given = plain();
     cleft_sizing* sizing = NULL;
@@ -267,13 +271,13 @@ static void a_number_that_sizes_of_the_user_exceed_is_told(void** state)
     assert_int_equal(cleft_options_set_integer(features, CLEFT_OPTION_MAX_TETS, 2000), CLEFT_OK);
     assert_int_equal(cleft_options_set_real(features, CLEFT_OPTION_FEATURE_SCALE, 0.1), CLEFT_OK);
     assert_ok(context, cleft_sizing_create(context, volume, features, &sizing));
-    assert_told(&told, " to keep to max_tets, 2000");
+    assert_reported(&reported, " to keep to max_tets, 2000");
     cleft_sizing_destroy(sizing);
     sizing = NULL;
     assert_int_equal(cleft_options_set_integer(given, CLEFT_OPTION_MAX_TETS, 2000), CLEFT_OK);
     assert_int_equal(cleft_options_set_real(given, CLEFT_OPTION_INTERFACE_SIZE, 1), CLEFT_OK);
     assert_ok(context, cleft_sizing_create(context, volume, given, &sizing));
-    assert_told(&told, "more than max_tets, 2000");
+    assert_reported(&reported, "more than max_tets, 2000");
     cleft_sizing_destroy(sizing);
     cleft_options_destroy(given);
     cleft_options_destroy(features);

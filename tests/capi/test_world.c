@@ -1,4 +1,4 @@
-/* What is measured of a mesh is told in the world, also where the affine shears, turns, mirrors or is far away. */
+/* What is measured of a mesh is reported in the world, also where the affine shears, turns, mirrors or is far away. */
 #include "support/capi.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 // What becomes of the pieces of a label: those one voxel thick come out whole if that is asked for, and the report
-// tells which grew together.
+// shows which grew together.
 #include "support/cmocka.hpp"
 #include "support/meshing.hpp"
 

@@ -1,4 +1,4 @@
-"""cleft check tells sound meshes from broken ones, and where they are broken."""
+"""cleft check distinguishes sound meshes from broken ones, and where they are broken."""
 import json
 import unittest
 

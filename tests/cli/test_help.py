@@ -1,4 +1,4 @@
-"""The command tells how it is used."""
+"""The command says how it is used."""
 import re
 import unittest
 

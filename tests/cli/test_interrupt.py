@@ -1,4 +1,4 @@
-"""Ctrl-C stops the work, leaves no file, and is told by the exit code."""
+"""Ctrl-C stops the work, leaves no file, and is reported by the exit code."""
 import os
 import pty
 import signal

@@ -57,7 +57,7 @@ class Counted(CommandTest):
     def test_the_wanted_number_is_that_of_what_is_kept(self):
         for background in BACKGROUNDS:
             report = self.mesh(self.volume, "--strip", "0", "--tets", 20000, "--background", background)
-            # Cells fit the box in whole numbers: a lattice may jump over the wanted one, and tells so.
+            # Cells fit the box in whole numbers: a lattice may jump over the wanted one, and says so.
             is_met = abs(report["mesh"]["tets"] / 20000 - 1) < 0.1
             self.assertEqual(is_met, report["warnings"] == [], report["warnings"])
             self.assertTrue(is_met or background != "particles")
@@ -95,15 +95,15 @@ class Contacts(CommandTest):
         return json.loads(self.path("s.json").read_text()), done.stderr
 
     def test_are_told_and_with_strict_refused(self):
-        report, told = self.report_of("--size", 3.5)
+        report, reported = self.report_of("--size", 3.5)
         [contact] = report["contacts"]
         self.assertEqual(contact["labels"], [1, 2])
         self.assertGreater(contact["triangles"], 0)
         [warning] = [w for w in report["warnings"] if "no two of their voxels share a face or an edge" in w]
         self.assertIn(f"1 and 2 ({contact['triangles']} triangle", warning)
-        self.assertIn(warning, told)
-        quiet, told = self.report_of("--size", 3.5, "--quiet")
-        self.assertEqual((quiet["warnings"], told), (report["warnings"], ""))
+        self.assertIn(warning, reported)
+        quiet, reported = self.report_of("--size", 3.5, "--quiet")
+        self.assertEqual((quiet["warnings"], reported), (report["warnings"], ""))
         done = cleft(
             "mesh", self.path("socket.nrrd"), "--size", 3.5, "--strict", "--strip", 0, "-o", self.path("strict.vtu")
         )
@@ -116,11 +116,11 @@ class Contacts(CommandTest):
 
     def test_default_sizes_make_none(self):
         for background in BACKGROUNDS:
-            report, told = self.report_of("--background", background, "--strict")
-            self.assertEqual((report["contacts"], report["warnings"], told), ([], [], ""), background)
+            report, reported = self.report_of("--background", background, "--strict")
+            self.assertEqual((report["contacts"], report["warnings"], reported), ([], [], ""), background)
 
 
-class Told(CommandTest):
+class Reported(CommandTest):
     def test_volumes_that_differ(self):
         """Two sheets of a voxel among large tetrahedra: one sentence, on standard error and in the report."""
         values = [1 if v // 576 == 7 else 2 if v // 576 == 16 else 0 for v in range(24**3)]

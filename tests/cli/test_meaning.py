@@ -1,5 +1,5 @@
-"""What the voxels mean: labels, masks or functions. What is not certain is refused or told, never guessed in silence.
-"""
+"""What the voxels mean: labels, masks or functions. What is not certain is refused or reported."""
+
 import json
 import math
 import unittest
@@ -22,13 +22,13 @@ class MeaningTest(CommandTest):
         return self.path(name)
 
     def info(self, *arguments):
-        """The voxels of each label, and what is told; the same on standard error and in the JSON."""
+        """The voxels of each label, and what is reported; the same on standard error and in the JSON."""
         done = self.run_ok("info", *arguments, "--json", self.path("report.json"))
         report = json.loads(self.path("report.json").read_text())
-        self.assertEqual(done.stderr, "".join("cleft: warning: %s\n" % told for told in report["warnings"]))
+        self.assertEqual(done.stderr, "".join("cleft: warning: %s\n" % reported for reported in report["warnings"]))
         return {row["label"]: row["voxels"] for row in report["volume"]["labels"]}, report["warnings"]
 
-    def assert_told(self, warnings, *words):
+    def assert_reported(self, warnings, *words):
         self.assertEqual(len(warnings), 1, warnings)
         for word in words:
             self.assertIn(str(word), warnings[0])
@@ -53,7 +53,7 @@ class Masks(MeaningTest):
     def test_voxels_of_nobody_get_a_label_of_their_own(self):
         labels, warnings = self.info(self.left, self.right)
         self.assertEqual(labels, {0: HALF, 1: HALF, 2: N**3 - 2 * HALF})
-        self.assert_told(warnings, "%s voxels" % format(N**3 - 2 * HALF, ","), "in no mask", "label 2")
+        self.assert_reported(warnings, "%s voxels" % format(N**3 - 2 * HALF, ","), "in no mask", "label 2")
 
     def test_the_mesh_of_masks_is_that_of_the_label_map(self):
         label_map = self.write("map.nrrd", [2 if v == 0 else v - 1 for v in LABELS], "uint8")
@@ -67,7 +67,7 @@ class Masks(MeaningTest):
     def test_an_empty_mask_is_told_and_has_no_label(self):
         labels, warnings = self.info(self.left, self.empty, self.right, self.outside)
         self.assertEqual(labels, {0: HALF, 2: HALF, 3: N**3 - 2 * HALF})
-        self.assert_told(warnings, "empty.nrrd", "no voxel", "no label 1")
+        self.assert_reported(warnings, "empty.nrrd", "no voxel", "no label 1")
         self.assert_refused(self.empty, self.empty, words=["no mask holds a voxel"])
 
     def test_of_masks_that_overlap_the_first_wins(self):
@@ -81,7 +81,7 @@ class Masks(MeaningTest):
                 self.assertIn(word, warning)
         labels, warnings = self.info(self.left, self.right, core, self.outside)
         self.assertNotIn(2, labels)
-        self.assertTrue(any("no label 2" in told and "core.nrrd" in told for told in warnings), warnings)
+        self.assertTrue(any("no label 2" in reported and "core.nrrd" in reported for reported in warnings), warnings)
 
     def test_a_mask_of_everything_behind_the_others_is_the_outside(self):
         full = self.write("full.nrrd", [1] * N**3, "uint8")
@@ -94,7 +94,7 @@ class Masks(MeaningTest):
         self.path("four.nrrd").write_bytes(header + bytes(LEFT) + bytes(RIGHT))
         labels, warnings = self.info(self.path("four.nrrd"))
         self.assertEqual(labels, {0: HALF, 1: HALF, 2: N**3 - 2 * HALF})
-        self.assert_told(warnings, "in no mask")
+        self.assert_reported(warnings, "in no mask")
 
     def test_raw_masks(self):
         for name, values in (("a.raw", LEFT), ("b.raw", RIGHT)):
@@ -114,7 +114,7 @@ class Labels(MeaningTest):
         file = self.write("near.nrrd", [0.988 if v == 1 else v for v in LABELS])
         labels, warnings = self.info(file)
         self.assertEqual(labels, self.COUNTS)
-        self.assert_told(warnings, "near.nrrd", "%d voxels" % HALF, "0.012")
+        self.assert_reported(warnings, "near.nrrd", "%d voxels" % HALF, "0.012")
         file = self.write("large.nrrd", [7014.9999 if v == 1 else v for v in LABELS])
         self.assertEqual(self.info(file)[0], {0: N**3 - 2 * HALF, 2: HALF, 7015: HALF})
 
@@ -129,7 +129,7 @@ class Labels(MeaningTest):
         self.assertEqual(self.info(file, "--as", "indicators")[0], {0: N**3 - HALF, 1: HALF})
         labels, warnings = self.info(self.write("half.nrrd", [0.8 * v for v in LABELS]), "--as", "labels")
         self.assertEqual(labels, self.COUNTS)
-        self.assert_told(warnings, "%s voxels" % format(2 * HALF, ","), "0.4", "rounded")
+        self.assert_reported(warnings, "%s voxels" % format(2 * HALF, ","), "0.4", "rounded")
 
     def test_interpolated_labels_are_refused(self):
         mixed = [(a + b) / 2 for a, b in zip(LABELS, LABELS[1:] + [0])]
@@ -170,7 +170,9 @@ class Labels(MeaningTest):
 
     def test_what_looks_like_an_image_is_told_or_refused(self):
         grey = [(7919 * i * i) % 251 for i in range(N**3)]
-        self.assert_told(self.info(self.write("grey.nrrd", grey, "uint8"))[1], "grey.nrrd", "126 different", "image")
+        self.assert_reported(
+            self.info(self.write("grey.nrrd", grey, "uint8"))[1], "grey.nrrd", "126 different", "image"
+        )
         self.assert_refused(self.write("ct.nrrd", [10 * v - 1000 for v in grey], "int16"), words=["--as labels"])
         distances = self.write("distances.nrrd", [round(2 * (6 - r)) for r in RADII], "int16")
         self.assert_refused(distances, words=["distance", "--as indicators"])
@@ -203,7 +205,7 @@ class Functions(MeaningTest):
         self.assert_refused(file, words=["probability.nrrd", "above 0", "--as indicators"])
         labels, warnings = self.info(file, "--as", "indicators")
         self.assertEqual(labels, {0: 0, 1: N**3})
-        self.assert_told(warnings, "above 0 everywhere")
+        self.assert_reported(warnings, "above 0 everywhere")
 
     def test_voxels_that_are_equal_in_all_functions_are_told(self):
         soft = [max(0.0, 1 - r / 8) * (v[0] < 0) for r, v in zip(RADII, VOXELS)]
@@ -211,7 +213,7 @@ class Functions(MeaningTest):
         ties = sum(a == b for a, b in zip(soft, other))
         files = self.write("a.nrrd", soft), self.write("b.nrrd", other)
         _, warnings = self.info(*files)
-        self.assert_told(warnings, "%d of %d voxels" % (ties, N**3), "background")
+        self.assert_reported(warnings, "%d of %d voxels" % (ties, N**3), "background")
         background = self.write("c.nrrd", [0.01] * N**3)
         labels, warnings = self.info(*files, background)
         self.assertEqual(set(labels), {0, 1, 2})
@@ -240,12 +242,14 @@ class Functions(MeaningTest):
 class Spacing(MeaningTest):
     def test_an_origin_that_stays_is_told(self):
         write_nrrd(self.path("mm.nrrd"), (N, N, N), LABELS, origin=(40, -30, 20))
-        self.assert_told(
+        self.assert_reported(
             self.info(self.path("mm.nrrd"), "--spacing", "0.001,0.001,0.001")[1], "origin (40, -30, 20)", "--scale"
         )
         self.assertEqual(self.info(self.path("mm.nrrd"), "--spacing", "1,1,1")[1], [])
         self.assertEqual(self.info(self.path("mm.nrrd"), "--scale", "0.001", "--spacing", "0.002,0.001,0.001")[1], [])
-        self.assert_told(self.info(self.path("mm.nrrd"), "--scale", "0.001", "--spacing", "1,1,1")[1], "0.001", "1000")
+        self.assert_reported(
+            self.info(self.path("mm.nrrd"), "--scale", "0.001", "--spacing", "1,1,1")[1], "0.001", "1000"
+        )
         write_nrrd(self.path("zero.nrrd"), (N, N, N), LABELS)
         self.assertEqual(self.info(self.path("zero.nrrd"), "--spacing", "2,2,2")[1], [])
 

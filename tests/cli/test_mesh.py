@@ -91,19 +91,19 @@ class Mesh(CommandTest):
         self.assertNotEqual(*texts)
 
     def test_a_lattice_that_is_coarser_than_the_thinnest_parts_warns_once(self):
-        def told(volume, *arguments):
+        def reported(volume, *arguments):
             report = self.mesh(volume, *arguments)
             return report, [warning for warning in report["warnings"] if "lattice" in warning]
 
         mickey = DATA / "mickey.nrrd"
-        report, sentences = told(mickey, "--background", "lattice", "--tets", 9000)
+        report, sentences = reported(mickey, "--background", "lattice", "--tets", 9000)
         self.assertEqual(len(sentences), 1)
         least = report["metrics"]["sizing.least"]
         self.assertIn("a size of %.6g resolves them" % least, sentences[0])
         self.assertGreater(float(sentences[0].split("one size, ")[1].split(",")[0]), 3 * least)
-        self.assertEqual(told(self.volume, "--background", "lattice")[1], [])
-        self.assertEqual(told(mickey, "--background", "octree", "--tets", 9000)[1], [])
-        self.assertEqual(told(mickey, "--background", "lattice", "--size", 3, "--tets", 9000)[1], [])
+        self.assertEqual(reported(self.volume, "--background", "lattice")[1], [])
+        self.assertEqual(reported(mickey, "--background", "octree", "--tets", 9000)[1], [])
+        self.assertEqual(reported(mickey, "--background", "lattice", "--size", 3, "--tets", 9000)[1], [])
 
     def test_wanted_number_of_tetrahedra(self):
         for wanted in (20000, 100000):

@@ -1,4 +1,4 @@
-"""Names of labels: told by the command, and kept through the formats that hold them."""
+"""Names of labels: reported by the command, and kept through the formats that hold them."""
 import json
 import unittest
 from xml.sax.saxutils import quoteattr

@@ -59,7 +59,7 @@ sealed class CallbacksTest
     }
 
     /// <summary>
-    /// Smoothing is of the volume: given to a later call alone, it changes nothing, and that is told.
+    /// Smoothing is of the volume: given to a later call alone, it changes nothing, and that is reported.
     /// </summary>
     void TestSmoothWithoutEffect()
     {
@@ -114,7 +114,7 @@ sealed class CallbacksTest
         thread.Join();
     }
 
-    // A token that is cancelled as soon as a call tells its progress.
+    // A token that is cancelled as soon as a call reports its progress.
     CancellationToken TokenCancelledWithin()
     {
         var source = new CancellationTokenSource();

@@ -130,7 +130,7 @@ sealed class FailuresTest
         Checks.Thrown<ObjectDisposedException>(() => volume.Grid.ToString());
     }
 
-    /// <summary>Who gives a wrong argument is told its name, in the exception and in its sentence.</summary>
+    /// <summary>Who gives a wrong argument gets its name, in the exception and in its sentence.</summary>
     void TestNamesOfArguments()
     {
         Volume volume = Checks.BallVolume(mesher);

@@ -91,7 +91,7 @@ sealed class FilesTest
     }
 
     /// <summary>
-    /// The kind decides what voxels mean, not their type; the volume tells how many functions it holds.
+    /// The kind decides what voxels mean, not their type; the volume reports how many functions it holds.
     /// </summary>
     void TestRawKinds()
     {

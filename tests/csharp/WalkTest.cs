@@ -4,7 +4,7 @@ using System.Linq;
 using Cleft;
 
 /// <summary>
-/// Meshes, looks and reads and writes again and again, until nothing fails any more; tells how often it failed.
+/// Meshes, looks and reads and writes again and again, until nothing fails any more; reports how often it failed.
 /// tests/faults/walk.py lets allocations fail meanwhile.
 /// </summary>
 sealed class WalkTest

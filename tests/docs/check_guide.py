@@ -94,7 +94,7 @@ def write_part():
 
 
 def mesh_volumes(path):
-    """Label -> volume, as `cleft info` tells them."""
+    """Label -> volume, as `cleft info` reports them."""
     rows = re.findall(r"^ +(\d+) +[\d,]+ +([\d.]+) +[\d.]+ %", run(f"cleft info {path}"), re.MULTILINE)
     return {int(label): float(volume) for label, volume in rows}
 

@@ -119,7 +119,7 @@ def check_fortran():
 
     write(
         "parts.f90",
-        "module told",
+        "module reports",
         "use, intrinsic :: iso_c_binding",
         "implicit none",
         "contains",
@@ -127,7 +127,7 @@ def check_fortran():
         "end module",
         "program parts",
         "use cleft",
-        "use told",
+        "use reports",
         "type(cleft_context) :: context",
         "type(cleft_options) :: options",
         "type(cleft_volume) :: volume",

@@ -2,7 +2,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import org.cleft.*;
 
-/** Meshes, looks and reads and writes again and again, until nothing fails any more; tells how often it failed. */
+/** Meshes, looks and reads and writes again and again, until nothing fails any more; reports how often it failed. */
 final class Walk {
     private static final Path PATH = Path.of(System.getenv("WALK_FOLDER"), "a.vtu");
     private static final int CALM = 20; // runs on end that do not fail

@@ -32,9 +32,9 @@ char running[200];  // for the signal handler, which may not allocate
 void tell_of_the_end(int signal)
 {
     const char* const why = signal == SIGALRM ? ": did not end\n" : ": crashed\n";
-    const ssize_t told =
+    const ssize_t reported =
         write(STDOUT_FILENO, running, std::strlen(running)) + write(STDOUT_FILENO, why, std::strlen(why));
-    _exit(told > 0 ? 2 : 3);
+    _exit(reported > 0 ? 2 : 3);
 }
 
 // ----------------------------------------------------------------------------------------------- the trials --
@@ -120,7 +120,7 @@ private:
             faults::Bench bench(work_.threads);
             Cancel cancel;
             if (cleft_context_set_progress(bench.context, on_progress, &cancel) != CLEFT_OK)
-                tell("cannot set the progress");
+                report("cannot set the progress");
             const bool cancels = fault.name == a_cancel.name;
             cancel.at = cancels ? at : 0;
             const bool ours = work_.ours_alone && fault.kind == FAULTS_ALLOCATIONS;
@@ -133,12 +133,12 @@ private:
             if (at > 0 && status != CLEFT_OK) {
                 ++failures_;
                 if (work_.run(bench) != CLEFT_OK || bench.digest != wanted_digest_ || contents() != wanted_files_)
-                    tell("the same again is not what it was");
+                    report("the same again is not what it was");
             }
             digest_ = bench.digest;
         }
         if (at > 0 && faults_live() != 0)
-            tell(std::to_string(faults_live()) + " blocks are lost, one of " + faults_owner_of_live());
+            report(std::to_string(faults_live()) + " blocks are lost, one of " + faults_owner_of_live());
         alarm(0);
     }
 
@@ -146,18 +146,18 @@ private:
     {
         if (at == 0) {
             if (status != CLEFT_OK)
-                tell(std::string("fails for nothing: ") + cleft_context_last_error(bench.context));
+                report(std::string("fails for nothing: ") + cleft_context_last_error(bench.context));
             return;
         }
         const std::string sentence = cleft_context_last_error(bench.context);
         if (status == CLEFT_OK && (bench.digest != wanted_digest_ || contents() != wanted_files_))
-            tell("done, but not the same");
+            report("done, but not the same");
         if (status != CLEFT_OK && status != fault.status)
-            tell("status " + std::to_string(status) + ": " + sentence);
+            report("status " + std::to_string(status) + ": " + sentence);
         if (status != CLEFT_OK && contents() != planted())
-            tell("the old files are not what they were");
+            report("the old files are not what they were");
         if (fault.kind == FAULTS_FILES && status != CLEFT_OK && sentence.find("cannot write '") == std::string::npos)
-            tell("no sentence about the file: " + sentence);
+            report("no sentence about the file: " + sentence);
     }
 
     // ------------------------------------------------------------------------------------------------ files --
@@ -186,7 +186,7 @@ private:
         return work_.outputs.empty() ? Contents() : all;
     }
 
-    void tell(const std::string& what)
+    void report(const std::string& what)
     {
         if (++found_ <= most_told)
             std::printf("%s: %s\n", running, what.c_str());

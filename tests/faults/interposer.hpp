@@ -1,4 +1,4 @@
-// Allocations and calls on files that fail when they are told to, in a program that has interposer.cpp among its
+// Allocations and calls on files that fail when asked to, in a program that has interposer.cpp among its
 // sources, or is run with it preloaded.
 #pragma once
 

@@ -1,5 +1,5 @@
 """The command while memory, calls on files, or time fail it: the outputs are all old or all new, with nothing beside
-them, one sentence tells why, and the exit status is a documented one.
+them, one sentence says why, and the exit status is a documented one.
 test_command.py CLEFT PRELOAD [--all]"""
 import errno
 import os
@@ -24,7 +24,7 @@ found = []
 trials = 0
 
 
-def tell(*words):
+def report(*words):
     found.append(words)
     print(*words, flush=True)
 
@@ -113,12 +113,12 @@ class Job:
         left = self.contents()
         where = "%s: %s:" % (" ".join(self.arguments), name)
         if run.returncode != DONE and run.returncode not in wanted:
-            tell(where, "exit status", run.returncode, run.stderr)
+            report(where, "exit status", run.returncode, run.stderr)
         # A report of the failure stands for the old one.
         same = {name: text for name, text in left.items() if not name.endswith(".json")}
         wanted_files = self.new if run.returncode == DONE else self.old
         if same != {name: text for name, text in wanted_files.items() if not name.endswith(".json")}:
-            tell(
+            report(
                 where,
                 "exit status",
                 run.returncode,
@@ -126,9 +126,9 @@ class Job:
                 sorted(set(left) ^ set(wanted_files)) or "other bytes",
                 run.stderr,
             )
-        told = [line for line in run.stderr.splitlines() if not line.startswith("cleft: warning")]
-        if run.returncode != DONE and not (told and all(re.match(r"cleft( \w+)?: \S", line) for line in told)):
-            tell(where, "said", repr(run.stderr))
+        reported = [line for line in run.stderr.splitlines() if not line.startswith("cleft: warning")]
+        if run.returncode != DONE and not (reported and all(re.match(r"cleft( \w+)?: \S", line) for line in reported)):
+            report(where, "said", repr(run.stderr))
 
     def sweep(self, kind, name, wanted, on=0, error=0):
         calls = self.calls(kind, error)
@@ -223,7 +223,7 @@ def least_limit(job):
 
 
 def test_signals():
-    """Killed, the old output or the new one is there whole, and the next run works. Told to end, nothing is left."""
+    """Killed, the old output or the new one is there whole, and the next run works. Asked to end, it leaves nothing."""
     generator = random.Random(4)
     job = Job(["mesh", "in.nrrd", "-o", "a.vtu", "-o", "b.msh", "--json", "r.json"], ["a.vtu", "b.msh", "r.json"])
     start = time.monotonic()
@@ -246,7 +246,7 @@ def test_signals():
             process.wait(HANGS)
             check_signal(job, number, process.returncode)
     if job.run(ALLOCATIONS, 0).returncode != DONE:
-        tell("after signals, the next run fails")
+        report("after signals, the next run fails")
 
 
 def check_signal(job, number, status):
@@ -255,14 +255,14 @@ def check_signal(job, number, status):
     left = job.contents()
     for name in job.outputs:
         if left.get(name) not in (job.old[name], job.new[name]):
-            tell("signal", number, name, "is neither old nor new")
+            report("signal", number, name, "is neither old nor new")
     beside = [name for name in left if name not in job.old]
     if number == signal.SIGKILL:
         beside = [name for name in beside if not name.startswith(".cleft-")]
     if beside:
-        tell("signal", number, "left", beside, "exit status", status)
+        report("signal", number, "left", beside, "exit status", status)
     if status not in (DONE, -number) and (number == signal.SIGKILL or status != 128 + number):
-        tell("signal", number, "exit status", status)
+        report("signal", number, "exit status", status)
 
 
 if __name__ == "__main__":

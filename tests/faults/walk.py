@@ -36,7 +36,7 @@ with tempfile.TemporaryDirectory() as folder:
     with open(count) as file:
         contexts, lost = map(int, file.read().split())
     print("%d contexts, %d blocks lost" % (contexts, lost))
-    # The program tells how many of its runs failed.
-    told = re.findall(r"^(?:failed )?(\d+)$", run.stdout, re.MULTILINE)
-    failed = int(told[-1]) if told else 0
+    # The program reports how many of its runs failed.
+    reported = re.findall(r"^(?:failed )?(\d+)$", run.stdout, re.MULTILINE)
+    failed = int(reported[-1]) if reported else 0
     sys.exit(not (run.returncode == 0 and lost == 0 and failed > 10 and contexts > failed))

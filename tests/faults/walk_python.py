@@ -1,4 +1,4 @@
-"""Meshes, looks and reads and writes again and again, until nothing fails any more; tells how often it failed."""
+"""Meshes, looks and reads and writes again and again, until nothing fails any more; reports how often it failed."""
 import gc
 import os
 

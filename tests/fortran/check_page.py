@@ -9,7 +9,7 @@ import textwrap
 
 HEAD = "## Signatures"
 MODULES = ("contexts", "option_sets", "volumes", "sizings", "meshes", "surfaces", "reports", "support", "io")
-# Arguments that are told of once, above all signatures.
+# Arguments that are described once, above all signatures.
 COMMON = {
     "context": "type(cleft_context), intent(inout)",
     "options": "type(cleft_options), intent(inout), optional",
@@ -59,10 +59,10 @@ def signature(call, procedure):
     for argument in arguments:
         if argument == "self":
             continue
-        told = declared.get(argument, "procedure, optional")
-        word = argument if told == COMMON.get(argument) else f"{argument}: {told}"
+        described = declared.get(argument, "procedure, optional")
+        word = argument if described == COMMON.get(argument) else f"{argument}: {described}"
         word = re.sub(r", intent\(in\)", "", word).replace(", optional", "")
-        words.append(f"[{word}]" if "optional" in told else word)
+        words.append(f"[{word}]" if "optional" in described else word)
     text = f"{call}({', '.join(words)})"
     if kind == "function":
         return f"{text} -> {declared[result]}"
@@ -140,7 +140,7 @@ def part(folder):
         "`intent(in)` is left out. These arguments are the same everywhere:",
         "",
     ]
-    lines += block(f"{name}: {told}" for name, told in COMMON.items())
+    lines += block(f"{name}: {described}" for name, described in COMMON.items())
     for name, entries in types.items():
         lines += ["", f"### {name}", "", *block(entries)]
     lines += [

@@ -1,4 +1,4 @@
-! What the tests share: a check that tells its place, and the volume that they mesh.
+! What the tests share: a check that names its place, and the volume that they mesh.
 module checks
   use, intrinsic :: iso_c_binding
   use, intrinsic :: iso_fortran_env, only: error_unit

@@ -19,7 +19,7 @@ program test_cycles
   do cycle = 1, 1000
     call make_and_leave()
   end do
-  call check(before > 0, 'the system tells how much memory is used')
+  call check(before > 0, 'the system reports how much memory is used')
   call check(resident_kilobytes() - before < 2000, 'memory is flat')
   call finish()
 

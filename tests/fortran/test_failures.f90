@@ -64,14 +64,14 @@ contains
     integer(c_int32_t), allocatable :: labels(:)
 
     call other%create(context, none, stat=stat, errmsg=errmsg)
-    call told('voxels has no elements')
+    call reported('voxels has no elements')
     call failed(CLEFT_ERROR_ARGUMENT, 'a volume without voxels is refused')
     call other%create(context, field(1:0, :, :), stat=stat, errmsg=errmsg)
     call failed(CLEFT_ERROR_ARGUMENT, 'a signed function without voxels is refused')
     call volume%set_label_name(7, 'seven', stat, errmsg)
-    call told('the volume has no label 7')
+    call reported('the volume has no label 7')
     call mesh%set_label_name(9, 'two' // new_line('a') // 'lines', stat, errmsg)
-    call told('the name of label 9 must be one line of text')
+    call reported('the name of label 9 must be one line of text')
     wide = huge(0_c_int32_t)
     wide(2, 2, 2) = -wide(1, 1, 1) - 1
     call other%create(context, wide, stat=stat, errmsg=errmsg)
@@ -128,37 +128,37 @@ contains
     points = reshape([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 5, 5, 5, 6, 5, 5, 5, 6, 5, 5, 5, 6], [3, 8])
     tets = reshape([1, 2, 3, 4, 5, 6, 7, 9], [4, 2])
     call mesh%create_arrays(context, points, tets, stat=stat, errmsg=errmsg)
-    call told('the 2nd tetrahedron names point 9, but there are 8 points, counted from 1')
+    call reported('the 2nd tetrahedron names point 9, but there are 8 points, counted from 1')
     tets(4, 2) = 0
     call mesh%create_arrays(context, points, tets, stat=stat, errmsg=errmsg)
-    call told('the 2nd tetrahedron names point 0')
+    call reported('the 2nd tetrahedron names point 0')
     tets(:, 2) = [6, 5, 7, 8]
     call mesh%create_arrays(context, points, tets)
     findings = mesh%validate(context)
     errmsg = context%last_error()
-    call told('the 2nd tetrahedron at (5.25, 5.25, 5.25) is inverted')
+    call reported('the 2nd tetrahedron at (5.25, 5.25, 5.25) is inverted')
     points(2, 3) = nan
     call mesh%create_arrays(context, points, tets, stat=stat, errmsg=errmsg)
-    call told('the 3rd point')
+    call reported('the 3rd point')
 
     fields = 1
     fields(4, 1, 2, 3) = nan
     call other%create(context, fields, stat=stat, errmsg=errmsg)
-    call told('the 3rd indicator function')
-    call told('the 4th along x, the 1st along y and the 2nd along z')
+    call reported('the 3rd indicator function')
+    call reported('the 4th along x, the 1st along y and the 2nd along z')
     affine = 0
     affine(1, 1) = 1
     affine(2, 2) = 1
     call other%create(context, two_balls(), affine=affine, stat=stat, errmsg=errmsg)
-    call told('3rd axis')
+    call reported('3rd axis')
     affine(2, 3) = nan
     call other%create(context, two_balls(), affine=affine, stat=stat, errmsg=errmsg)
-    call told('2nd row, 3rd column')
+    call reported('2nd row, 3rd column')
   end subroutine
 
-  subroutine told(words)
+  subroutine reported(words)
     character(len=*), intent(in) :: words
-    call check(index(errmsg, words) > 0, trim(errmsg) // ' does not tell of ' // words)
+    call check(index(errmsg, words) > 0, trim(errmsg) // ' does not mention ' // words)
   end subroutine
 
   subroutine sizings_refuse()
@@ -214,7 +214,7 @@ contains
 
     call context%set_threads(5000, stat, errmsg)
     call context%metric(0, name, value, stat, errmsg)
-    call told('there is no such figure')  ! and no sentence of another failure
+    call reported('there is no such figure')  ! and no sentence of another failure
     call check(stat /= CLEFT_OK .and. name == '' .and. abs(value) < tiny(value), 'there is no figure number 0')
     call other%create_arrays(context, mesh%points(), mesh%tets())
     call other%destroy()
@@ -228,13 +228,13 @@ contains
     quality = other%quality(context, stat, errmsg)
     call failed(CLEFT_ERROR_NULL, 'a destroyed mesh has no quality')
     call other%create(context, no_volume, stat=stat, errmsg=errmsg)
-    call told('volume is not there: destroyed, or never made')
+    call reported('volume is not there: destroyed, or never made')
     call failed(CLEFT_ERROR_NULL, 'a volume that was never made cannot be meshed')
     call other%create(context, volume, options, background=no_mesh, stat=stat, errmsg=errmsg)
-    call told('background is not there')
+    call reported('background is not there')
     call failed(CLEFT_ERROR_NULL, 'a background that was never made is not left out in silence')
     call other%create(context, volume, options, sizing=no_sizing, stat=stat, errmsg=errmsg)
-    call told('sizing is not there')
+    call reported('sizing is not there')
     call failed(CLEFT_ERROR_NULL, 'a sizing field that was never made is not left out in silence')
     call check(other%tet_count() == 0, 'and nothing is made')
     call surface%create(context, no_mesh, stat, errmsg)

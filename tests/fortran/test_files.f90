@@ -99,7 +99,7 @@ contains
     call check(all(volume%voxel_counts() == &
       [count(two_balls() == 0), count(two_balls() == 5), count(two_balls() == 9)]), 'raw voxels are those of the file')
     call cleft_read_raw(context, file, dims, CLEFT_TYPE_INT32, volume, stat=stat, errmsg=errmsg)
-    call check(stat == CLEFT_ERROR_FORMAT .and. index(errmsg, file) > 0, 'bytes that are left over are told')
+    call check(stat == CLEFT_ERROR_FORMAT .and. index(errmsg, file) > 0, 'bytes that are left over are reported')
     call check(size(volume%labels()) == 0, 'and the former volume is gone')
     call cleft_read_raw(context, file, [14, 12, 0], CLEFT_TYPE_INT32, volume, stat=stat)
     call check(stat == CLEFT_ERROR_ARGUMENT, 'no voxels are refused')
@@ -117,9 +117,9 @@ contains
     do kind = CLEFT_IO_KIND_AUTO, CLEFT_IO_KIND_INDICATORS
       functions = merge(1, 0, kind == CLEFT_IO_KIND_INDICATORS)
       call cleft_read_raw(context, file, [2, 2, 2], CLEFT_TYPE_FLOAT32, volume, kind=kind)
-      call check(volume%indicator_count() == functions, 'the kind tells what one file means')
+      call check(volume%indicator_count() == functions, 'the kind decides what one file means')
       call cleft_read_raw(context, [character(len=16) :: file, rest], [2, 2, 2], CLEFT_TYPE_FLOAT32, volume, kind=kind)
-      call check(volume%indicator_count() == 2 * functions, 'the kind tells what two files mean')
+      call check(volume%indicator_count() == 2 * functions, 'the kind decides what two files mean')
     end do
   end subroutine
 

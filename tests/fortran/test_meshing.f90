@@ -27,7 +27,7 @@ program test_meshing
   call context%set_progress(listen)
   call mesh%create(context, volume, options)
   call context%set_progress()
-  call check(calls > 0, 'progress was told')
+  call check(calls > 0, 'progress was reported')
   call check(last_fraction > 0.5d0 .and. last_fraction <= 1, 'progress went on')
   call mesh_is_sound()
   call mesh_goes_through_arrays()
@@ -319,7 +319,7 @@ contains
     call check(len(name) > 0, 'figures have names')
     call context%clear_metrics()
     call check(context%metric_count() == 0, 'figures can be forgotten')
-    call check(index(cleft_library_version(), '.') > 0, 'the version is told')
+    call check(index(cleft_library_version(), '.') > 0, 'the version is reported')
   end subroutine
 
 end program

@@ -1,4 +1,4 @@
-// A small volume cleaved on a background of the user's own: blocks of six tetrahedra with moved points, and what is
+// A small volume cleaved on a user-supplied background: blocks of six tetrahedra with moved points, and what is
 // broken in it. A sound one gives a sound mesh; of a broken one, no mesh that is not sound comes back.
 #include "fuzz/bytes.hpp"
 #include "fuzz/given_volume.hpp"

@@ -105,10 +105,10 @@ def fault_of(command, exits, folder):
     try:
         lines = done.stderr.decode().splitlines()
     except UnicodeDecodeError:
-        return "tells what is no text"
+        return "prints what is no text"
     errors = [line for line in lines if not line.startswith("cleft: warning: ")]
     if len(errors) != (0 if done.returncode in (OK, CHECK_FAILED) else 1):
-        return "tells %d errors with status %d: %s" % (len(errors), done.returncode, " / ".join(errors)[:300])
+        return "reports %d errors with status %d: %s" % (len(errors), done.returncode, " / ".join(errors)[:300])
     written = [name for name in os.listdir(folder) if "out" in name]
     if "mesh" in command:
         if written != (["out.vtu"] if done.returncode == OK else []):

@@ -8,7 +8,7 @@
 namespace fuzz
 {
 
-// Tells of a fault and ends the process, as a fuzzer wants it.
+// Reports a fault and ends the process, as a fuzzer wants it.
 [[noreturn]] void fault(const std::string& sentence);
 inline void expect(bool holds, const char* fault_if_not)
 {

@@ -134,7 +134,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
     cleft_sizing* sizing = nullptr;
     const bool sized = context.succeeded(given_sizing ? cleft_sizing_create_constant(context, volume, one_size, &sizing)
                                                       : cleft_sizing_create(context, volume, options, &sizing));
-    // A size of the user's own may ask for more than there is time for.
+    // A user-supplied size may ask for more than there is time for.
     if (sized && cleft_sizing_expected_tets(sizing) < most_tets) {
         if (by_stages)
             mesh_by_stages(context, volume, sizing, options);

@@ -16,7 +16,7 @@ int main(int argc, char** argv)
         inputs.push_back(entry.path());
     std::sort(inputs.begin(), inputs.end());
     for (const auto& input : inputs) {
-        std::fprintf(stderr, "%s\n", input.filename().c_str());  // the last one told is the one that failed
+        std::fprintf(stderr, "%s\n", input.filename().c_str());  // the last one named is the one that failed
         std::ifstream file(input, std::ios::binary);
         const std::vector<char> bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
         LLVMFuzzerTestOneInput(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size());

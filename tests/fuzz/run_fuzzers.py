@@ -32,7 +32,7 @@ def dictionary_of(name):
 
 
 def what_failed(name, log):
-    """The path of the input that failed and the line that tells why."""
+    """The path of the input that failed and the line that says why."""
     text = log.read_text(errors="replace")
     path = re.search(r"Test unit written to (\S+)", text)
     why = re.search(r"^FAULT: (.*)|runtime error: (.*)|^SUMMARY: (.*)|^(==\d+== ?ERROR: .*)", text, re.MULTILINE)

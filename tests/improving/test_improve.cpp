@@ -76,7 +76,7 @@ LabelledMesh improved(int32_t n, int materials, const Value& value, const Improv
     return mesh;
 }
 
-// Improves the mesh of the case and tells whether all that must stay has stayed: validity, the box, the topology of
+// Improves the mesh of the case and says whether all that must stay has stayed: validity, the box, the topology of
 // every material, and the volumes of the materials to `tolerance`.
 bool improve_keeps_all(Case& c, const ImproveOptions& options, double tolerance)
 {

@@ -11,7 +11,7 @@ endfunction()
 
 function(expect_private library flags static_flags)
     if("${flags} " MATCHES "-l${library} " OR NOT "${static_flags} " MATCHES "-l${library} ")
-        message(FATAL_ERROR "${library} must be told with --static alone: \"${flags}\", \"${static_flags}\"")
+        message(FATAL_ERROR "${library} must be named with --static alone: \"${flags}\", \"${static_flags}\"")
     endif()
 endfunction()
 

@@ -33,12 +33,12 @@ RT_STRUCTURES = "1.2.840.10008.5.1.4.1.1.481.3"
 TURNED = [0, 1, 0, 0, 0, -1]  # rows go to the back, columns to the feet
 
 
-def check(voxels, affine, *paths, told=(), **options):
-    """The volume has these voxels at these places, and each of the words is told: nothing if there are none."""
+def check(voxels, affine, *paths, reported=(), **options):
+    """The volume has these voxels at these places, and each of the words is reported: nothing if there are none."""
     volume_reading.check(voxels, affine, *paths, **options)
     output = run_dump(paths, **options)[0].stdout
-    assert all(word in output for word in told), output
-    assert told or "warning: " not in output, output
+    assert all(word in output for word in reported), output
+    assert reported or "warning: " not in output, output
 
 
 def refused(status, words, name, **options):
@@ -157,7 +157,7 @@ def test_series_without_places():
         dataset = slice_of(voxels[:, :, k], (0, 0, 0), InstanceNumber=9 + k)
         del dataset.ImagePositionPatient
         save(dataset, "placeless/%d.dcm" % (3 - k))
-    check(voxels, np.diag([0.25, 0.5, 1, 0])[:3], path("placeless"), told=["order of their numbers"])
+    check(voxels, np.diag([0.25, 0.5, 1, 0])[:3], path("placeless"), reported=["order of their numbers"])
     dataset.InstanceNumber = 10
     save(dataset, "placeless/1.dcm")
     refused(FORMAT, "the same number", path("placeless"))
@@ -197,7 +197,7 @@ def test_rounded_orientation():
 
 def test_doubts_are_told():
     voxels = random_labels((6, 4, 3), (0, 3, 900))
-    check(voxels, AFFINE, write_series("lossy", voxels, LossyImageCompression="01"), told=["changes values"])
+    check(voxels, AFFINE, write_series("lossy", voxels, LossyImageCompression="01"), reported=["changes values"])
     for k in range(3):
         dataset = slice_of(voxels[:, :, k], (10, 20, 30 + 3 * k))
         dataset.PhotometricInterpretation = "MONOCHROME1"
@@ -208,7 +208,7 @@ def test_doubts_are_told():
         dataset.ModalityLUTSequence = Sequence([table])
         os.makedirs(path("doubts"), exist_ok=True)
         save(dataset, "doubts/%d.dcm" % k)
-    check(voxels, AFFINE, path("doubts"), told=["MONOCHROME1", "at the detector", "Modality LUT"])
+    check(voxels, AFFINE, path("doubts"), reported=["MONOCHROME1", "at the detector", "Modality LUT"])
 
 
 def test_bits_in_the_middle():
@@ -219,7 +219,7 @@ def test_bits_in_the_middle():
         dataset = slice_of(voxels[:, :, 0], (10, 20, 30))
         dataset.BitsStored, dataset.HighBit = 12, high
         dataset.PixelData = ((voxels[:, :, 0].T << (high - 11)) | (1 << (high - 11)) - 1).astype("<u2").tobytes()
-        check(voxels, alone, save(dataset, "bits.dcm"), told=["HighBit"] if high != 11 else [])
+        check(voxels, alone, save(dataset, "bits.dcm"), reported=["HighBit"] if high != 11 else [])
     dataset.HighBit = 16
     refused(FORMAT, "bit 16", save(dataset, "bits.dcm"))
     small = voxels % 256
@@ -389,15 +389,17 @@ def test_segmentation():
     frames = segment_frames(voxels, 1, places) + segment_frames(voxels, 5, places)
     for syntax in (ExplicitVRLittleEndian, ImplicitVRLittleEndian, DeflatedExplicitVRLittleEndian):
         check(voxels, AFFINE, save(segmentation(frames, (1, 5)), "seg.dcm", syntax))
-    for thickness, told in ((1, ["apart: 3 is taken", "thickness of 1"]), (3, []), (5, [])):
+    for thickness, reported in ((1, ["apart: 3 is taken", "thickness of 1"]), (3, []), (5, [])):
         thick = segmentation(frames, (1, 5), measures=(0.5, 0.25, 0))
         thick.SharedFunctionalGroupsSequence[0].PixelMeasuresSequence[0].SliceThickness = thickness
-        check(voxels, AFFINE, save(thick, "thick.dcm"), told=told)
+        check(voxels, AFFINE, save(thick, "thick.dcm"), reported=reported)
     spread = np.zeros((7, 5, 16), int)
     spread[:, :, ::3] = voxels
     thin = AFFINE.copy()
     thin[2, 2] = 1
-    check(spread, thin, save(segmentation(frames, (1, 5), measures=(0.5, 0.25, 1)), "spread.dcm"), told=["no frame"])
+    check(
+        spread, thin, save(segmentation(frames, (1, 5), measures=(0.5, 0.25, 1)), "spread.dcm"), reported=["no frame"]
+    )
     mixed = [frames[i] for i in np.random.default_rng(1).permutation(len(frames))]
     check(voxels, AFFINE, save(segmentation(mixed, (1, 5)), "mixed.dcm"))
     check(voxels, AFFINE, save(segmentation(mixed, (1, 5), measures=(0.5, 0.25, 0)), "unspaced.dcm"))
@@ -428,7 +430,7 @@ def test_overlapping_segments():
             voxels,
             AFFINE,
             save(segmentation(frames, (1, 5)), "overlap.dcm"),
-            told=["4 voxels are in segment 1 and in segment 5", "the later one"],
+            reported=["4 voxels are in segment 1 and in segment 5", "the later one"],
         )
 
 
@@ -437,7 +439,7 @@ def test_fractional_segments():
     frames = [(n, p, np.where(pixels, 200, 60)) for n, p, pixels in segment_frames(voxels, 1, places, True)]
     dataset = segmentation(frames, (1, 5), kind="FRACTIONAL", bits=8)
     dataset.MaximumFractionalValue = 255
-    check((voxels == 1).astype(int), AFFINE, save(dataset, "fractions.dcm"), told=["from a half on"])
+    check((voxels == 1).astype(int), AFFINE, save(dataset, "fractions.dcm"), reported=["from a half on"])
 
 
 def test_label_map_segmentation():

@@ -35,20 +35,20 @@ def save(voxels, name="a.nii", kind=nibabel.Nifti1Image, sform=None, qform=None,
     for field, value in fields.items():
         image.header[field] = value
     image.to_filename(path(name))
-    for place in glob.glob(path("*.mat*")):  # nibabel's, of Analyze: not read by Cleft, which tells
+    for place in glob.glob(path("*.mat*")):  # nibabel's, of Analyze: not read by Cleft, which says so
         os.remove(place)
     return path(name)
 
 
-def check_as_nibabel(name, told=None, **options):
+def check_as_nibabel(name, reported=None, **options):
     image = nibabel.load(name)
     voxels = np.asarray(image.dataobj)
     check(voxels, image.affine[:3], name, world=RAS, **options)
     check(voxels, FLIP @ image.affine[:3], name, **options)
-    if told is None:
+    if reported is None:
         reads_quietly(name)
     else:
-        warned(told, name)
+        warned(reported, name)
 
 
 def patch(name, offset, kind, *values):
@@ -94,7 +94,7 @@ def test_types():
 def test_forms():
     """The sform if its code is set, else the qform, else the sizes of the voxels: the numbers are those of nibabel."""
     for kind in (nibabel.Nifti1Image, nibabel.Nifti2Image):
-        for sform, qform, codes, told in (
+        for sform, qform, codes, reported in (
             (ROTATED, ROTATED, (1, 1), None),
             (FLIPPED, FLIPPED, (2, 1), None),
             (FLIPPED, None, (1, 0), None),
@@ -106,7 +106,7 @@ def test_forms():
             (SHEARED, ROTATED, (1, 1), "mm apart"),
             (None, None, (0, 0), "orientation"),
         ):
-            check_as_nibabel(save(labels(), "a.nii", kind, sform, qform, codes), told)
+            check_as_nibabel(save(labels(), "a.nii", kind, sform, qform, codes), reported)
     mirrored = ROTATED @ np.diag([-1, 1, 1, 1])
     warned(
         "mirrors of each other: the sform (code 4) is used, the qform (code 1) is not",
@@ -249,7 +249,7 @@ def test_extensions():
 
 
 def test_length():
-    """A file that is cut short anywhere is refused; more bytes than voxels are told."""
+    """A file that is cut short anywhere is refused; more bytes than voxels are reported."""
     voxels = labels("u1", (0, 3, 7))
     data = open(save(voxels), "rb").read()
     packed = gzip.compress(data)

@@ -1,5 +1,5 @@
 """NRRD, segmentations of 3D Slicer, MetaImage and legacy VTK as people have them: places, layouts of files, what is
-told and what is refused. check_text_headers.py DUMP_VOLUME"""
+reported and what is refused. check_text_headers.py DUMP_VOLUME"""
 import gzip
 import os
 import struct

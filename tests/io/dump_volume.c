@@ -1,6 +1,6 @@
 /* dump_volume WORLD KIND SX SY SZ OUT PATH...: reads a volume (WORLD and KIND: numbers of cleft_io.h; S: spacing, 0 for
  * the file's) and writes to OUT: dims (3 int64), affine (12 double), number of labels (int64), labels (int32), and the
- * label that the volume has at the world place of each voxel centre (int32). Prints what the library tells ("warning:
+ * label that the volume has at the world place of each voxel centre (int32). Prints what the library reports ("warning:
  * "), the names of labels ("name: ", label, name), and the failure, if any. With DISTURBED in the environment, signals
  * interrupt it and its children all the time. */
 #include "cleft/cleft_io.h"

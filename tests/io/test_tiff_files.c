@@ -326,7 +326,7 @@ static void test_palette(void** state)
     check_stack(f, &k);
 }
 
-/* Thumbnails and masks, told by either tag, are no slices; pages of another size or type are an error. */
+/* Thumbnails and masks, marked by either tag, are no slices; pages of another size or type are an error. */
 static void test_other_pages(void** state)
 {
     fixture* f = *state;
@@ -492,11 +492,11 @@ static void test_hostile(void** state)
         save_file(f->path, bytes, 1000);
         if (fault == 0) {
             refuse(f, CLEFT_ERROR_FORMAT, "behind the end");
-        } else { /* a wrong count of bytes, where all voxels are there, is told */
-            int told = 0;
-            assert_int_equal(cleft_context_set_log(f->context, count_libtiff, &told), CLEFT_OK);
+        } else { /* a wrong count of bytes, where all voxels are there, is reported */
+            int reported = 0;
+            assert_int_equal(cleft_context_set_log(f->context, count_libtiff, &reported), CLEFT_OK);
             assert_int_equal(read_stack(f, &volume), CLEFT_OK);
-            assert_int_equal(told, 1);
+            assert_int_equal(reported, 1);
             assert_int_equal(cleft_context_set_log(f->context, NULL, NULL), CLEFT_OK);
             cleft_volume_destroy(volume);
         }

@@ -68,17 +68,17 @@ def random_labels(shape, dtype, values, seed=0):
 
 
 def warned(words, *paths, **options):
-    """The reading tells something that has the words."""
+    """The reading reports something that has the words."""
     run, _ = run_dump(paths, **options)
-    told = [line for line in run.stdout.splitlines() if line.startswith("warning: ")]
-    assert any(words in line for line in told), run.stdout
+    reported = [line for line in run.stdout.splitlines() if line.startswith("warning: ")]
+    assert any(words in line for line in reported), run.stdout
 
 
 def reads_quietly(*paths, **options):
-    """The reading succeeds, and tells nothing."""
+    """The reading succeeds, and reports nothing."""
     run, _ = run_dump(paths, **options)
-    told = [line for line in run.stdout.splitlines() if not line.startswith("name: ")]
-    assert run.returncode == 0 and told == [], run.stdout
+    reported = [line for line in run.stdout.splitlines() if not line.startswith("name: ")]
+    assert run.returncode == 0 and reported == [], run.stdout
 
 
 def run_tests(names):

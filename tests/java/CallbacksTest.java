@@ -67,7 +67,7 @@ final class CallbacksTest {
         mesher.log(null).mesh(volume, tooFew);
     }
 
-    /** Smoothing is of the volume: given to a later call alone, it changes nothing, and that is told. */
+    /** Smoothing is of the volume: given to a later call alone, it changes nothing, and that is reported. */
     void testSmoothWithoutEffect() {
         List<String> warnings = new ArrayList<>();
         mesher.log((level, sentence) -> {

@@ -135,7 +135,7 @@ final class FailuresTest {
         }
     }
 
-    /** Who gives null is told for what. */
+    /** Who gives null gets the name of the argument. */
     void testNamesOfNulls() {
         Volume volume = Checks.ballVolume(mesher);
         Mesh mesh = Checks.ballMesh(mesher);
@@ -169,7 +169,7 @@ final class FailuresTest {
         named(kind, "rows", () -> Checks.GRID.affine((double[]) null));
     }
 
-    /** Who gives a wrong argument is told its name in Java. */
+    /** Who gives a wrong argument gets its name in Java. */
     void testNamesOfArguments() {
         Volume volume = Checks.ballVolume(mesher);
         Mesh mesh = Checks.ballMesh(mesher);

@@ -118,7 +118,7 @@ final class FilesTest {
         });
     }
 
-    /** The kind decides what voxels mean, not their type; the volume tells how many functions it holds. */
+    /** The kind decides what voxels mean, not their type; the volume reports how many functions it holds. */
     void testRawKinds() throws Exception {
         inFolder(folder -> {
             ByteBuffer whole = ByteBuffer.allocate(4 * 8).order(ByteOrder.LITTLE_ENDIAN);

@@ -127,7 +127,7 @@ void other_is_a_triangle_in_no_side(void**)
     Interfaces found = extract(mesh);
     assert_int_equal(std::count(found.hull_side.begin(), found.hull_side.end(), Side::other), 4);
     assert_true(found.hull_side.back() == Side::other);
-    // Sides are told by exact coordinates.
+    // Sides are recognized by exact coordinates.
     mesh = good_mesh(1);
     mesh.points[at(side_point(mesh))][2] = 1e-15;
     found = extract(mesh);

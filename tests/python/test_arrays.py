@@ -111,13 +111,13 @@ class Arrays(unittest.TestCase):
             cleft.Volume(None, affine=np.eye(4))
         with self.assertRaises(TypeError):
             cleft.Volume("labels")
-        for wrong, told in (
+        for wrong, reported in (
             ((3, 3), "two dimensions.*one slice"),
             ((2, 2, 2, 2), "4 dimensions"),
             ((0, 2, 2), "no voxels"),
             ((0,), "1 dimensions"),
         ):
-            with self.assertRaisesRegex(ValueError, told):
+            with self.assertRaisesRegex(ValueError, reported):
                 cleft.Volume(np.zeros(wrong, int))
 
     def test_first_index_runs_along_x(self):

@@ -80,9 +80,9 @@ class Callbacks(unittest.TestCase):
     def test_warnings_without_a_log(self):
         too_few = {"background": "lattice", "tets": 1}
         for mesher in (None, cleft.Mesher()):
-            with self.assertWarnsRegex(cleft.CleftWarning, "tetrahedra") as told:
+            with self.assertWarnsRegex(cleft.CleftWarning, "tetrahedra") as reported:
                 cleft.mesh(ball_volume(), mesher=mesher, **too_few)
-            self.assertEqual(told.filename, __file__)  # where the user called
+            self.assertEqual(reported.filename, __file__)  # where the user called
         self.assertTrue(issubclass(cleft.CleftWarning, UserWarning))
         with warnings.catch_warnings():
             warnings.simplefilter("error")
@@ -92,9 +92,9 @@ class Callbacks(unittest.TestCase):
             self.assertTrue(cleft.mesh(ball_volume(), **QUICK))
 
     def test_options_that_a_volume_does_not_read_are_told(self):
-        with self.assertWarnsRegex(cleft.CleftWarning, "size_max.*mesh()") as told:
+        with self.assertWarnsRegex(cleft.CleftWarning, "size_max.*mesh()") as reported:
             ball_volume_of(size_max=3.0)
-        self.assertEqual(told.filename, __file__)
+        self.assertEqual(reported.filename, __file__)
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             self.assertTrue(ball_volume_of(smooth=3))

@@ -1,4 +1,4 @@
-"""The wheel and the install tree are whole: away from the build they work, and tell the truth of themselves."""
+"""The wheel and the install tree are whole: away from the build they work, and say the truth about themselves."""
 import base64
 import hashlib
 import importlib.metadata
@@ -28,15 +28,15 @@ def distribution(folder):
 
 
 def check_metadata(test, folder):
-    """What `pip show` and indexes tell of the package that is in a folder."""
-    told = distribution(folder).metadata
+    """What `pip show` and indexes report about the package that is in a folder."""
+    metadata = distribution(folder).metadata
     for field in ("Summary", "Author", "License", "Keywords", "License-File", "Requires-Python"):
-        test.assertTrue(told[field], field)
-    test.assertEqual(told["Version"], WHEEL.name.split("-")[1])
+        test.assertTrue(metadata[field], field)
+    test.assertEqual(metadata["Version"], WHEEL.name.split("-")[1])
     test.assertIn("numpy", distribution(folder).requires)
-    test.assertIn("Typing :: Typed", told.get_all("Classifier"))
-    test.assertEqual(told["Description-Content-Type"], "text/markdown")
-    test.assertIn("# Cleft from Python", told.get_payload())
+    test.assertIn("Typing :: Typed", metadata.get_all("Classifier"))
+    test.assertEqual(metadata["Description-Content-Type"], "text/markdown")
+    test.assertIn("# Cleft from Python", metadata.get_payload())
     test.assertTrue((pathlib.Path(folder) / "cleft" / "py.typed").exists())
 
 

@@ -57,14 +57,14 @@ private:
     {
         return least + static_cast<int64_t>(random_.below(static_cast<uint64_t>(greatest - least + 1)));
     }
-    void tell(const std::string& words) { made_.text += (made_.text.empty() ? "" : ", ") + words; }
+    void describe(const std::string& words) { made_.text += (made_.text.empty() ? "" : ", ") + words; }
 
     void set_dims()
     {
         for (int64_t& n : made_.dims)
             n = one_in(4) ? pick(1, 3) : one_in(4) ? pick(1, 20) : pick(1, 9);  // small ones, for the storm to be long
-        tell(std::to_string(made_.dims[0]) + " x " + std::to_string(made_.dims[1]) + " x " +
-             std::to_string(made_.dims[2]));
+        describe(std::to_string(made_.dims[0]) + " x " + std::to_string(made_.dims[1]) + " x " +
+                 std::to_string(made_.dims[2]));
     }
 
     void set_affine()
@@ -88,8 +88,8 @@ private:
         if (one_in(6))  // axes of the voxels in another order than the world's
             for (size_t axis = 0; axis < 3; ++axis)
                 std::swap(made_.affine[axis], made_.affine[4 + axis]);
-        tell("spacing " + number(spacing[0]) + " " + number(spacing[1]) + " " + number(spacing[2]) +
-             (sheared ? ", sheared" : "") + (far ? ", as far as " + number(distance) : ""));
+        describe("spacing " + number(spacing[0]) + " " + number(spacing[1]) + " " + number(spacing[2]) +
+                 (sheared ? ", sheared" : "") + (far ? ", as far as " + number(distance) : ""));
     }
 
     int32_t any_label()
@@ -171,7 +171,7 @@ private:
             made_.labels.push_back(names[std::min(pattern_at(pattern, materials, v), materials - 1)]);
         });
         static const char* const kNames[] = {"noise", "checkers", "sheets", "rods", "sparse noise", "grains"};
-        tell(std::string(kNames[pattern]) + " of " + std::to_string(materials) + " labels");
+        describe(std::string(kNames[pattern]) + " of " + std::to_string(materials) + " labels");
     }
 
     void set_functions()
@@ -192,7 +192,7 @@ private:
         if (kind == 5)
             made_.functions[random_.below(count)][random_.below(static_cast<uint64_t>(made_.voxel_count()))] =
                 one_in(2) ? std::numeric_limits<float>::infinity() : std::numeric_limits<float>::quiet_NaN();
-        tell(std::to_string(count) + " functions: " + kNames[kind]);
+        describe(std::to_string(count) + " functions: " + kNames[kind]);
     }
 
     float function_at(uint64_t kind, size_t f, const Voxel& v)
@@ -263,15 +263,15 @@ private:
                     made_.sizes.push_back(least_spacing_ * random_.between(0.7, 4));
                 if (one_in(3))
                     made_.sizes[random_.below(made_.sizes.size())] *= std::pow(10, random_.between(-9, 9));
-                tell("own sizes");
+                describe("own sizes");
                 break;
             case 1:
                 made_.way = Way::background;
-                tell("own background");
+                describe("own background");
                 break;
             case 2:
                 made_.way = Way::stages;
-                tell("stages");
+                describe("stages");
                 break;
             default:
                 break;
@@ -280,14 +280,14 @@ private:
         made_.threads = one_in(4) ? 3 : 1;
         if (one_in(10)) {
             made_.cancel_at = pick(1, 60);
-            tell("cancel at " + std::to_string(made_.cancel_at));
+            describe("cancel at " + std::to_string(made_.cancel_at));
         }
     }
 
     void option(const std::string& name, const std::string& value)
     {
         made_.options.emplace_back(name, value);
-        tell(name + " " + value);
+        describe(name + " " + value);
     }
 
     Random random_;

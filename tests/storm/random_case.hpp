@@ -15,8 +15,8 @@ namespace storm
 // How the mesh is made.
 enum class Way {
     whole,       // one call
-    sizing,      // one call with a sizing field of the user's own
-    background,  // one call with a background of the user's own, poor and tampered with at times
+    sizing,      // one call with a user-supplied sizing field
+    background,  // one call with a user-supplied background, poor and tampered with at times
     stages,      // background, cleaving, improving and stripping, a call each
 };
 
@@ -28,7 +28,7 @@ struct Case {
     std::vector<int32_t> labels;
     std::vector<std::vector<float>> functions;
     Way way = Way::whole;
-    std::vector<double> sizes;  // a user's own field, for Way::sizing
+    std::vector<double> sizes;  // a user-supplied field, for Way::sizing
     double constant_size = 0;   // of the background, for Way::stages and Way::background
     int64_t cancel_at = 0;      // the call of the progress callback that asks to cancel; 0: none
     int32_t threads = 1;

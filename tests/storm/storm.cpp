@@ -1,5 +1,5 @@
 // storm N [--seed S]: N random volumes through the C interface, seeds S, S + 1, ... Each must end in a mesh that the
-// checker finds sound, or in a status that the interface documents. `storm 1 --seed S` runs one again and tells of it.
+// checker finds sound, or in a status that the interface documents. `storm 1 --seed S` runs one again and describes it.
 // storm --seeds S...: these seeds, each of which once failed.
 #include "storm/trial.hpp"
 
@@ -23,9 +23,9 @@ char running[64];  // for the signal handler, which may not allocate
 void tell_of_the_end(int signal)
 {
     const char* const why = signal == SIGPROF ? " did not end\n" : " crashed\n";
-    const ssize_t told =
+    const ssize_t reported =
         write(STDOUT_FILENO, running, std::strlen(running)) + write(STDOUT_FILENO, why, std::strlen(why));
-    _exit(told > 0 ? 2 : 3);
+    _exit(reported > 0 ? 2 : 3);
 }
 
 void watch_from_now()

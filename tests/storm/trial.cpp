@@ -16,7 +16,7 @@ namespace
 
 constexpr double kMostTets = 40000, kMostOfAll = 400000;  // where the library is not asked to keep to max_tets
 
-// A background of the user's own, as arrays.
+// A user-supplied background, as arrays.
 struct Arrays {
     std::vector<double> points;
     std::vector<int32_t> tets;
@@ -205,7 +205,7 @@ private:
         const double expected = cleft_sizing_expected_tets(sizing_);
         if (!(expected > 0 && expected < 1e300))
             fault_ = "the expected number of tetrahedra is " + std::to_string(expected);
-        // Sizes of the user's own are taken as they are, and may well ask for a mesh that takes an hour.
+        // User-supplied sizes are taken as they are, and may well ask for a mesh that takes an hour.
         if (expected > kMostTets)
             return left_out();
         return checked(cleft_mesh_volume(context_, volume_, sizing_, nullptr, options_, next()), kept_box());

@@ -1,4 +1,4 @@
-/* The warnings of a context, for tests of what is told. */
+/* The warnings of a context, for tests of what is reported. */
 #ifndef CLEFT_TESTS_WARNINGS_H
 #define CLEFT_TESTS_WARNINGS_H
 
@@ -14,29 +14,29 @@ typedef struct {
 
 static inline void keep_warning(int32_t level, const char* sentence, void* user)
 {
-    warnings* told = (warnings*)user;
+    warnings* reported = (warnings*)user;
     if (level != CLEFT_LOG_WARNING)
         return;
-    const size_t used = strlen(told->all);
-    snprintf(told->all + used, sizeof told->all - used, "%s\n", sentence);
-    ++told->count;
+    const size_t used = strlen(reported->all);
+    snprintf(reported->all + used, sizeof reported->all - used, "%s\n", sentence);
+    ++reported->count;
 }
 
 /* A context whose warnings are kept. */
-static inline cleft_context* listening_context(warnings* told)
+static inline cleft_context* listening_context(warnings* reported)
 {
     cleft_context* context = new_context();
-    memset(told, 0, sizeof *told);
-    assert_ok(context, cleft_context_set_log(context, keep_warning, told));
+    memset(reported, 0, sizeof *reported);
+    assert_ok(context, cleft_context_set_log(context, keep_warning, reported));
     return context;
 }
 
 /* Asserts that there was one warning, or none for NULL, and that it says this; and forgets it. */
-static inline void assert_told(warnings* told, const char* words)
+static inline void assert_reported(warnings* reported, const char* words)
 {
-    if (told->count != (words ? 1 : 0) || (words && !strstr(told->all, words)))
-        fail_msg("expected: %s; told %d: %s", words ? words : "nothing", told->count, told->all);
-    memset(told, 0, sizeof *told);
+    if (reported->count != (words ? 1 : 0) || (words && !strstr(reported->all, words)))
+        fail_msg("expected: %s; reported %d: %s", words ? words : "nothing", reported->count, reported->all);
+    memset(reported, 0, sizeof *reported);
 }
 
 #endif
