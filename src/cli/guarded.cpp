@@ -27,7 +27,7 @@ int tell_failure(const std::string& command, const RunArguments& arguments, cons
                        {"message", failure.what()}};
     try {
         write_json(report, arguments.json);
-        // The first failure keeps the exit code; the second is told as well.
+        // The first failure keeps the exit code; the second is reported as well.
     } catch (const Failure& second) {
         std::fprintf(stderr, "cleft %s: %s\n", command.c_str(), second.what());
     }

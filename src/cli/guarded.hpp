@@ -9,7 +9,7 @@
 namespace cleft_cli
 {
 
-// Runs a command. A failure is told on stderr and in the JSON file, and becomes the exit code.
+// Runs a command. A failure is reported on stderr and in the JSON file, and becomes the exit code.
 // Returns the exit code of `body`, or that of its failure. `command` is the name for messages, such
 // as "mesh".
 int guarded(const std::string& command, const RunArguments& arguments, const std::function<int()>& body);

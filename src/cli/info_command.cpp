@@ -49,7 +49,7 @@ int tell_volume(Session& session, const InfoArguments& arguments)
 {
     VolumeFindings found;
     session.timed("read", "reading the volume", [&] {
-        // Without options: they change nothing that is told here.
+        // Without options: they change nothing that is reported here.
         const Volume volume = arguments.input.read(session, nullptr);
         found = look_at_volume(session, volume.get());
     });

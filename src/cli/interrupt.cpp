@@ -14,7 +14,7 @@ namespace
 
 // Those by which a terminal, a user or a batch system ends a program. SIGQUIT is left to leave a
 // core file.
-const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
 
 // A signal handler has no argument of its own: these two are the only globals of the command.
 std::atomic<cleft_context*> running_context{nullptr};
@@ -52,13 +52,13 @@ InterruptGuard::InterruptGuard(cleft_context* context)
     action.sa_handler = on_signal;
     // Reads and writes go on after the handler. The cancel reaches the library by its flag.
     action.sa_flags = SA_RESTART;
-    for (int signal : signals)
+    for (int signal : kSignals)
         sigaction(signal, &action, nullptr);
 }
 
 InterruptGuard::~InterruptGuard()
 {
-    for (int signal : signals)
+    for (int signal : kSignals)
         std::signal(signal, on_idle_signal);
     // After the handlers are replaced: the other way round, a signal in between would cancel
     // nothing.
@@ -70,7 +70,7 @@ SignalsLater::SignalsLater() noexcept
 {
     sigset_t blocked;
     sigemptyset(&blocked);
-    for (const int signal : signals)
+    for (const int signal : kSignals)
         sigaddset(&blocked, signal);
     pthread_sigmask(SIG_BLOCK, &blocked, &before_);
 }

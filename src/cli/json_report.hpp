@@ -26,7 +26,7 @@ nlohmann::ordered_json label_reports_json(const std::vector<LabelFindings>& rows
                                           const std::function<bool(int32_t label)>& left_out);
 nlohmann::ordered_json contacts_json(const std::vector<cleft_contact>& contacts);
 
-// Adds what the run cost and told: stages, metrics, warnings.
+// Adds what the run cost and reported: stages, metrics, warnings.
 void add_run(nlohmann::ordered_json& report, const Session& session);
 
 // "-" is standard output. A file is to be committed when all else is done. Throws Failure.

@@ -26,7 +26,7 @@ namespace
         StagedOutputs::remove_all();
         // write() and a constant text need no memory; fprintf() may ask for some.
         const char sentence[] = "cleft: out of memory\n";
-        [[maybe_unused]] const ssize_t told = write(STDERR_FILENO, sentence, sizeof sentence - 1);
+        [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, sentence, sizeof sentence - 1);
         // exit() would run destructors of globals, which may be what threw.
         _exit(EXIT_OUT_OF_MEMORY);
     } catch (...) {

@@ -1,4 +1,4 @@
-// The end of the command where memory runs out and no exception can tell so.
+// The end of the command where memory runs out and no exception can say so.
 #pragma once
 
 namespace cleft_cli

@@ -23,7 +23,7 @@ namespace
 {
 
 // The table of labels then fits one screen with the rest of the summary.
-const std::size_t labels_shown = 20;
+constexpr std::size_t kLabelsShown = 20;
 
 struct MeshArguments {
     VolumeArguments input;
@@ -180,28 +180,28 @@ ReportFindings kept_contacts(const MeshArguments& arguments, ReportFindings foun
 void warn_of_contacts(Session& session, const std::vector<cleft_contact>& contacts)
 {
     // More pairs make the warning unreadable; all of them are in the JSON report.
-    constexpr std::size_t named = 5;
+    constexpr std::size_t kNamed = 5;
     if (contacts.empty())
         return;
     std::string pairs;
-    for (std::size_t i = 0; i < std::min(contacts.size(), named); ++i)
+    for (std::size_t i = 0; i < std::min(contacts.size(), kNamed); ++i)
         pairs += (i == 0 ? "" : ", ") + std::to_string(contacts[i].first) + " and " +
                  std::to_string(contacts[i].second) + " (" + plural(contacts[i].triangles, "triangle") + ")";
-    if (contacts.size() > named)
-        pairs += " and " + grouped(static_cast<int64_t>(contacts.size() - named)) + " more";
+    if (contacts.size() > kNamed)
+        pairs += " and " + grouped(static_cast<int64_t>(contacts.size() - kNamed)) + " more";
     session.warn(plural(static_cast<int64_t>(contacts.size()), "pair") +
                  " of labels meet in the mesh, though no two of their voxels share a face or an edge: " + pairs +
                  "; a smaller size opens the gap (--size-min, --label-size)");
 }
 
-// Labels of which one thing is told: five by name, and how many more there are.
+// Labels of which one thing is reported: five by name, and how many more there are.
 class LabelList
 {
 public:
     void add(int32_t label, const std::string& what)
     {
-        constexpr int64_t named = 5;
-        if (++count_ <= named)
+        constexpr int64_t kNamed = 5;
+        if (++count_ <= kNamed)
             text_ += (count_ == 1 ? "label " : ", label ") + std::to_string(label) + " (" + what + ")";
         else
             ++more_;
@@ -246,7 +246,7 @@ void print_summary(const Session& session, const MeshArguments& arguments, const
                    const StagedOutputs& staged)
 {
     const auto left_out = [&](int32_t label) { return arguments.left_out(label); };
-    const std::size_t limit = arguments.run.verbose ? result.report.labels.size() : labels_shown;
+    const std::size_t limit = arguments.run.verbose ? result.report.labels.size() : kLabelsShown;
     std::string text = volume_line(result.volume) + mesh_lines(result.mesh) + "\n" +
                        dihedral_histogram(result.mesh.quality) + "\n" +
                        label_report_table(result.report.labels, left_out, limit) + "\n";

@@ -88,19 +88,19 @@ std::string range_text(const cleft_option_description& info)
     return significant(info.least) + " .. " + significant(info.greatest, 10);
 }
 
-void set_label_size(cleft_options* options, const std::string& wish)
+void set_label_size(cleft_options* options, const std::string& assignment)
 {
-    const std::size_t equals = wish.find('=');
+    const std::size_t equals = assignment.find('=');
     int32_t label = 0;
     double size = 0;
     // lexical_cast() takes the whole word or fails, so that "3=0.5x" is a mistake.
-    if (equals == std::string::npos || !CLI::detail::lexical_cast(wish.substr(0, equals), label) ||
-        !CLI::detail::lexical_cast(wish.substr(equals + 1), size))
-        throw usage_failure("--label-size: '" + wish + "' is not of the form LABEL=SIZE");
+    if (equals == std::string::npos || !CLI::detail::lexical_cast(assignment.substr(0, equals), label) ||
+        !CLI::detail::lexical_cast(assignment.substr(equals + 1), size))
+        throw usage_failure("--label-size: '" + assignment + "' is not of the form LABEL=SIZE");
     // 0 takes a limit back in the library. On the command line there is none to take back; !(size >
     // 0) also catches NaN.
     if (!(size > 0) || cleft_options_set_label_size(options, label, size) != CLEFT_OK)
-        throw usage_failure("--label-size: '" + wish + "': the size must be a positive number");
+        throw usage_failure("--label-size: '" + assignment + "': the size must be a positive number");
 }
 
 }  // namespace
@@ -209,8 +209,8 @@ Options OptionArguments::make() const
                                      ? "one of " + std::string(row.info.choices)
                                      : "a number in its range (" + range_text(row.info) + ")"));
     }
-    for (const std::string& wish : label_sizes_)
-        set_label_size(handle, wish);
+    for (const std::string& assignment : label_sizes_)
+        set_label_size(handle, assignment);
     const auto list = [](const std::vector<int32_t>& labels) { return static_cast<int64_t>(labels.size()); };
     if (cleft_options_set_strip(handle, strip_.data(), list(strip_)) != CLEFT_OK ||
         cleft_options_set_only(handle, only_.data(), list(only_)) != CLEFT_OK)

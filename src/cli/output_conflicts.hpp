@@ -1,4 +1,4 @@
-// Outputs that would take the place of something: told before the work begins.
+// Outputs that would take the place of something: reported before the work begins.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// One line on a terminal that tells how far the work is.
+// One line on a terminal that shows how far the work is.
 #pragma once
 
 #include <chrono>

@@ -23,7 +23,7 @@ namespace
 namespace fs = std::filesystem;
 
 // Linux follows at most 40 symbolic links in one path (path_resolution(7)).
-const int most_links = 40;
+constexpr int kMostLinks = 40;
 
 // Want of memory keeps its own exit code, wherever it is met.
 Failure cannot_write(const fs::path& path, int error)
@@ -94,7 +94,7 @@ fs::path link_target(const std::string& path)
     std::error_code error;
     fs::path target = path;
     // A circle of links ends at the limit. Writing then fails with the system's own error.
-    for (int links = 0; links < most_links && fs::is_symlink(fs::symlink_status(target, error)); ++links) {
+    for (int links = 0; links < kMostLinks && fs::is_symlink(fs::symlink_status(target, error)); ++links) {
         const fs::path next = fs::read_symlink(target, error);
         if (error)
             break;
@@ -188,11 +188,11 @@ void StagedOutputs::write(const std::string& path, const std::function<void(cons
     } catch (const Failure& failure) {
         const fs::path parent = fs::path(path).parent_path();
         // The user knows the path that was asked for, and not the staging folder.
-        Failure told(failure.exit_code, failure.status,
-                     replaced(failure.what(), (output.stage->path() / "").string(),
-                              parent.empty() ? std::string() : (parent / "").string()));
-        told.is_reported = failure.is_reported;
-        throw told;
+        Failure described(failure.exit_code, failure.status,
+                          replaced(failure.what(), (output.stage->path() / "").string(),
+                                   parent.empty() ? std::string() : (parent / "").string()));
+        described.is_reported = failure.is_reported;
+        throw described;
     }
 }
 

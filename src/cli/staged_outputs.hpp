@@ -23,7 +23,7 @@ public:
     StagedOutputs& operator=(const StagedOutputs&) = delete;
 
     // Calls write(place) with the place to write to the file that is to be at `path`. It may put further files beside,
-    // which go along. The sentence of a Failure that it throws tells the paths that the user knows.
+    // which go along. The sentence of a Failure that it throws has the paths that the user knows.
     void write(const std::string& path, const std::function<void(const std::string& place)>& write);
     // Of the file that was written for `path`.
     // 0 where it cannot be looked at.

@@ -14,9 +14,9 @@ namespace
 {
 
 // The longest heading, "Estimate" or "Memory", and a gap.
-const std::size_t first_column = 11;
+constexpr std::size_t kFirstColumn = 11;
 
-std::string line(const std::string& name, const std::string& text) { return left(name, first_column) + text + "\n"; }
+std::string line(const std::string& name, const std::string& text) { return left(name, kFirstColumn) + text + "\n"; }
 
 std::string triple(const std::array<double, 3>& numbers, const char* between = " x ")
 {
@@ -230,7 +230,7 @@ std::string validation_lines(const cleft_validation& validation, const std::stri
     };
     for (const auto& [what, count] : counts)
         if (count > 0)
-            text += std::string(first_column, ' ') + grouped(count) + " " + what + "\n";
+            text += std::string(kFirstColumn, ' ') + grouped(count) + " " + what + "\n";
     return text;
 }
 

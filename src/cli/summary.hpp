@@ -1,4 +1,4 @@
-// What the command tells a person, as text.
+// What the command reports to a person, as text.
 #pragma once
 
 #include "findings.hpp"

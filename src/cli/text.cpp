@@ -23,8 +23,8 @@ std::string grouped(int64_t number)
 std::string rounded(double number)
 {
     // Above it a number has more digits than anybody reads, and soon more than int64 holds.
-    constexpr double readable = 1e15;
-    return number < readable ? grouped(static_cast<int64_t>(std::llround(number))) : significant(number);
+    constexpr double kReadable = 1e15;
+    return number < kReadable ? grouped(static_cast<int64_t>(std::llround(number))) : significant(number);
 }
 
 std::string decimals(double number, int digits)

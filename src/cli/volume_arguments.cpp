@@ -15,7 +15,7 @@ namespace
 {
 
 // The types of cleft_type under the names that NumPy uses.
-const std::map<std::string, cleft_type> voxel_types = {
+const std::map<std::string, cleft_type> kVoxelTypes = {
     {"uint8", CLEFT_TYPE_UINT8},     {"uint16", CLEFT_TYPE_UINT16}, {"int16", CLEFT_TYPE_INT16},
     {"uint32", CLEFT_TYPE_UINT32},   {"int32", CLEFT_TYPE_INT32},   {"float32", CLEFT_TYPE_FLOAT32},
     {"float64", CLEFT_TYPE_FLOAT64},
@@ -24,7 +24,7 @@ const std::map<std::string, cleft_type> voxel_types = {
 std::vector<std::string> type_names()
 {
     std::vector<std::string> names;
-    for (const auto& [name, number] : voxel_types)
+    for (const auto& [name, number] : kVoxelTypes)
         names.push_back(name);
     return names;
 }
@@ -44,7 +44,7 @@ cleft_io_raw raw_layout(const VolumeArguments& arguments)
 {
     cleft_io_raw raw = {};
     raw.struct_size = sizeof raw;
-    raw.type = voxel_types.at(arguments.type);
+    raw.type = kVoxelTypes.at(arguments.type);
     raw.big_endian = arguments.big_endian ? 1 : 0;
     raw.kind = arguments.kind_number();
     raw.skip = arguments.skip;

@@ -1,4 +1,4 @@
-// The arguments that tell what to read: files, world, raw layout.
+// The arguments that say what to read: files, world, raw layout.
 #pragma once
 
 #include "session.hpp"

@@ -131,7 +131,7 @@ private:
 
 }  // namespace
 
-AtomicFile::AtomicFile(const std::string& path) : path_(path), buffer_(std::make_unique<char[]>(capacity))
+AtomicFile::AtomicFile(const std::string& path) : path_(path), buffer_(std::make_unique<char[]>(kCapacity))
 {
     const fs::path target = target_of(path);
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
@@ -179,9 +179,9 @@ void AtomicFile::write(const void* data, size_t bytes)
 {
     const char* from = static_cast<const char*>(data);
     while (bytes > 0) {
-        if (used_ == capacity)
+        if (used_ == kCapacity)
             flush();
-        const size_t part = std::min(bytes, capacity - used_);
+        const size_t part = std::min(bytes, kCapacity - used_);
         std::memcpy(buffer_.get() + used_, from, part);
         used_ += part;
         from += part;

@@ -51,14 +51,14 @@ public:
 
 private:
     // 1 MiB: few enough calls to the system for files of gigabytes, and little beside the mesh.
-    static constexpr size_t capacity = size_t{1} << 20;
+    static constexpr size_t kCapacity = size_t{1} << 20;
     // The shortest form of a double has at most 24 characters ("-2.2250738585072014e-308"), and an
     // int64 20.
-    static constexpr size_t longest_number = 32;
+    static constexpr size_t kLongestNumber = 32;
 
     void put(char c)
     {
-        if (used_ == capacity)
+        if (used_ == kCapacity)
             flush();
         buffer_[used_++] = c;
     }
@@ -68,10 +68,10 @@ private:
     template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>>
     void put(T number)
     {
-        if (capacity - used_ < longest_number)
+        if (kCapacity - used_ < kLongestNumber)
             flush();
         char* begin = buffer_.get() + used_;
-        used_ += static_cast<size_t>(std::to_chars(begin, begin + longest_number, number).ptr - begin);
+        used_ += static_cast<size_t>(std::to_chars(begin, begin + kLongestNumber, number).ptr - begin);
     }
 
     void flush();

@@ -22,7 +22,7 @@ namespace
 {
 
 // 256 kB: the cost of a call to the system is then small beside that of the copy.
-constexpr size_t buffer_bytes = size_t{1} << 18;
+constexpr size_t kBufferBytes = size_t{1} << 18;
 
 [[noreturn]] void cannot_read(int error) { throw_system_failure("cannot read it", error); }
 
@@ -122,7 +122,7 @@ private:
     {
         if (stream_.avail_in > 0)
             return true;
-        buffer_.resize(buffer_bytes);
+        buffer_.resize(kBufferBytes);
         stream_.next_in = reinterpret_cast<Bytef*>(buffer_.data());
         stream_.avail_in = static_cast<uInt>(read_file(buffer_.data(), buffer_.size()));
         return stream_.avail_in > 0;
@@ -217,7 +217,7 @@ void ByteSource::skip(uintmax_t bytes)
         return;
     }
     // A compressed stream cannot seek, so what is skipped must be decompressed.
-    std::vector<char> waste(static_cast<size_t>(std::min<uintmax_t>(bytes, buffer_bytes)));
+    std::vector<char> waste(static_cast<size_t>(std::min<uintmax_t>(bytes, kBufferBytes)));
     while (bytes > 0) {
         const auto step = static_cast<size_t>(std::min<uintmax_t>(bytes, waste.size()));
         read(waste.data(), step);
@@ -231,7 +231,7 @@ std::string ByteSource::read_rest()
     for (size_t got = 1; got > 0;) {
         const size_t before = text.size();
         // The size of what is compressed is not known. Doubling keeps the number of copies small.
-        text.resize(before + std::max(buffer_bytes, before));
+        text.resize(before + std::max(kBufferBytes, before));
         got = read_some(text.data() + before, text.size() - before);
         text.resize(before + got);
     }

@@ -10,7 +10,7 @@ namespace cleft::io
 namespace
 {
 
-constexpr int32_t vtk_tetra = 10;  // VTK_TETRA of the list of cell types in "VTK File Formats"
+constexpr int32_t kVtkTetra = 10;  // VTK_TETRA of the list of cell types in "VTK File Formats"
 
 [[noreturn]] void fail(const std::string& what) { throw Error(CLEFT_ERROR_FORMAT, what); }
 
@@ -67,7 +67,7 @@ void take_tetrahedra(const CellLists& cells, const std::vector<CellArray>& array
     for (size_t c = 0; c < count; ++c) {
         if (is_lower_dimensional(cells.types[c]))
             continue;
-        if (cells.types[c] != vtk_tetra)
+        if (cells.types[c] != kVtkTetra)
             throw Error(CLEFT_ERROR_UNSUPPORTED, "the " + ordinal(static_cast<int64_t>(c)) +
                                                      " cell is no tetrahedron but of VTK's type " +
                                                      std::to_string(cells.types[c]));

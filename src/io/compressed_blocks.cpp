@@ -16,9 +16,9 @@ namespace
 
 // 256 kB: enough blocks to keep all threads busy, each far larger than the 32 kB that deflate looks back. The size is
 // fixed, since one that depended on the number of threads would change the bytes of the file.
-constexpr size_t block_bytes = size_t{1} << 18;
+constexpr size_t kBlockBytes = size_t{1} << 18;
 // Coordinates and numbers of points hardly shrink any further at a higher level, which takes twice as long.
-constexpr int level = 1;
+constexpr int kLevel = 1;
 
 struct Free {
     void operator()(libdeflate_compressor* c) const { libdeflate_free_compressor(c); }
@@ -29,7 +29,7 @@ std::string compress_block(const char* data, size_t bytes)
 {
     // A compressor of libdeflate must not be used by two threads at once, so each block has its
     // own.
-    const std::unique_ptr<libdeflate_compressor, Free> compressor(libdeflate_alloc_compressor(level));
+    const std::unique_ptr<libdeflate_compressor, Free> compressor(libdeflate_alloc_compressor(kLevel));
     if (!compressor)
         throw std::bad_alloc();
     std::string out(libdeflate_zlib_compress_bound(compressor.get(), bytes), '\0');
@@ -45,11 +45,11 @@ std::string compress_block(const char* data, size_t bytes)
 std::string compress_blocks(const void* data, size_t bytes, int threads)
 {
     const char* from = static_cast<const char*>(data);
-    const int64_t count = chunk_count(static_cast<int64_t>(bytes), static_cast<int64_t>(block_bytes));
+    const int64_t count = chunk_count(static_cast<int64_t>(bytes), static_cast<int64_t>(kBlockBytes));
     std::vector<std::string> blocks(static_cast<size_t>(count));
     Run run;
     run.threads = threads;
-    parallel_chunks(run, static_cast<int64_t>(bytes), static_cast<int64_t>(block_bytes),
+    parallel_chunks(run, static_cast<int64_t>(bytes), static_cast<int64_t>(kBlockBytes),
                     [&](int64_t block, int64_t begin, int64_t end) {
                         blocks[static_cast<size_t>(block)] =
                             compress_block(from + begin, static_cast<size_t>(end - begin));
@@ -57,7 +57,7 @@ std::string compress_blocks(const void* data, size_t bytes, int threads)
     // The header of "VTK File Formats" for compressed data: number of blocks, size of a block, size
     // of the last partial block, then the compressed sizes. The third number is 0 where the last
     // block is full.
-    std::vector<uint64_t> header{blocks.size(), block_bytes, bytes % block_bytes};
+    std::vector<uint64_t> header{blocks.size(), kBlockBytes, bytes % kBlockBytes};
     for (const std::string& block : blocks)
         header.push_back(block.size());
     std::string out(reinterpret_cast<const char*>(header.data()), header.size() * sizeof(uint64_t));

@@ -30,7 +30,7 @@ void name_labels(cleft_context* context, const Image& image, cleft_volume* volum
             // DICOM and NRRD do not guarantee UTF-8. A wrong name costs its label nothing else, so
             // it is reported and left out.
             cleft_volume_set_label_name(volume, label, name.c_str()) != CLEFT_OK)
-            tell(context, "the name of label " + std::to_string(label) + " is not UTF-8, and is left out");
+            report(context, "the name of label " + std::to_string(label) + " is not UTF-8, and is left out");
 }
 
 void create_labels(cleft_context* context, const cleft_options* options, Image& image, const Affine& affine,
@@ -80,7 +80,7 @@ void create_functions(cleft_context* context, std::vector<Source>& sources, cons
 
 }  // namespace
 
-void tell(cleft_context* context, const std::string& sentence)
+void report(cleft_context* context, const std::string& sentence)
 {
     check(context, cleft_context_log(context, CLEFT_LOG_WARNING, sentence.c_str()));
 }
@@ -95,9 +95,9 @@ void create_volume(cleft_context* context, const cleft_options* options, std::ve
     Image masks;
     if (meaning == Meaning::masks)
         masks = label_map_of_masks(fields, notes);
-    // Notes are told before the volume is made, so that they also explain a failure that follows.
+    // Notes are reported before the volume is made, so that they also explain a failure that follows.
     for (const std::string& note : notes)
-        tell(context, note);
+        report(context, note);
     if (meaning == Meaning::functions)
         create_functions(context, sources, affine, out);
     else if (meaning == Meaning::masks)

@@ -9,9 +9,9 @@ namespace cleft::io
 
 // Hands a sentence about an input to the log of the context, as a warning.
 // The sentence names the file. Throws Error where the context refuses it.
-void tell(cleft_context* context, const std::string& sentence);
+void report(cleft_context* context, const std::string& sentence);
 
-// `sources` lie on one grid, that of `affine`. Their voxels are changed. Notes on what they mean are told.
+// `sources` lie on one grid, that of `affine`. Their voxels are changed. Notes on what they mean are reported.
 // *out receives a handle that the caller owns. Throws Error with the file's name in it, or
 // std::bad_alloc.
 void create_volume(cleft_context* context, const cleft_options* options, std::vector<Source>& sources,

@@ -1,6 +1,6 @@
 // Compressed DICOM pixels, by GDCM in a child process. It ends the process on some damaged files, and a library in the
 // process of a solver must not do that.
-#include "io/dicom_pixels.hpp"
+#include "io/dicom_compressed.hpp"
 
 #include "base/error.hpp"
 #include "io/system_failure.hpp"
@@ -26,7 +26,7 @@ namespace
 
 // GDCM may loop without end on a damaged code stream. The child sends nothing before all is
 // decoded, so this bounds the whole decoding, which takes seconds for files of common size.
-constexpr int patience_ms = 60000;  // for the next piece of the pixels
+constexpr int kPatienceMs = 60000;  // for the next piece of the pixels
 
 bool write_all(int pipe, const void* data, size_t size)
 {
@@ -50,7 +50,7 @@ bool read_all(int pipe, void* data, size_t size)
     auto* at = static_cast<char*>(data);
     while (size > 0) {
         pollfd ready{pipe, POLLIN, 0};
-        const int events = poll(&ready, 1, patience_ms);
+        const int events = poll(&ready, 1, kPatienceMs);
         if (events < 0 && errno == EINTR)
             continue;
         // 0 events: the time is over. The destructor of Decoder then kills the child.
@@ -69,8 +69,8 @@ bool read_all(int pipe, void* data, size_t size)
 
 // The child has no other way to tell want of memory from damage: its exceptions end with it. 1
 // stands for all other failures.
-constexpr int out_of_memory = 3;  // an exit status
-constexpr const char* no_process = "no process can be started to read compressed pixels";
+constexpr int kOutOfMemory = 3;  // an exit status
+constexpr const char* kNoProcess = "no process can be started to read compressed pixels";
 
 // In the child: whatever happens ends here.
 [[noreturn]] void decode_and_exit(const std::string& path, int pipe)
@@ -93,7 +93,7 @@ constexpr const char* no_process = "no process can be started to read compressed
         // Read() answers false for want of memory as for damage; errno tells the two apart.
         forget_want_of_memory();
         if (!reader.Read())
-            _exit(errno == ENOMEM ? out_of_memory : 1);
+            _exit(errno == ENOMEM ? kOutOfMemory : 1);
         const gdcm::Image& image = reader.GetImage();
         const auto size = static_cast<int64_t>(image.GetBufferLength());
         std::vector<char> values(static_cast<size_t>(size));
@@ -103,7 +103,7 @@ constexpr const char* no_process = "no process can be started to read compressed
         // twice.
         _exit(written ? 0 : 1);
     } catch (const std::bad_alloc&) {
-        _exit(out_of_memory);
+        _exit(kOutOfMemory);
     } catch (...) {
         _exit(1);
     }
@@ -119,13 +119,13 @@ public:
     {
         int ends[2];
         if (::pipe(ends) != 0)
-            throw_system_failure(no_process, errno);
+            throw_system_failure(kNoProcess, errno);
         child_ = fork();
         if (child_ < 0) {
             const int error = errno;
             close(ends[0]);
             close(ends[1]);
-            throw_system_failure(no_process, error);
+            throw_system_failure(kNoProcess, error);
         }
         if (child_ == 0) {
             close(ends[0]);
@@ -154,7 +154,7 @@ public:
     bool ran_out_of_memory()
     {
         const int status = wait();
-        return WIFEXITED(status) && WEXITSTATUS(status) == out_of_memory;
+        return WIFEXITED(status) && WEXITSTATUS(status) == kOutOfMemory;
     }
 
 private:

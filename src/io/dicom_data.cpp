@@ -18,12 +18,12 @@ namespace
 {
 
 // PS3.5, section 7.1.1 (undefined length) and section 7.5 (items and their two delimiters).
-constexpr uint32_t undefined_length = 0xFFFFFFFFu;
-constexpr DicomTag item_tag = 0xFFFEE000u;
-constexpr DicomTag item_end_tag = 0xFFFEE00Du;
-constexpr DicomTag sequence_end_tag = 0xFFFEE0DDu;
+constexpr uint32_t kUndefinedLength = 0xFFFFFFFFu;
+constexpr DicomTag kItemTag = 0xFFFEE000u;
+constexpr DicomTag kItemEndTag = 0xFFFEE00Du;
+constexpr DicomTag kSequenceEndTag = 0xFFFEE0DDu;
 // Sequences in sequences: image objects nest a few levels deep. The bound protects the stack, as the reader recurses.
-constexpr int deepest = 16;
+constexpr int kDeepest = 16;
 
 [[noreturn]] void refuse_damaged(const std::string& what)
 {
@@ -90,11 +90,11 @@ public:
         const bool unknown = std::strcmp(head.type, "UN") == 0;
         element.implicit = encoding_.implicit || unknown;
         element.in_words = std::strcmp(head.type, "OW") == 0;
-        if (head.length != undefined_length) {
+        if (head.length != kUndefinedLength) {
             element.bytes = take(head.length, head.tag);
             // Pixel data of undefined length are encapsulated (PS3.5, section A.4): items that are
             // fragments of a code stream and not data sets.
-        } else if (head.tag == pixels_tag) {
+        } else if (head.tag == kPixelsTag) {
             element.encapsulated = true;
             element.fragments = fragments();
         } else {
@@ -124,13 +124,13 @@ public:
     // The bytes of the item behind an item's head.
     std::string_view item(uint32_t length, int depth)
     {
-        if (length != undefined_length)
-            return take(length, item_tag);
+        if (length != kUndefinedLength)
+            return take(length, kItemTag);
         const size_t start = at_;
         for (;;) {
             const size_t before = at_;
             const ElementHead inner = head();
-            if (inner.tag == item_end_tag)
+            if (inner.tag == kItemEndTag)
                 return bytes_.substr(start, before - start);
             // Elements are read only to find the end of the item. Nothing else tells where an item
             // of undefined length ends.
@@ -153,14 +153,14 @@ private:
     // Goes behind the end mark of a sequence of undefined length; answers where the mark begins.
     size_t skip_items(int depth)
     {
-        if (depth > deepest)
+        if (depth > kDeepest)
             refuse_damaged("its sequences are nested too deep");
         for (;;) {
             const size_t before = at_;
             const ElementHead item_head = head();
-            if (item_head.tag == sequence_end_tag)
+            if (item_head.tag == kSequenceEndTag)
                 return before;
-            if (item_head.tag != item_tag)
+            if (item_head.tag != kItemTag)
                 refuse_damaged("a sequence has no end");
             item(item_head.length, depth + 1);
         }
@@ -171,11 +171,11 @@ private:
         std::vector<std::string_view> all;
         for (;;) {
             const ElementHead fragment = head();
-            if (fragment.tag == sequence_end_tag)
+            if (fragment.tag == kSequenceEndTag)
                 return all;
-            if (fragment.tag != item_tag)
+            if (fragment.tag != kItemTag)
                 refuse_damaged("its compressed pixels have no end");
-            all.push_back(take(fragment.length, pixels_tag));
+            all.push_back(take(fragment.length, kPixelsTag));
         }
     }
 
@@ -222,7 +222,7 @@ std::string inflated(std::string_view packed)
     }
 }
 
-// The elements of group 2 in front of the data, which always tell their types. Answers how many bytes they have.
+// The elements of group 2 in front of the data, which always state their types. Answers how many bytes they have.
 size_t read_meta(std::string_view bytes, std::string& transfer_syntax)
 {
     // The file meta information of PS3.10, section 7.1 is always Explicit VR Little Endian,
@@ -312,7 +312,7 @@ std::vector<DicomData> DicomData::items(DicomTag tag) const
     ElementReader reader(element->bytes, inside);
     while (!reader.at_end()) {
         const ElementHead head = reader.head();
-        if (head.tag != item_tag)
+        if (head.tag != kItemTag)
             refuse_damaged("the sequence " + name_of(tag) + " holds what is no item");
         all.emplace_back(reader.item(head.length, 0), inside);
     }

@@ -18,15 +18,15 @@ using DicomTag = uint32_t;
 
 // Elements that several readers look at: Pixel Data, and the Shared and Per-Frame Functional Groups Sequences of
 // enhanced multi-frame objects (PS3.3, section C.7.6.16).
-constexpr DicomTag pixels_tag = 0x7FE00010u;
-constexpr DicomTag shared_groups = 0x52009229u;
-constexpr DicomTag frame_groups = 0x52009230u;
+constexpr DicomTag kPixelsTag = 0x7FE00010u;
+constexpr DicomTag kSharedGroups = 0x52009229u;
+constexpr DicomTag kFrameGroups = 0x52009230u;
 
 // A file that DICOM's rules or ours do not allow.
 [[noreturn]] inline void refuse_dicom(const std::string& sentence) { throw Error(CLEFT_ERROR_FORMAT, sentence); }
 
 struct DicomEncoding {
-    bool implicit = false;  // elements do not tell their types
+    bool implicit = false;  // elements do not state their types
     bool big_endian = false;
 };
 
@@ -35,7 +35,7 @@ struct DicomElement {
     std::vector<std::string_view> fragments;  // of compressed pixels; the first is the table of offsets
     bool encapsulated = false;
     bool in_words = false;  // of 16 bits (type OW)
-    bool implicit = false;  // the items inside do not tell their types
+    bool implicit = false;  // the items inside do not state their types
 };
 
 // Elements by their tags. It refers to the bytes that it was read from.

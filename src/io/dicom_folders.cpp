@@ -79,7 +79,7 @@ std::vector<std::string> dicom_folders_below(const std::string& folder)
 {
     // A study has some thousands of files. A search through a home folder or a whole disk, where
     // the path was a mistake, ends here within seconds.
-    constexpr int most_files = 20000;
+    constexpr int kMostFiles = 20000;
     std::set<std::string> found;
     std::vector<std::string> folders = {folder};
     int files = 0;
@@ -88,7 +88,7 @@ std::vector<std::string> dicom_folders_below(const std::string& folder)
         folders.pop_back();
         for (const std::string& name : names_in(parent)) {
             const std::string path = joined(parent, name);
-            if (++files > most_files)
+            if (++files > kMostFiles)
                 throw Error(CLEFT_ERROR_FILE,
                             "the folder holds no DICOM series, and too many files below it to look "
                             "through: give the folder of a series");
@@ -107,13 +107,13 @@ std::vector<std::string> dicom_folders_below(const std::string& folder)
 void refuse_folder_without_series(const std::string& folder, const std::vector<std::string>& below)
 {
     // As many as a message can list and still be read.
-    constexpr size_t told = 8;
+    constexpr size_t kNamed = 8;
     std::string sentence = "the folder holds no DICOM series";
     if (!below.empty()) {
         sentence += ", but " + std::to_string(below.size()) + " folders in it hold some; give one of them:";
-        for (size_t i = 0; i < std::min(told, below.size()); ++i)
+        for (size_t i = 0; i < std::min(kNamed, below.size()); ++i)
             sentence += std::string(i > 0 ? ", '" : " '") + below[i] + "'";
-        throw Error(CLEFT_ERROR_FILE, sentence + (below.size() > told ? " ..." : ""));
+        throw Error(CLEFT_ERROR_FILE, sentence + (below.size() > kNamed ? " ..." : ""));
     }
     // The files by which Zarr versions 2 and 3 mark an array or a group. They have no data that any
     // other reader here could find.

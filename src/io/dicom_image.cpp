@@ -41,9 +41,9 @@ void sort_frames(const std::vector<DicomPlane>& planes, Image& image)
 bool is_lossy(const DicomFile& file)
 {
     // JPEG baseline (process 1) and extended (processes 2 and 4).
-    static constexpr std::string_view always[] = {"1.2.840.10008.1.2.4.50", "1.2.840.10008.1.2.4.51"};
-    const auto lossy = std::find(std::begin(always), std::end(always), file.transfer_syntax);
-    return lossy != std::end(always) || file.data.text(0x00282110u) == "01";
+    static constexpr std::string_view kAlways[] = {"1.2.840.10008.1.2.4.50", "1.2.840.10008.1.2.4.51"};
+    const auto lossy = std::find(std::begin(kAlways), std::end(kAlways), file.transfer_syntax);
+    return lossy != std::end(kAlways) || file.data.text(0x00282110u) == "01";
 }
 
 // What is read, but may surprise.
@@ -79,7 +79,7 @@ void check_dicom_is_image(const DicomFile& file)
         const char* storage;
         const char* what;
     };
-    static constexpr Row others[] = {
+    static constexpr Row kOthers[] = {
         {"1.2.840.10008.5.1.4.1.1.481.3",
          "an RT structure set: contours, not voxels; make a label map of it, for "
          "instance in 3D Slicer"},
@@ -92,7 +92,7 @@ void check_dicom_is_image(const DicomFile& file)
     // Directory Record Sequence: only a DICOMDIR has it.
     if (file.data.has(0x00041220u))
         throw Error(CLEFT_ERROR_UNSUPPORTED, "it is a DICOMDIR, a list of other files: give the folder of a series");
-    for (const Row& row : others)
+    for (const Row& row : kOthers)
         if (storage == row.storage)
             throw Error(CLEFT_ERROR_UNSUPPORTED, std::string("it is ") + row.what);
     // Pixel Data, Float Pixel Data and Double Float Pixel Data.

@@ -3,6 +3,7 @@
 
 #include "base/counted.hpp"
 #include "base/error.hpp"
+#include "io/dicom_compressed.hpp"
 #include "io/voxel_access.hpp"
 
 #include <algorithm>
@@ -15,15 +16,15 @@ namespace
 
 // Float Pixel Data and Double Float Pixel Data, which stand in the place of Pixel Data in parametric maps (PS3.3,
 // sections C.7.6.24 and C.7.6.25).
-constexpr DicomTag float_pixels_tag = 0x7FE00008u;
-constexpr DicomTag double_pixels_tag = 0x7FE00009u;
+constexpr DicomTag kFloatPixelsTag = 0x7FE00008u;
+constexpr DicomTag kDoublePixelsTag = 0x7FE00009u;
 
 // The element decides before Bits Allocated: float pixels have 32 bits, as integers may have.
 Component component_of(const DicomFile& file, const DicomPixelFormat& format)
 {
-    if (file.data.has(float_pixels_tag))
+    if (file.data.has(kFloatPixelsTag))
         return Component::float32;
-    if (file.data.has(double_pixels_tag))
+    if (file.data.has(kDoublePixelsTag))
         return Component::float64;
     switch (format.bits_allocated) {
         case 1:
@@ -97,11 +98,11 @@ void unpack_runs(std::string_view packed, std::byte* to, size_t step, int64_t co
 void check_packed(const std::vector<std::string_view>& fragments, int64_t wanted)
 {
     // A code and a byte become 128 bytes.
-    constexpr int64_t greatest_ratio = 64;
+    constexpr int64_t kGreatestRatio = 64;
     int64_t there = 0;
     for (const std::string_view fragment : fragments)
         there += static_cast<int64_t>(fragment.size());
-    if (wanted / greatest_ratio > there)
+    if (wanted / kGreatestRatio > there)
         refuse_dicom("the DICOM file is damaged: its packed pixels have " + counted(there, "byte") + ", too few for " +
                      std::to_string(wanted));
 }
@@ -195,9 +196,9 @@ DicomPixelFormat pixel_format_of(const DicomFile& file)
 
 Image pixels_of(const DicomFile& file, const DicomPixelFormat& format)
 {
-    const DicomTag tag = file.data.has(float_pixels_tag)    ? float_pixels_tag
-                         : file.data.has(double_pixels_tag) ? double_pixels_tag
-                                                            : pixels_tag;
+    const DicomTag tag = file.data.has(kFloatPixelsTag)    ? kFloatPixelsTag
+                         : file.data.has(kDoublePixelsTag) ? kDoublePixelsTag
+                                                           : kPixelsTag;
     const DicomElement* const found = file.data.find(tag);
     if (!found)
         refuse_dicom("the DICOM file holds no image");
@@ -234,7 +235,7 @@ Image pixels_of(const DicomFile& file, const DicomPixelFormat& format)
     else
         copy_plain(plain, file.data.is_big_endian(), image);
     // PS3.5, section 8.1.1 requires High Bit to be Bits Stored - 1 today. Where it is not, the
-    // values depend on how one reads it, so the user is told.
+    // values depend on how one reads it, so the user gets a note.
     if (!compressed && format.high_bit + 1 != format.bits_stored)
         image.notes.push_back("its pixels are the " + std::to_string(format.bits_stored) + " bits up to number " +
                               std::to_string(format.high_bit) + " of " + std::to_string(format.bits_allocated) +

@@ -28,10 +28,4 @@ DicomPixelFormat pixel_format_of(const DicomFile& file);
 // Throws if the pixels are damaged.
 Image pixels_of(const DicomFile& file, const DicomPixelFormat& format);
 
-// The stored values of an image of known type and dims that are compressed by JPEG and its kin. GDCM reads them, in a
-// process of its own: it ends the process that uses it when a file is damaged.
-// Throws Error(CLEFT_ERROR_FORMAT) for what GDCM cannot decode within a minute, and std::bad_alloc
-// where its process ran out of memory.
-void read_compressed_pixels(const std::string& path, Image& image);
-
 }  // namespace cleft::io

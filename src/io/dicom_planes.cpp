@@ -16,10 +16,10 @@ namespace
 
 // Functional group macros of PS3.3, section C.7.6.16.2: Plane Position, Plane Orientation, Pixel Measures, and Pixel
 // Value Transformation.
-constexpr DicomTag position_group = 0x00209113u;
-constexpr DicomTag orientation_group = 0x00209116u;
-constexpr DicomTag measures_group = 0x00289110u;
-constexpr DicomTag values_group = 0x00289145u;
+constexpr DicomTag kPositionGroup = 0x00209113u;
+constexpr DicomTag kOrientationGroup = 0x00209116u;
+constexpr DicomTag kMeasuresGroup = 0x00289110u;
+constexpr DicomTag kValuesGroup = 0x00289145u;
 
 // The numbers of an element in a group of the frame, else of all frames, else outside of groups.
 class FrameGroups
@@ -52,8 +52,8 @@ DicomPlane plane_of(const FrameGroups& groups)
     DicomPlane plane;
     // Image Position (Patient): the centre of the first voxel in LPS, in millimetres. Image
     // Orientation (Patient): directions of rows and columns (PS3.3, section C.7.6.2.1.1).
-    const std::vector<double> position = groups.numbers(position_group, 0x00200032u);
-    const std::vector<double> axes = groups.numbers(orientation_group, 0x00200037u);
+    const std::vector<double> position = groups.numbers(kPositionGroup, 0x00200032u);
+    const std::vector<double> axes = groups.numbers(kOrientationGroup, 0x00200037u);
     if (position.size() == 3 && axes.size() == 6) {
         plane.placed = true;
         plane.position = {position[0], position[1], position[2]};
@@ -69,23 +69,23 @@ DicomPlane plane_of(const FrameGroups& groups)
     }
     // Pixel Spacing: the distance between rows comes first, then that between columns (PS3.3,
     // section 10.7.1.3).
-    std::vector<double> pixel = groups.numbers(measures_group, 0x00280030u);
+    std::vector<double> pixel = groups.numbers(kMeasuresGroup, 0x00280030u);
     plane.at_detector = pixel.empty();
     if (plane.at_detector)
-        pixel = groups.numbers(measures_group, 0x00181164u);
+        pixel = groups.numbers(kMeasuresGroup, 0x00181164u);
     if (pixel.size() == 2) {
         plane.sized = true;
         plane.row_spacing = pixel[0];
         plane.column_spacing = pixel[1];
     }
-    const std::vector<double> between = groups.numbers(measures_group, 0x00180088u);
-    const std::vector<double> thickness = groups.numbers(measures_group, 0x00180050u);
+    const std::vector<double> between = groups.numbers(kMeasuresGroup, 0x00180088u);
+    const std::vector<double> thickness = groups.numbers(kMeasuresGroup, 0x00180050u);
     // Spacing Between Slices is negative in some files of nuclear medicine, where it counts
     // downward. Only its size is used, as places tell the direction.
     plane.between_slices = between.empty() ? 0 : std::abs(between.front());
     plane.thickness = thickness.empty() ? 0 : std::abs(thickness.front());
-    const std::vector<double> slope = groups.numbers(values_group, 0x00281053u);
-    const std::vector<double> intercept = groups.numbers(values_group, 0x00281052u);
+    const std::vector<double> slope = groups.numbers(kValuesGroup, 0x00281053u);
+    const std::vector<double> intercept = groups.numbers(kValuesGroup, 0x00281052u);
     // A slope of 0 would make all voxels one value. Broken writers use it for "none".
     plane.slope = slope.empty() || slope.front() == 0 ? 1 : slope.front();
     plane.intercept = intercept.empty() ? 0 : intercept.front();
@@ -102,16 +102,16 @@ void check_alike(const DicomPlane& plane, const DicomPlane& first, const std::st
 {
     // Directions are decimal strings of at most 16 characters; scanners write six digits. A real
     // tilt between slices is far greater.
-    constexpr double turned = 1e-3;
+    constexpr double kTurned = 1e-3;
     // Relative, for the same reason.
-    constexpr double resized = 1e-3;
+    constexpr double kResized = 1e-3;
     if (!plane.placed)
         refuse_dicom(who + " does not tell where it lies");
-    if (length(minus(plane.along_row, first.along_row)) > turned ||
-        length(minus(plane.along_column, first.along_column)) > turned)
+    if (length(minus(plane.along_row, first.along_row)) > kTurned ||
+        length(minus(plane.along_column, first.along_column)) > kTurned)
         refuse_dicom(who + " is turned against " + other);
-    if (std::abs(plane.row_spacing - first.row_spacing) > resized * first.row_spacing ||
-        std::abs(plane.column_spacing - first.column_spacing) > resized * first.column_spacing)
+    if (std::abs(plane.row_spacing - first.row_spacing) > kResized * first.row_spacing ||
+        std::abs(plane.column_spacing - first.column_spacing) > kResized * first.column_spacing)
         refuse_dicom(who + " has another size of pixels than " + other);
 }
 
@@ -139,7 +139,7 @@ DicomStack slots_of(const std::vector<DicomPlane>& planes, const std::vector<std
 {
     // A twentieth of a step: table positions are rounded to 0.1 mm in some files, while a missing
     // slice is off by a whole step.
-    constexpr double uneven = 0.05;
+    constexpr double kUneven = 0.05;
     const DicomPlane& lowest = planes[places.front().plane];
     DicomStack stack;
     stack.geometry.dims[2] = count;
@@ -159,7 +159,7 @@ DicomStack slots_of(const std::vector<DicomPlane>& planes, const std::vector<std
         const double slot = std::round((place.height - places.front().height) / height);
         const Vector3 expected = times(slot, step);
         const Vector3 there = minus(planes[place.plane].position, lowest.position);
-        if (length(minus(there, expected)) > uneven * length(step))
+        if (length(minus(there, expected)) > kUneven * length(step))
             refuse_dicom("its slices are not evenly spaced: is one missing? (" + who[place.plane] + ")");
         stack.slots[place.plane] = static_cast<int64_t>(slot);
     }
@@ -171,25 +171,25 @@ DicomStack slots_of(const std::vector<DicomPlane>& planes, const std::vector<std
 double loose_step(const DicomPlane& plane, const std::vector<double>& gaps, std::vector<std::string>& notes)
 {
     // The same part of a step as slots_of() allows, so that a step that fits here fits there.
-    constexpr double uneven = 0.05;
+    constexpr double kUneven = 0.05;
     // Halfway between neighbours and a gap of one slice.
-    constexpr double neighbours = 1.5;
+    constexpr double kNeighbours = 1.5;
     const auto fits = [&](double step) {
         return step > 0 && std::all_of(gaps.begin(), gaps.end(), [&](double gap) {
                    // A gap below half a step would round to 0 and put two planes into one slot.
-                   return gap > 0.5 * step && std::abs(gap / step - std::round(gap / step)) <= uneven;
+                   return gap > 0.5 * step && std::abs(gap / step - std::round(gap / step)) <= kUneven;
                });
     };
     const double least_gap = *std::min_element(gaps.begin(), gaps.end());
-    // A told spacing greater than a real gap is wrong, and would put different planes into one
+    // A stated spacing greater than a real gap is wrong, and would put different planes into one
     // slot.
     double step = plane.between_slices;
-    if (step == 0 || step > (1 + uneven) * least_gap)
+    if (step == 0 || step > (1 + kUneven) * least_gap)
         step = fits(least_gap) || !fits(plane.thickness) ? least_gap : plane.thickness;
-    if (least_gap > neighbours * step)
+    if (least_gap > kNeighbours * step)
         notes.push_back("its frames are " + number_text(least_gap) + " apart or more, but its slices " +
                         number_text(step) + ": nothing is taken to lie in the slices that have no frame");
-    else if (plane.between_slices == 0 && plane.thickness > 0 && step > neighbours * plane.thickness)
+    else if (plane.between_slices == 0 && plane.thickness > 0 && step > kNeighbours * plane.thickness)
         notes.push_back("it does not tell how far its slices are apart: " + number_text(step) +
                         " is taken, as between frames, and not their thickness of " + number_text(plane.thickness));
     return step;
@@ -205,8 +205,8 @@ double same_place(const std::vector<DicomPlane>& planes)
 
 std::vector<DicomPlane> planes_of(const DicomFile& file, int64_t frames)
 {
-    const std::vector<DicomData> shared = file.data.items(shared_groups);
-    const std::vector<DicomData> own = file.data.items(frame_groups);
+    const std::vector<DicomData> shared = file.data.items(kSharedGroups);
+    const std::vector<DicomData> own = file.data.items(kFrameGroups);
     // Per-Frame Functional Groups Sequence has one item for each frame. With another number, no
     // frame has a certain place.
     if (!own.empty() && static_cast<int64_t>(own.size()) != frames)
@@ -232,7 +232,7 @@ DicomStack stack_of(const std::vector<DicomPlane>& planes, const std::vector<std
 DicomStack loose_stack_of(const std::vector<DicomPlane>& planes, const std::vector<std::string>& who)
 {
     // Two frames a hair apart would otherwise ask for millions of empty slices between the others.
-    constexpr double most_slices = 65536;
+    constexpr double kMostSlices = 65536;
     const std::vector<Place> places = places_of(planes, who);
     std::vector<double> gaps;
     for (size_t i = 1; i < places.size(); ++i)
@@ -244,7 +244,7 @@ DicomStack loose_stack_of(const std::vector<DicomPlane>& planes, const std::vect
     std::vector<std::string> notes;
     const double height = places.back().height - places.front().height;
     const double steps = std::round(height / loose_step(planes.front(), gaps, notes));
-    if (steps + 1 > most_slices)
+    if (steps + 1 > kMostSlices)
         refuse_dicom("its slices are not evenly spaced");
     DicomStack stack = slots_of(planes, who, places, static_cast<int64_t>(std::max(1.0, steps)) + 1);
     stack.geometry.notes = std::move(notes);
@@ -282,7 +282,7 @@ void put_in_slots(const DicomStack& stack, Image& volume)
 void rescale(const std::vector<DicomPlane>& planes, Image& image)
 {
     // With it, 16 bits times slope plus intercept stay within 32 bits.
-    constexpr double greatest_factor = 1000;
+    constexpr double kGreatestFactor = 1000;
     const auto changes = [](const DicomPlane& plane) { return plane.slope != 1 || plane.intercept != 0; };
     const auto whole = [](double value) { return value == std::round(value); };
     if (std::none_of(planes.begin(), planes.end(), changes))
@@ -291,7 +291,7 @@ void rescale(const std::vector<DicomPlane>& planes, Image& image)
     // keep whole numbers whole. Else values are of double.
     bool integer = size_of(image.component) <= 2;
     for (const DicomPlane& plane : planes)
-        integer = integer && whole(plane.slope) && whole(plane.intercept) && std::abs(plane.slope) < greatest_factor &&
+        integer = integer && whole(plane.slope) && whole(plane.intercept) && std::abs(plane.slope) < kGreatestFactor &&
                   std::abs(plane.intercept) < 1e6;
     Image scaled;
     scaled.dims = image.dims;

@@ -16,8 +16,8 @@ struct DicomPlane {
     bool at_detector = false;   // ... but where the rays arrive alone
     double column_spacing = 1;  // along a row
     double row_spacing = 1;     // along a column
-    double between_slices = 0;  // as told; 0: not told
-    double thickness = 0;       // of a slice, as told; 0: not told
+    double between_slices = 0;  // as stated; 0: not stated
+    double thickness = 0;       // of a slice, as stated; 0: not stated
     double slope = 1;           // of the values
     double intercept = 0;
 

@@ -19,9 +19,9 @@ namespace
 {
 
 // SOP Class UID, Segment Sequence, and Segment Identification Sequence (PS3.3, sections C.8.20.2 and C.8.20.3).
-constexpr DicomTag class_tag = 0x00080016u;
-constexpr DicomTag segments_tag = 0x00620002u;
-constexpr DicomTag identification_group = 0x0062000Au;
+constexpr DicomTag kClassTag = 0x00080016u;
+constexpr DicomTag kSegmentsTag = 0x00620002u;
+constexpr DicomTag kIdentificationGroup = 0x0062000Au;
 
 // Specific Character Set (0008,0005). ISO_IR 192 is UTF-8 and ISO_IR 6 is ASCII, which is UTF-8,
 // too. ISO_IR 100 is Latin-1, whose codes are those of Unicode. Names in others are left out later,
@@ -46,7 +46,7 @@ std::string utf8_of(const std::string& text, const std::string& characters)
 std::map<int32_t, std::string> segments_of(const DicomFile& file)
 {
     std::map<int32_t, std::string> segments;
-    for (const DicomData& segment : file.data.items(segments_tag)) {
+    for (const DicomData& segment : file.data.items(kSegmentsTag)) {
         // Segment Number and Segment Label.
         const auto number = static_cast<int32_t>(segment.short_number(0x00620004u, -1));
         segments[number] = utf8_of(segment.text(0x00620005u), file.data.text(0x00080005u));
@@ -59,7 +59,7 @@ std::map<int32_t, std::string> segments_of(const DicomFile& file)
 int32_t segment_in(const std::vector<DicomData>& groups, int32_t otherwise)
 {
     for (const DicomData& group : groups)
-        for (const DicomData& item : group.items(identification_group))
+        for (const DicomData& item : group.items(kIdentificationGroup))
             return static_cast<int32_t>(item.short_number(0x0062000Bu, otherwise));
     return otherwise;
 }
@@ -68,9 +68,9 @@ int32_t segment_in(const std::vector<DicomData>& groups, int32_t otherwise)
 std::vector<int32_t> segments_of_frames(const DicomFile& file, int64_t frames,
                                         const std::map<int32_t, std::string>& segments)
 {
-    const int32_t shared = segment_in(file.data.items(shared_groups), 0);
+    const int32_t shared = segment_in(file.data.items(kSharedGroups), 0);
     std::vector<int32_t> all;
-    for (const DicomData& frame : file.data.items(frame_groups))
+    for (const DicomData& frame : file.data.items(kFrameGroups))
         all.push_back(segment_in({frame}, shared));
     if (static_cast<int64_t>(all.size()) != frames)
         refuse_dicom("the segmentation has " + counted(frames, "frame") + ", but describes " +
@@ -160,7 +160,7 @@ void name_segments(const std::map<int32_t, std::string>& segments, Image& image)
 
 bool is_dicom_segmentation(const DicomFile& file)
 {
-    const std::string storage = file.data.text(class_tag);
+    const std::string storage = file.data.text(kClassTag);
     // Segmentation Storage and Label Map Segmentation Storage.
     return storage == "1.2.840.10008.5.1.4.1.1.66.4" || storage == "1.2.840.10008.5.1.4.1.1.66.7";
 }

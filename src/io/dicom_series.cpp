@@ -59,9 +59,9 @@ bool read_dicom_header(const std::string& path, DicomFile& file)
 bool is_alike(const std::vector<double>& a, const std::vector<double>& b)
 {
     // The same tolerance as for slices of one stack. A localizer is turned by far more.
-    constexpr double turned = 1e-3;
+    constexpr double kTurned = 1e-3;
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](double one, double other) { return std::abs(one - other) <= turned; });
+                      [](double one, double other) { return std::abs(one - other) <= kTurned; });
 }
 
 // The series of these, or a new one at the end. A series may begin with slices of another size or direction, to show
@@ -103,9 +103,9 @@ std::vector<Series> series_in(const std::string& folder)
 std::string names_of(const std::vector<Series>& list)
 {
     // As many as a message can list and still be read.
-    constexpr size_t told = 8;
+    constexpr size_t kNamed = 8;
     std::string text;
-    for (size_t s = 0; s < std::min(told, list.size()); ++s) {
+    for (size_t s = 0; s < std::min(kNamed, list.size()); ++s) {
         const Series& series = list[s];
         text += std::string(s > 0 ? "; " : "") + "'" + ascii_of(series.description) + "' (" +
                 (series.modality.empty() ? "" : ascii_of(series.modality) + ", ") +
@@ -113,7 +113,7 @@ std::string names_of(const std::vector<Series>& list)
                 series.size + ", UID " + ascii_of(series.uid) + ", " +
                 fs::path(series.files.front().path).filename().string() + " ...)";
     }
-    return text + (list.size() > told ? "; and " + std::to_string(list.size() - told) + " more" : "");
+    return text + (list.size() > kNamed ? "; and " + std::to_string(list.size() - kNamed) + " more" : "");
 }
 
 // In the order of their numbers, where no slice tells its place.

@@ -23,7 +23,7 @@ struct Triangle {
 
 // The faces S1 to S4 of C3D4 in Abaqus's and CalculiX's manuals, counted from 0. The order is part
 // of the format: loads are applied to a face by its number.
-constexpr int face_corners[4][3] = {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {0, 2, 3}};
+constexpr int kFaceCorners[4][3] = {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {0, 2, 3}};
 
 Corners sorted(int32_t a, int32_t b, int32_t c)
 {
@@ -63,7 +63,7 @@ std::vector<std::vector<ElementFace>> find_element_faces(const MeshView& mesh)
     for (int64_t t = 0; t < mesh.tet_count; ++t)
         for (int32_t f = 0; f < 4; ++f) {
             const int32_t* tet = mesh.tets + 4 * t;
-            const auto& [i, j, k] = face_corners[f];
+            const auto& [i, j, k] = kFaceCorners[f];
             if (!on_surface[static_cast<size_t>(tet[i])] || !on_surface[static_cast<size_t>(tet[j])] ||
                 !on_surface[static_cast<size_t>(tet[k])])
                 continue;

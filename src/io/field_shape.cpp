@@ -24,26 +24,26 @@ std::map<double, Surroundings> surroundings_of(const Image& image, int64_t field
 {
     // Interpolation of a label map leaves most voxels within a tenth of a label, as all but those
     // at boundaries are unchanged.
-    constexpr double closeness = 0.1;
+    constexpr double kCloseness = 0.1;
     // A field with more different whole numbers is no label map. The bound keeps the map small
     // where a field is noise.
-    constexpr size_t most = 10000;
+    constexpr size_t kMost = 10000;
     std::map<double, Surroundings> all;
     // Neighbouring voxels mostly have the same label, so most look-ups in the map are spared.
     // std::map keeps its elements in place, so the pointer stays valid.
     Surroundings* last = nullptr;
     double last_whole = 0;
     for_each_value(image, field, [&](int64_t, double value) {
-        if (all.size() > most)
+        if (all.size() > kMost)
             return;
         const double whole = std::round(value) + 0.0;  // no -0
         if (!last || whole != last_whole)
             last = &all[whole];
         last_whole = whole;
         last->voxels += 1;
-        last->close += std::abs(value - whole) <= closeness ? 1 : 0;
+        last->close += std::abs(value - whole) <= kCloseness ? 1 : 0;
     });
-    if (all.size() > most)
+    if (all.size() > kMost)
         all.clear();
     return all;
 }
@@ -53,12 +53,12 @@ std::map<double, Surroundings> surroundings_of(const Image& image, int64_t field
 std::vector<double> plateaus_of(const Image& image, int64_t field)
 {
     // Fewer voxels may share a value by chance in a small field.
-    constexpr int64_t least_voxels = 100;
+    constexpr int64_t kLeastVoxels = 100;
     // One voxel in 25: smaller groups arise by symmetry of a distance in small volumes.
-    constexpr int64_t least_share = 25;
+    constexpr int64_t kLeastShare = 25;
     std::vector<double> plateaus;
     for (const auto& [whole, near] : surroundings_of(image, field))
-        if (2 * near.close > near.voxels && near.close >= least_voxels && least_share * near.close > image.field_size())
+        if (2 * near.close > near.voxels && near.close >= kLeastVoxels && kLeastShare * near.close > image.field_size())
             plateaus.push_back(whole);
     return plateaus;
 }
@@ -66,8 +66,8 @@ std::vector<double> plateaus_of(const Image& image, int64_t field)
 int64_t voxels_at_zero(const Image& image, int64_t field, double greatest_size)
 {
     // Relative to the greatest value: a distance in metres has values far below 0.1 everywhere.
-    constexpr double share = 0.02;
-    const double close = std::min(0.1, share * greatest_size);
+    constexpr double kShare = 0.02;
+    const double close = std::min(0.1, kShare * greatest_size);
     int64_t count = 0;
     for_each_value(image, field, [&](int64_t, double value) { count += std::abs(value) <= close ? 1 : 0; });
     return count;
@@ -108,10 +108,10 @@ double share_of_single_steps(const std::vector<int32_t>& ranks, const std::array
 
 bool rests_on_labels(const Image& image, int64_t field, const FieldValues& values)
 {
-    constexpr double many = 0.15;  // functions have some hundredths there
+    constexpr double kMany = 0.15;  // functions have some hundredths there
     const double greatest_size = std::max(std::abs(values.least), std::abs(values.greatest));
     const auto at_zero = static_cast<double>(voxels_at_zero(image, field, greatest_size));
-    if (at_zero > many * static_cast<double>(image.field_size()))
+    if (at_zero > kMany * static_cast<double>(image.field_size()))
         return true;
     // A function that is cut off at +c and -c has two plateaus of opposite sign. An interpolated
     // label map has another pattern.
@@ -123,12 +123,12 @@ bool goes_step_by_step(const Image& image, int64_t field, const FieldValues& val
 {
     // Diagonal steps of a rounded distance may be of two ranks. Segmentations with labels in any
     // order stay far below.
-    constexpr double nearly_all = 0.85;
+    constexpr double kNearlyAll = 0.85;
     const std::vector<int32_t> ranks = ranks_of(image, field, values);
     // One axis suffices, as voxels may be much longer along another, where a distance changes by
     // several ranks.
     for (size_t axis = 0; axis < 3; ++axis)
-        if (share_of_single_steps(ranks, image.dims, axis) >= nearly_all)
+        if (share_of_single_steps(ranks, image.dims, axis) >= kNearlyAll)
             return true;
     return false;
 }

@@ -22,7 +22,7 @@ class ValueCounter
 {
 public:
     // An open hash table of fixed size, at most a quarter full: it needs no memory while it counts.
-    ValueCounter() : slots_(4 * FieldValues::many) {}
+    ValueCounter() : slots_(4 * FieldValues::kMany) {}
 
     void add(double value)
     {
@@ -62,8 +62,8 @@ private:
         if (slots_[at].second > 0)
             return slots_[at].second;
         // Beyond the limit only the fact is of interest, so counts go to a place that nobody reads.
-        if (different_ >= FieldValues::many) {
-            different_ = FieldValues::many + 1;
+        if (different_ >= FieldValues::kMany) {
+            different_ = FieldValues::kMany + 1;
             return beyond_;
         }
         ++different_;
@@ -82,20 +82,20 @@ private:
 template <class T>
 FieldValues values_by_table(const Image& image, int64_t field)
 {
-    constexpr int64_t lowest = std::numeric_limits<T>::min();
+    constexpr int64_t kLowest = std::numeric_limits<T>::min();
     std::vector<int64_t> counts(size_t{1} << 8 * sizeof(T));
     const std::byte* voxels = image.voxels.get() + static_cast<size_t>(field * image.field_size()) * sizeof(T);
     for (int64_t v = 0; v < image.field_size(); ++v)
-        ++counts[static_cast<size_t>(load<T>(voxels, v) - lowest)];
+        ++counts[static_cast<size_t>(load<T>(voxels, v) - kLowest)];
     FieldValues values;
     values.voxels = image.field_size();
     for (size_t i = 0; i < counts.size(); ++i)
         if (counts[i] > 0)
-            values.snapped_counts.emplace_back(static_cast<double>(static_cast<int64_t>(i) + lowest), counts[i]);
+            values.snapped_counts.emplace_back(static_cast<double>(static_cast<int64_t>(i) + kLowest), counts[i]);
     values.least = values.snapped_counts.front().first;
     values.greatest = values.snapped_counts.back().first;
-    values.different = std::min(static_cast<int64_t>(values.snapped_counts.size()), FieldValues::many + 1);
-    if (values.different > FieldValues::many)
+    values.different = std::min(static_cast<int64_t>(values.snapped_counts.size()), FieldValues::kMany + 1);
+    if (values.different > FieldValues::kMany)
         values.snapped_counts.clear();
     return values;
 }
@@ -131,7 +131,7 @@ FieldValues values_one_by_one(const Image& image, int64_t field)
         rounded.add(nearest);
     });
     values.different = exact.different();
-    if (rounded.different() <= FieldValues::many)
+    if (rounded.different() <= FieldValues::kMany)
         values.snapped_counts = rounded.sorted();
     return values;
 }
@@ -177,13 +177,13 @@ public:
 
 private:
     // Whole numbers are compared as they are, many at a time; a background taken from doubles fits up to 32 bits.
-    static constexpr bool as_they_are = std::is_integral_v<T> && sizeof(T) <= 4;
-    using Value = std::conditional_t<as_they_are, T, double>;
+    static constexpr bool kAsTheyAre = std::is_integral_v<T> && sizeof(T) <= 4;
+    using Value = std::conditional_t<kAsTheyAre, T, double>;
 
     Value value_at(int64_t voxel) const
     {
         const T value = load<T>(voxels_, voxel);
-        if constexpr (as_they_are)
+        if constexpr (kAsTheyAre)
             return value;
         else
             return rounding_ ? snapped(static_cast<double>(value)) : static_cast<double>(value);
@@ -202,11 +202,11 @@ double snapped(double value)
 {
     // See the header for 1/50. Four units of single precision cover a product of two rounded
     // factors.
-    constexpr double rounding = 1.0 / 50;
-    constexpr double precision = 4 * static_cast<double>(FLT_EPSILON);
+    constexpr double kRounding = 1.0 / 50;
+    constexpr double kPrecision = 4 * static_cast<double>(FLT_EPSILON);
     const double whole = std::round(value);
     // A quarter at most: beyond it, the nearest whole number is no longer certain.
-    const double allowed = std::min(0.25, std::max(rounding, precision * std::abs(value)));
+    const double allowed = std::min(0.25, std::max(kRounding, kPrecision * std::abs(value)));
     return std::abs(value - whole) <= allowed ? whole + 0.0 : value;  // no -0
 }
 

@@ -17,7 +17,7 @@ double snapped(double value);
 
 // Counts over one field. "Snapped" values are those that snapped() gives.
 struct FieldValues {
-    static constexpr int64_t many = 4096;  // different values are counted up to this number
+    static constexpr int64_t kMany = 4096;  // different values are counted up to this number
 
     int64_t voxels = 0;
     double least = 0;

@@ -13,18 +13,18 @@ namespace
 
 // The longest mark is that of GIPL, in byte 252; MRC needs its header of 1024 bytes, and PNG some chunks behind its
 // first.
-constexpr size_t head_bytes = 4096;
+constexpr size_t kHeadBytes = 4096;
 
 // Of compressed files that are damaged: what comes before the damage. The reader of a format says more about it.
 std::vector<unsigned char> first_bytes(ByteSource source)
 {
     // Small steps: an exception in the middle loses the bytes of one step only.
-    constexpr size_t step = 64;
-    std::vector<unsigned char> bytes(head_bytes);
+    constexpr size_t kStep = 64;
+    std::vector<unsigned char> bytes(kHeadBytes);
     size_t filled = 0;
     try {
-        for (size_t got = step; got == step && filled < head_bytes; filled += got)
-            got = source.read_some(bytes.data() + filled, step);
+        for (size_t got = kStep; got == kStep && filled < kHeadBytes; filled += got)
+            got = source.read_some(bytes.data() + filled, kStep);
     } catch (const Error& error) {
         // What the system cannot read is an error at once. Damage is left to the reader, which
         // knows what is missing.

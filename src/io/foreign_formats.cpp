@@ -21,57 +21,57 @@ struct Foreign {
     const char* way;  // FILE and STEM stand for the name of the file, with and without its extension
 };
 
-constexpr const char* by_nibabel = "in Python, nibabel.save(nibabel.load('FILE'), 'STEM.nii.gz') converts it";
-constexpr const char* by_numpy =
+constexpr const char* kByNibabel = "in Python, nibabel.save(nibabel.load('FILE'), 'STEM.nii.gz') converts it";
+constexpr const char* kByNumpy =
     "save it by nibabel or pynrrd as .nii.gz or .nrrd, or write its array by tofile() and give the file with --dims";
-constexpr const char* by_h5py =
+constexpr const char* kByH5py =
     "read its array by h5py and save it as .nii.gz or .nrrd, or write it by tofile() and give the file with --dims";
-constexpr const char* by_paraview = "in ParaView, save its data as .vtk (legacy)";
-constexpr const char* by_fiji = "in Fiji (Bio-Formats), save the label image as .tif";
-constexpr const char* by_png = "save its slices as .png or .tif";
-constexpr const char* by_check = "'cleft check FILE' reads it";
-constexpr const char* by_unzip = "decompress it first";
+constexpr const char* kByParaview = "in ParaView, save its data as .vtk (legacy)";
+constexpr const char* kByFiji = "in Fiji (Bio-Formats), save the label image as .tif";
+constexpr const char* kByPng = "save its slices as .png or .tif";
+constexpr const char* kByCheck = "'cleft check FILE' reads it";
+constexpr const char* kByUnzip = "decompress it first";
 
 // The first row that fits is taken, so a row with a mark and an extension stands before one with
 // the mark alone. Several formats share the marks of HDF5 (format signature), ZIP and NetCDF.
-constexpr Foreign foreign_formats[] = {
+constexpr Foreign kForeignFormats[] = {
     {"\0\0\0\1"sv, ".mgz .mgh .mgh.gz ", "a volume of FreeSurfer (MGH)",
      "'mri_convert FILE STEM.nii.gz' converts it, or in Python nibabel.save(nibabel.load('FILE'), 'STEM.nii.gz')"},
-    {"\x93NUMPY"sv, "", "an array of NumPy", by_numpy},
-    {"PK\3\4"sv, ".npz ", "an archive of NumPy", by_numpy},
-    {"PK\3\4"sv, "", "a ZIP archive", by_unzip},
-    {"\x89HDF\r\n\x1a\n"sv, ".mnc ", "a volume in MINC 2 (HDF5)", by_nibabel},
-    {"\x89HDF\r\n\x1a\n"sv, ".ims ", "a file of Imaris (HDF5)", by_fiji},
-    {"\x89HDF\r\n\x1a\n"sv, "", "an HDF5 file", by_h5py},
-    {"CDF\1"sv, ".mnc ", "a volume in MINC 1 (NetCDF)", by_nibabel},
-    {"CDF\2"sv, ".mnc ", "a volume in MINC 1 (NetCDF)", by_nibabel},
-    {"CDF"sv, ".nc ", "a NetCDF file", by_numpy},
+    {"\x93NUMPY"sv, "", "an array of NumPy", kByNumpy},
+    {"PK\3\4"sv, ".npz ", "an archive of NumPy", kByNumpy},
+    {"PK\3\4"sv, "", "a ZIP archive", kByUnzip},
+    {"\x89HDF\r\n\x1a\n"sv, ".mnc ", "a volume in MINC 2 (HDF5)", kByNibabel},
+    {"\x89HDF\r\n\x1a\n"sv, ".ims ", "a file of Imaris (HDF5)", kByFiji},
+    {"\x89HDF\r\n\x1a\n"sv, "", "an HDF5 file", kByH5py},
+    {"CDF\1"sv, ".mnc ", "a volume in MINC 1 (NetCDF)", kByNibabel},
+    {"CDF\2"sv, ".mnc ", "a volume in MINC 1 (NetCDF)", kByNibabel},
+    {"CDF"sv, ".nc ", "a NetCDF file", kByNumpy},
     {"MATLAB "sv, "", "a file of MATLAB",
      "in MATLAB, niftiwrite(labels, 'STEM.nii') writes its array, or scipy.io.loadmat reads it in Python"},
-    {"\xda\xce\xbe\x0a"sv, "", "a file of Nikon (ND2)", by_fiji},
-    {"ZISRAWFILE"sv, "", "a file of Zeiss (CZI)", by_fiji},
-    {"\x70\0\0\0"sv, ".lif ", "a file of Leica (LIF)", by_fiji},
+    {"\xda\xce\xbe\x0a"sv, "", "a file of Nikon (ND2)", kByFiji},
+    {"ZISRAWFILE"sv, "", "a file of Zeiss (CZI)", kByFiji},
+    {"\x70\0\0\0"sv, ".lif ", "a file of Leica (LIF)", kByFiji},
     {"# AmiraMesh"sv, "", "a file of Amira (AmiraMesh)", "in Amira or Avizo, export it as .nrrd, or in Fiji as .tif"},
     {"# Avizo"sv, "", "a file of Avizo (AmiraMesh)", "in Amira or Avizo, export it as .nrrd, or in Fiji as .tif"},
     {"#INRIMAGE-4#{"sv, "", "a volume in INRIMAGE format", "its voxels begin at byte 256: give --dims and --skip 256"},
-    {"BZh"sv, "", "compressed by bzip2", by_unzip},
+    {"BZh"sv, "", "compressed by bzip2", kByUnzip},
     {"\xfd"
      "7zXZ"sv,
-     "", "compressed by xz", by_unzip},
-    {"\x28\xb5\x2f\xfd"sv, "", "compressed by Zstandard", by_unzip},
-    {"7z\xbc\xaf\x27\x1c"sv, "", "a 7-Zip archive", by_unzip},
-    {"SIMPLE  ="sv, "", "a FITS file", by_numpy},
-    {""sv, ".npy .npz ", "an array of NumPy by its name, but it is damaged", by_numpy},
-    {"GIF8"sv, "", "a GIF picture", by_png},
-    {"RIFF"sv, ".webp ", "a WebP picture", by_png},
-    {"\0\0\0\x0cjP  "sv, "", "a JPEG 2000 picture", by_png},
-    {"P2"sv, ".pgm ", "a PGM picture", by_png},
-    {"P5"sv, ".pgm ", "a PGM picture", by_png},
-    {"P4"sv, ".pbm ", "a PBM picture", by_png},
-    {"MATRIX7"sv, "", "a volume in ECAT format", by_nibabel},
+     "", "compressed by xz", kByUnzip},
+    {"\x28\xb5\x2f\xfd"sv, "", "compressed by Zstandard", kByUnzip},
+    {"7z\xbc\xaf\x27\x1c"sv, "", "a 7-Zip archive", kByUnzip},
+    {"SIMPLE  ="sv, "", "a FITS file", kByNumpy},
+    {""sv, ".npy .npz ", "an array of NumPy by its name, but it is damaged", kByNumpy},
+    {"GIF8"sv, "", "a GIF picture", kByPng},
+    {"RIFF"sv, ".webp ", "a WebP picture", kByPng},
+    {"\0\0\0\x0cjP  "sv, "", "a JPEG 2000 picture", kByPng},
+    {"P2"sv, ".pgm ", "a PGM picture", kByPng},
+    {"P5"sv, ".pgm ", "a PGM picture", kByPng},
+    {"P4"sv, ".pbm ", "a PBM picture", kByPng},
+    {"MATRIX7"sv, "", "a volume in ECAT format", kByNibabel},
     {"# === DATA DESCRIPTION FILE"sv, "", "a volume in PAR/REC format", "'parrec2nii FILE' (of nibabel) converts it"},
-    {"$MeshFormat"sv, "", "a mesh of Gmsh and no volume", by_check},
-    {"MeshVersionFormatted"sv, "", "a mesh of MEDIT and no volume", by_check},
+    {"$MeshFormat"sv, "", "a mesh of Gmsh and no volume", kByCheck},
+    {"MeshVersionFormatted"sv, "", "a mesh of MEDIT and no volume", kByCheck},
     {"solid"sv, ".stl ", "a surface and no volume", "make a label map of it first"},
     {"ply"sv, ".ply ", "a surface and no volume", "make a label map of it first"},
     {"version https://git-lfs"sv, "", "a pointer of Git LFS and not the file itself",
@@ -82,7 +82,7 @@ constexpr Foreign foreign_formats[] = {
      "give their number by --dims and their type by --type"},
 };
 
-constexpr std::string_view xml_images[] = {"ImageData", "PImageData", "RectilinearGrid", "StructuredGrid"};
+constexpr std::string_view kXmlImages[] = {"ImageData", "PImageData", "RectilinearGrid", "StructuredGrid"};
 
 // "x.nii.gz " is in the list if each of its items has a blank behind it.
 bool is_listed(std::string_view list, const std::string& extension)
@@ -133,7 +133,7 @@ std::string with_names(std::string_view way, const std::string& file)
 
 bool has_foreign_mark(const FileHead& head)
 {
-    for (const Foreign& row : foreign_formats)
+    for (const Foreign& row : kForeignFormats)
         if (!row.mark.empty() && fits(row, head))
             return true;
     return false;
@@ -142,7 +142,7 @@ bool has_foreign_mark(const FileHead& head)
 bool is_foreign_format(const FileHead& head)
 {
     // The extension counts here, too. This question is asked last, after all readers.
-    for (const Foreign& row : foreign_formats)
+    for (const Foreign& row : kForeignFormats)
         if (fits(row, head))
             return true;
     // A gzip file that no reader took is a compressed file of any kind.
@@ -151,15 +151,15 @@ bool is_foreign_format(const FileHead& head)
 
 Image refuse_foreign_format(const std::string& path, const FileHead& head)
 {
-    for (const Foreign& row : foreign_formats)
+    for (const Foreign& row : kForeignFormats)
         if (fits(row, head))
             refuse_foreign(path, row.name, row.way);
     if (!is_vtk_xml(head))
         refuse_foreign(path, "compressed by gzip as a whole", "decompress it first, if it is a volume");
     const std::string kind = kind_of_vtk_xml(head);
-    for (const std::string_view image : xml_images)
+    for (const std::string_view image : kXmlImages)
         if (kind == image)
-            refuse_foreign(path, "VTK XML (" + kind + ")", by_paraview);
+            refuse_foreign(path, "VTK XML (" + kind + ")", kByParaview);
     throw Error(CLEFT_ERROR_UNSUPPORTED, "it is VTK XML of kind '" + kind + "', not a volume");
 }
 

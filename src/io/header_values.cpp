@@ -13,31 +13,31 @@ namespace cleft::io
 namespace
 {
 
-constexpr std::string_view blanks = " \t\r\n\v\f";
+constexpr std::string_view kBlanks = " \t\r\n\v\f";
 // Slices of one volume in files of their own. A pattern with a larger range is a mistake, and its list would fill the
 // memory.
-constexpr int64_t most_files = 100000;
+constexpr int64_t kMostFiles = 100000;
 
 // What is shown of a value.
 std::string shown(std::string_view value)
 {
     // Enough to recognise a value in a message of one line.
-    constexpr size_t longest = 60;
-    std::string text(value.substr(0, longest));
+    constexpr size_t kLongest = 60;
+    std::string text(value.substr(0, kLongest));
     for (char& c : text)
         if (static_cast<unsigned char>(c) < ' ')
             c = '?';
-    return text + (value.size() > longest ? "..." : "");
+    return text + (value.size() > kLongest ? "..." : "");
 }
 
 }  // namespace
 
 std::string_view trimmed(std::string_view text)
 {
-    const size_t begin = text.find_first_not_of(blanks);
+    const size_t begin = text.find_first_not_of(kBlanks);
     if (begin == std::string_view::npos)
         return {};
-    return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+    return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
 }
 
 void replace_all(std::string& text, const std::string& from, const std::string& to)
@@ -58,10 +58,10 @@ std::string in_small_letters(std::string_view text)
 std::vector<std::string> words_of(std::string_view text)
 {
     std::vector<std::string> words;
-    for (size_t begin = text.find_first_not_of(blanks); begin != std::string_view::npos;) {
-        const size_t end = std::min(text.find_first_of(blanks, begin), text.size());
+    for (size_t begin = text.find_first_not_of(kBlanks); begin != std::string_view::npos;) {
+        const size_t end = std::min(text.find_first_of(kBlanks, begin), text.size());
         words.emplace_back(text.substr(begin, end - begin));
-        begin = text.find_first_not_of(blanks, end);
+        begin = text.find_first_not_of(kBlanks, end);
     }
     return words;
 }
@@ -141,11 +141,11 @@ std::vector<std::string> names_of_pattern(std::string_view field, const std::str
     const bool zeros = pattern[begin + 1] == '0';
     const size_t width = end == begin + 1 ? 0 : std::stoul(pattern.substr(begin + 1, end - begin - 1));
     // Sums and differences below cannot overflow.
-    constexpr int64_t greatest = int64_t{1} << 40;
+    constexpr int64_t kGreatest = int64_t{1} << 40;
     for (const int64_t number : {first, last, step})
-        if (number < -greatest || number > greatest)
+        if (number < -kGreatest || number > kGreatest)
             refuse_field(field, pattern, "the number " + std::to_string(number) + " is too large");
-    if (step == 0 || (last - first) / step < 0 || (last - first) / step >= most_files)
+    if (step == 0 || (last - first) / step < 0 || (last - first) / step >= kMostFiles)
         refuse_field(field, pattern, "its numbers do not lead from the first to the last");
     std::vector<std::string> names;
     for (int64_t number = first; step > 0 ? number <= last : number >= last; number += step) {

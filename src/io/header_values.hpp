@@ -11,7 +11,7 @@ namespace cleft::io
 
 // A text in front of voxels that is longer than this is no header: 64 MB are far beyond any list of slices. It bounds
 // the time that a binary file with the mark of a text format can take.
-constexpr uintmax_t longest_text_header = uintmax_t{1} << 26;
+constexpr uintmax_t kLongestTextHeader = uintmax_t{1} << 26;
 
 // The text without blanks at its ends. The view is of the same characters.
 std::string_view trimmed(std::string_view text);

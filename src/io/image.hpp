@@ -48,10 +48,4 @@ size_t checked_bytes(const Image& image);
 // Memory for the voxels, not filled. Throws Error(CLEFT_ERROR_TOO_LARGE) or std::bad_alloc.
 void allocate_voxels(Image& image);
 
-// One file, in whatever format its first bytes show. Errors do not name the file.
-// Notes and names in it have no control characters, so they can go to a terminal.
-Image read_image(const std::string& path);
-// Writes a volume of float; throws if the format cannot hold the geometry.
-void write_image(const std::string& path, const Image& image);
-
 }  // namespace cleft::io

@@ -1,11 +1,12 @@
 // Finds the files that a path or a pattern stands for, and puts single slices on each other. What
-// is not certain about their order or number is refused or told.
+// is not certain about their order or number is refused or reported.
 #include "io/image_series.hpp"
 
 #include "base/error.hpp"
 #include "base/number_text.hpp"
 #include "io/dicom_image.hpp"
 #include "io/folder_names.hpp"
+#include "io/read_image.hpp"
 #include "io/text_scanner.hpp"
 
 #include <fnmatch.h>
@@ -123,7 +124,7 @@ std::vector<std::string> notes_on_numbers(const std::vector<std::string>& files)
     // "1.png" and "01.png" have the same number, and nothing tells which slice comes first.
     if (step == 0)
         throw Error(CLEFT_ERROR_FILE, "two of its files have the same number");
-    // A gap is told and not refused: programs that export each second slice leave such numbers, and
+    // A gap is reported and not refused: programs that export each second slice leave such numbers, and
     // the pattern asked for what is there.
     const int64_t missing = (numbers.back() - numbers.front()) / step + 1 - static_cast<int64_t>(numbers.size());
     for (size_t i = 1; i < numbers.size(); ++i)
@@ -220,13 +221,13 @@ void check_alike(const Image& slice, const std::string& name, const Image& volum
 {
     // Relative to the spacing, and absolute for directions of length 1: text in headers is rounded,
     // and a real difference is greater.
-    constexpr double tolerance = 1e-3;
+    constexpr double kTolerance = 1e-3;
     if (slice.dims[0] != volume.dims[0] || slice.dims[1] != volume.dims[1] || slice.component != volume.component)
         throw Error(CLEFT_ERROR_FORMAT, "'" + name + "' has another size or type of voxels than '" + first + "'");
     for (size_t axis = 0; axis < 3; ++axis) {
         const double spacing = volume.spacing[axis];
-        if (std::abs(slice.spacing[axis] - spacing) > tolerance * spacing ||
-            length(minus(slice.directions[axis], volume.directions[axis])) > tolerance)
+        if (std::abs(slice.spacing[axis] - spacing) > kTolerance * spacing ||
+            length(minus(slice.directions[axis], volume.directions[axis])) > kTolerance)
             throw Error(CLEFT_ERROR_FORMAT, "'" + name + "' has another spacing or other axes than '" + first + "'");
     }
 }

@@ -9,9 +9,9 @@ namespace cleft::io
 namespace
 {
 
-constexpr const char* material_prefix = "material_";
-constexpr const char* minus_word = "minus";
-constexpr size_t longest_name = 40;  // CalculiX ends names of sets after 80 characters
+constexpr const char* kMaterialPrefix = "material_";
+constexpr const char* kMinusWord = "minus";
+constexpr size_t kLongestName = 40;  // CalculiX ends names of sets after 80 characters
 
 // Letters and digits of ASCII. Blanks, commas and accents break names in some solvers, and
 // std::isalnum() follows the locale.
@@ -25,7 +25,7 @@ std::string plain(const std::string& name)
     for (const char c : name) {
         // What is beyond the limit is dropped. The number in front keeps names apart that are then
         // alike.
-        if (is_plain(c) && text.size() + (gap ? 1 : 0) < longest_name) {
+        if (is_plain(c) && text.size() + (gap ? 1 : 0) < kLongestName) {
             if (gap && !text.empty())
                 text += '_';
             text += c;
@@ -41,21 +41,21 @@ std::string word_of(int32_t label)
 {
     // A minus sign is an operator in the scripts of Gmsh and FreeFEM. int64: -(-2^31) does not fit
     // 32 bits.
-    return label < 0 ? minus_word + std::to_string(-int64_t{label}) : std::to_string(label);
+    return label < 0 ? kMinusWord + std::to_string(-int64_t{label}) : std::to_string(label);
 }
 
 std::string material_name(int32_t label, const std::string& name)
 {
     const std::string behind = plain(name);
-    return material_prefix + word_of(label) + (behind.empty() ? "" : "_" + behind);
+    return kMaterialPrefix + word_of(label) + (behind.empty() ? "" : "_" + behind);
 }
 
 std::string material_title(int32_t label, const std::string& name) { return material_name(label) + " " + name; }
 
 bool label_of_material_name(const std::string& text, int32_t& label, std::string& name)
 {
-    const std::string prefix = material_prefix;
-    const std::string minus = minus_word;
+    const std::string prefix = kMaterialPrefix;
+    const std::string minus = kMinusWord;
     // Another program's names are no labels.
     if (text.compare(0, prefix.size(), prefix) != 0)
         return false;

@@ -45,7 +45,7 @@ Claims claim(const std::vector<Field>& masks, Image& labels)
             ++claims.wanted[k];
             const Label owner = load<Label>(labels.voxels.get(), v);
             // The first mask wins, so the user decides by the order of the files. What the others
-            // lose is counted and told.
+            // lose is counted and reported.
             if (owner != nobody) {
                 ++claims.contested[{static_cast<size_t>(owner), k}];
             } else {
@@ -59,30 +59,30 @@ Claims claim(const std::vector<Field>& masks, Image& labels)
 void note_empty(const std::vector<Field>& masks, const Claims& claims, std::vector<std::string>& notes)
 {
     // More sentences of one kind hide the other warnings; the rest is counted.
-    constexpr size_t told = 3;
+    constexpr size_t kNamed = 3;
     size_t empty = 0;
     for (size_t k = 0; k < masks.size(); ++k)
-        if (claims.voxels[k] == 0 && ++empty <= told)
+        if (claims.voxels[k] == 0 && ++empty <= kNamed)
             notes.push_back(masks[k].who + ": the mask " +
                             (claims.wanted[k] == 0 ? "holds no voxel" : "holds no voxel that is not in one before it") +
                             ": there is no label " + std::to_string(k));
-    if (empty > told)
-        notes.push_back(counted(static_cast<int64_t>(empty - told), "more mask holds", "more masks hold") +
+    if (empty > kNamed)
+        notes.push_back(counted(static_cast<int64_t>(empty - kNamed), "more mask holds", "more masks hold") +
                         " no voxel, or none of their own");
 }
 
 void note_contested(const std::vector<Field>& masks, const Claims& claims, std::vector<std::string>& notes)
 {
     // As above.
-    constexpr size_t told = 3;
+    constexpr size_t kNamed = 3;
     std::vector<std::pair<Pair, int64_t>> rows(claims.contested.begin(), claims.contested.end());
     // The greatest overlap first, as it is the likeliest mistake. Equal ones stay in the order of
     // the masks.
     std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
-    if (rows.size() > told) {
-        notes.push_back(std::to_string(rows.size() - told) +
+    if (rows.size() > kNamed) {
+        notes.push_back(std::to_string(rows.size() - kNamed) +
                         " more pairs of masks share fewer voxels: the first takes them");
-        rows.resize(told);
+        rows.resize(kNamed);
     }
     for (const auto& [pair, voxels] : rows)
         notes.push_back(voxels_text(voxels) + (voxels == 1 ? " is" : " are") + " in the mask " + masks[pair.first].who +

@@ -16,8 +16,8 @@ namespace
 
 std::string different_text(const FieldValues& values)
 {
-    return values.different > FieldValues::many ? "more than " + std::to_string(FieldValues::many)
-                                                : std::to_string(values.different);
+    return values.different > FieldValues::kMany ? "more than " + std::to_string(FieldValues::kMany)
+                                                 : std::to_string(values.different);
 }
 
 std::string range_text(const FieldValues& values)
@@ -31,7 +31,8 @@ std::string range_text(const FieldValues& values)
 }
 
 // Each refusal ends with the two ways out, in the words of the library and of the command.
-const char* const ask = "ask for kind labels (--as labels: rounded) or indicators (--as indicators: inside above 0)";
+constexpr const char* kAsk =
+    "ask for kind labels (--as labels: rounded) or indicators (--as indicators: inside above 0)";
 
 void note_rounding(const Field& field, std::vector<std::string>& notes)
 {
@@ -43,11 +44,11 @@ void note_rounding(const Field& field, std::vector<std::string>& notes)
 }
 
 // The share of differing neighbours. It is a half in distances rounded to whole numbers, and near 1 in pictures.
-constexpr double busy = 0.4;
+constexpr double kBusy = 0.4;
 // A function that is rounded takes as many values as this: two on each side, and 0.
-constexpr int64_t fewest_distances = 5;
+constexpr int64_t kFewestDistances = 5;
 // Pictures of 16 levels and fewer are taken for segmentations, as thresholding makes them.
-constexpr int64_t fewest_greys = 17;
+constexpr int64_t kFewestGreys = 17;
 
 // Whole numbers are labels, unless they change from voxel to voxel as nothing does that was segmented.
 void check_label_map(const Field& field, std::vector<std::string>& notes)
@@ -55,19 +56,19 @@ void check_label_map(const Field& field, std::vector<std::string>& notes)
     const FieldValues& values = field.values;
     // Few values are labels, whatever their pattern. The comparison of neighbours below takes a
     // pass over the field, so it comes second.
-    if (values.different < (values.is_signed() ? fewest_distances : fewest_greys))
+    if (values.different < (values.is_signed() ? kFewestDistances : kFewestGreys))
         return;
     const double differing = differing_neighbours(*field.image, field.index, values);
     // With few values the share alone does not decide: a fine pattern of labels differs everywhere,
     // too.
-    if (differing < busy || (values.different < fewest_greys && !goes_step_by_step(*field.image, field.index, values)))
+    if (differing < kBusy || (values.different < kFewestGreys && !goes_step_by_step(*field.image, field.index, values)))
         return;
     const std::string what = different_text(values) + " different whole numbers from " + range_text(values) + ", and " +
                              number_text(std::round(100 * differing)) + " % of its neighbouring voxels differ";
     // Negative numbers make three readings possible, so nothing is chosen. Without them it is no
     // signed function, and labels are read with a note.
     if (values.is_signed())
-        refuse(field, "it may be a label map, a grey image or a distance function, with " + what + ": " + ask);
+        refuse(field, "it may be a label map, a grey image or a distance function, with " + what + ": " + kAsk);
     notes.push_back(field.who + ": it looks like a grey image rather than a label map: it has " + what);
 }
 
@@ -76,20 +77,20 @@ void check_signed_function(const Field& field)
 {
     // A function that is constant far from its boundary has a small share of differing neighbours,
     // but still thousands of values. Interpolated labels have fewer.
-    constexpr int64_t many = 1000;
+    constexpr int64_t kMany = 1000;
     const FieldValues& values = field.values;
     if (!values.is_signed())
         refuse(field, "it holds fractions from " + range_text(values) +
-                          ", but neither whole labels nor a signed function (values below and above 0): " + ask);
+                          ", but neither whole labels nor a signed function (values below and above 0): " + kAsk);
     const bool smooth =
-        values.different >= fewest_greys && differing_neighbours(*field.image, field.index, values) >= busy;
-    if (!smooth && values.different <= many)
+        values.different >= kFewestGreys && differing_neighbours(*field.image, field.index, values) >= kBusy;
+    if (!smooth && values.different <= kMany)
         refuse(field, "it may be a label map or a function, with " + different_text(values) + " values from " +
-                          range_text(values) + " that are not all whole numbers: " + ask);
+                          range_text(values) + " that are not all whole numbers: " + kAsk);
     // Last, as it takes two passes over the field.
     if (rests_on_labels(*field.image, field.index, values))
         refuse(field, "it may be a label map that was interpolated, as many of its values from " + range_text(values) +
-                          " lie near whole numbers or at 0, or a function: " + ask);
+                          " lie near whole numbers or at 0, or a function: " + kAsk);
 }
 
 Meaning meaning_of_one(const Field& field, std::vector<std::string>& notes)
@@ -204,7 +205,7 @@ std::vector<Field> fields_of(const std::vector<Source>& sources)
 Meaning meaning_of(const std::vector<Field>& fields, cleft_io_kind kind, std::vector<std::string>& notes)
 {
     const bool one = fields.size() == 1;
-    // What the caller states is not judged, but told where it makes one label of everything.
+    // What the caller states is not judged, but reported where it makes one label of everything.
     if (kind == CLEFT_IO_KIND_INDICATORS) {
         if (one)
             note_one_side(fields.front(), notes);

@@ -1,5 +1,5 @@
 // What the voxels of the files mean: labels, masks or functions. Nothing is guessed in silence: what is not certain is
-// refused, or told in a note.
+// refused, or reported in a note.
 #pragma once
 
 #include "cleft/cleft_io.h"

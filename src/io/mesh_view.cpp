@@ -33,7 +33,7 @@ void add_interfaces(const cleft_surface* surface, std::vector<SurfaceGroup>& gro
         const int32_t b = pairs[2 * t + 1];
         if (t == 0 || groups.back().first != a || groups.back().second != b)
             groups.push_back(
-                {"interface_" + word_of(a) + "_" + word_of(b), SurfaceGroup::no_side, a, b, triangles + 3 * t, 0, 0});
+                {"interface_" + word_of(a) + "_" + word_of(b), SurfaceGroup::kNoSide, a, b, triangles + 3 * t, 0, 0});
         ++groups.back().count;
     }
 }

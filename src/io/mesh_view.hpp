@@ -13,17 +13,17 @@ namespace cleft::io
 
 // Triangles of one interface (both labels, the lower first), or of the hull on one side within one label.
 struct SurfaceGroup {
-    static constexpr int32_t no_side = -1;
+    static constexpr int32_t kNoSide = -1;
 
     std::string name;        // "interface_1_3", "box_x_min_3", "hull_3"
-    int32_t side = no_side;  // or CLEFT_SIDE_...
+    int32_t side = kNoSide;  // or CLEFT_SIDE_...
     int32_t first = 0;       // the label that the normals point away from
     int32_t second = 0;      // the label that they point to; of the hull: `first` again
     const int32_t* triangles = nullptr;
     int64_t count = 0;
     int32_t number = 0;  // in formats that number groups, see number_groups()
 
-    bool is_interface() const { return side == no_side; }
+    bool is_interface() const { return side == kNoSide; }
     // Does it lie inside the box, where a surface is worth looking at?
     bool is_inner() const { return is_interface() || side == CLEFT_SIDE_OTHER; }
 };

@@ -63,15 +63,15 @@ Vector3 voxel_sizes(const NiftiHeader& header, Notes& notes)
 std::array<double, 4> whole_quaternion(const NiftiHeader& header, Notes& notes)
 {
     // Three numbers of single precision.
-    constexpr double rounding = 1e-6;
+    constexpr double kRounding = 1e-6;
     // Files that were rounded to two or three digits by a text format lie below it.
-    constexpr double tolerance = 0.01;
+    constexpr double kTolerance = 0.01;
     const auto [b, c, d] = header.quaternion;
     const double squared = b * b + c * c + d * d;
-    if (squared > 1 + tolerance)
+    if (squared > 1 + kTolerance)
         throw Error(CLEFT_ERROR_FORMAT,
                     "its qform is no rotation: the squares of its quaternion add up to " + number_text(squared));
-    if (squared > 1 + rounding)
+    if (squared > 1 + kRounding)
         notes.push_back("the quaternion of its qform is roughly rounded (its squares add up to " +
                         number_text(squared) + "): it is made a rotation");
     const double length = std::max(1.0, std::sqrt(squared));
@@ -163,10 +163,10 @@ double smallest_step(const Affine& affine)
 double open_angle(const NiftiHeader& header)
 {
     // Within it, the sum of squares is 1 but for rounding.
-    constexpr double rounding = 1e-6;
-    constexpr double angle = 7e-4;
+    constexpr double kRounding = 1e-6;
+    constexpr double kAngle = 7e-4;
     const auto [b, c, d] = header.quaternion;
-    return std::abs(1 - (b * b + c * c + d * d)) < rounding ? angle : 0;
+    return std::abs(1 - (b * b + c * c + d * d)) < kRounding ? kAngle : 0;
 }
 
 double diagonal(const Affine& affine, const NiftiHeader& header)
@@ -178,7 +178,7 @@ double diagonal(const Affine& affine, const NiftiHeader& header)
 }
 
 // nifti1.h allows both forms to be set for different purposes. Programs differ in which one they
-// use, so a real difference is told.
+// use, so a real difference is reported.
 void compare_forms(const NiftiHeader& header, double scale, Notes& notes)
 {
     const std::string used = ": the sform (code " + std::to_string(header.sform_code) + ") is used, the qform (code " +

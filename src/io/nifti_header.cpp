@@ -14,33 +14,33 @@ namespace cleft::io
 namespace
 {
 
-constexpr bool big_endian_machine = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__;
+constexpr bool kBigEndianMachine = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__;
 
 // sizeof_hdr is the first field of all three formats. Its value shows the order of bytes.
 bool has_length(const unsigned char* bytes, int32_t length, bool swapped)
 {
-    return BinaryHeader(bytes, sizeof length, swapped != big_endian_machine).at<int32_t>(0) == length;
+    return BinaryHeader(bytes, sizeof length, swapped != kBigEndianMachine).at<int32_t>(0) == length;
 }
 
 bool has_mark(const unsigned char* at, const char* mark, size_t count) { return std::memcmp(at, mark, count) == 0; }
 
 // The field `magic`. It is at the end of NIfTI-1, where Analyze has a field that few programs use, and behind
 // sizeof_hdr in NIfTI-2.
-constexpr size_t mark_of_nifti1 = 344;
-constexpr size_t mark_of_nifti2 = 4;
+constexpr size_t kMarkOfNifti1 = 344;
+constexpr size_t kMarkOfNifti2 = 4;
 
 // "n+1": header and voxels in one file. "ni1": in two.
 bool is_nifti1(const unsigned char* bytes)
 {
-    return has_mark(bytes + mark_of_nifti1, "n+1", 4) || has_mark(bytes + mark_of_nifti1, "ni1", 4);
+    return has_mark(bytes + kMarkOfNifti1, "n+1", 4) || has_mark(bytes + kMarkOfNifti1, "ni1", 4);
 }
 
 // The bytes behind the mark end PNG's signature, too: they show if a transfer changed the ends of
 // lines.
 bool is_nifti2(const unsigned char* bytes)
 {
-    return has_mark(bytes + mark_of_nifti2, "n+2\0\r\n\032\n", 8) ||
-           has_mark(bytes + mark_of_nifti2, "ni2\0\r\n\032\n", 8);
+    return has_mark(bytes + kMarkOfNifti2, "n+2\0\r\n\032\n", 8) ||
+           has_mark(bytes + kMarkOfNifti2, "ni2\0\r\n\032\n", 8);
 }
 
 // Offsets in struct dsr of Analyze 7.5: dim, datatype, bitpix, pixdim, vox_offset, funused1 (SPM's
@@ -93,15 +93,15 @@ void parse_nifti2(const BinaryHeader& fields, NiftiHeader& header)
 
 bool is_nifti_header(const unsigned char* bytes, size_t count)
 {
-    if (count < nifti1_header_bytes)
+    if (count < kNifti1HeaderBytes)
         return false;
     for (const bool swapped : {false, true}) {
-        const int64_t axes = BinaryHeader(bytes, count, swapped != big_endian_machine).at<int16_t>(40);
+        const int64_t axes = BinaryHeader(bytes, count, swapped != kBigEndianMachine).at<int16_t>(40);
         // Analyze has no mark: 348 at the beginning and a plausible dim[0] are all that shows it.
         // So the table of readers asks for it after the formats with marks.
-        if (has_length(bytes, nifti1_header_bytes, swapped) && (is_nifti1(bytes) || (axes >= 1 && axes <= 7)))
+        if (has_length(bytes, kNifti1HeaderBytes, swapped) && (is_nifti1(bytes) || (axes >= 1 && axes <= 7)))
             return true;
-        if (has_length(bytes, nifti2_header_bytes, swapped) && is_nifti2(bytes))
+        if (has_length(bytes, kNifti2HeaderBytes, swapped) && is_nifti2(bytes))
             return true;
     }
     return false;
@@ -111,12 +111,12 @@ NiftiHeader parse_nifti_header(const unsigned char* bytes, size_t count)
 {
     NiftiHeader header;
     const bool second = is_nifti2(bytes);
-    const auto length = static_cast<int32_t>(second ? nifti2_header_bytes : nifti1_header_bytes);
+    const auto length = static_cast<int32_t>(second ? kNifti2HeaderBytes : kNifti1HeaderBytes);
     header.swapped = !has_length(bytes, length, false);
     header.kind = second ? NiftiKind::nifti2 : is_nifti1(bytes) ? NiftiKind::nifti1 : NiftiKind::analyze;
     if (count < header.bytes())
         throw Error(CLEFT_ERROR_FORMAT, "its header is cut short");
-    const BinaryHeader fields(bytes, count, header.swapped != big_endian_machine);
+    const BinaryHeader fields(bytes, count, header.swapped != kBigEndianMachine);
     if (header.kind == NiftiKind::nifti2)
         parse_nifti2(fields, header);
     else if (header.kind == NiftiKind::nifti1)
@@ -125,7 +125,7 @@ NiftiHeader parse_nifti_header(const unsigned char* bytes, size_t count)
         parse_analyze(fields, header);
     // The second letter of the mark: "n+1" or "ni1".
     header.single_file =
-        header.kind != NiftiKind::analyze && bytes[(second ? mark_of_nifti2 : mark_of_nifti1) + 1] == '+';
+        header.kind != NiftiKind::analyze && bytes[(second ? kMarkOfNifti2 : kMarkOfNifti1) + 1] == '+';
     return header;
 }
 

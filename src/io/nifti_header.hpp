@@ -10,10 +10,10 @@ namespace cleft::io
 
 enum class NiftiKind { analyze, nifti1, nifti2 };
 
-constexpr size_t nifti1_header_bytes = 348;
-constexpr size_t nifti2_header_bytes = 540;
+constexpr size_t kNifti1HeaderBytes = 348;
+constexpr size_t kNifti2HeaderBytes = 540;
 // The bytes extension[4] behind the header. The first of them is not 0 where extensions follow.
-constexpr size_t nifti_extension_mark = 4;
+constexpr size_t kNiftiExtensionMark = 4;
 
 struct NiftiHeader {
     NiftiKind kind = NiftiKind::analyze;
@@ -35,7 +35,7 @@ struct NiftiHeader {
     std::array<double, 12> s_rows{};
     std::array<int, 3> spm_origin{};  // of Analyze: the voxel, from 1, at the origin; 0: not said
 
-    size_t bytes() const { return kind == NiftiKind::nifti2 ? nifti2_header_bytes : nifti1_header_bytes; }
+    size_t bytes() const { return kind == NiftiKind::nifti2 ? kNifti2HeaderBytes : kNifti1HeaderBytes; }
 };
 
 // Are these the first bytes of such a header? Analyze has no mark of its own but its length.

@@ -54,7 +54,7 @@ void scale_values(double slope, double intercept, Image& image)
     if (!std::isfinite(slope) || !std::isfinite(intercept))
         throw Error(CLEFT_ERROR_FORMAT, "the scale of its values (scl_slope, scl_inter) is not finite");
     with_type(image.component, [&](auto zero) { scale<decltype(zero)>(slope, intercept, image); });
-    // Always told, as a label is then another number than the one in the file.
+    // Always reported, as a label is then another number than the one in the file.
     char text[120];
     std::snprintf(text, sizeof text,
                   "its values are scaled: %g times the number in the file plus %g (scl_slope, scl_inter)", slope,

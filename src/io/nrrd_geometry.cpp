@@ -16,7 +16,7 @@ namespace
 {
 
 // Relative: a spacing and an extent that were written with few digits may differ by so much.
-constexpr double voxel_tolerance = 1e-3;
+constexpr double kVoxelTolerance = 1e-3;
 
 bool is_space_kind(const std::string& kind) { return kind == "domain" || kind == "space"; }
 // Kinds of axes along which there are several volumes. Those of colours, vectors and tensors are not among them.
@@ -50,7 +50,7 @@ Vector3 signs_of(const NrrdHeader& header, Image& image)
     if (space == "left-anterior-superior" || space == "las")
         return {1, -1, 1};
     // A scanner-independent left-handed space has no relation to LPS. Its coordinates stay, and the
-    // user is told.
+    // user gets a note.
     if (space == "3d-left-handed" || space == "3dleft-handed") {
         image.notes.emplace_back("its space is '" + space + "', whose coordinates are taken as they are");
         return {1, 1, 1};
@@ -137,7 +137,7 @@ void set_axis(const NrrdHeader& header, size_t axis, size_t a, Image& image)
     // One node has no step, whatever its extent is.
     if (!std::isnan(low) && !std::isnan(high) && steps > 0) {
         const double derived = (high - low) / steps;
-        if (!std::isnan(spacing) && std::abs(spacing - derived) > voxel_tolerance * std::abs(spacing))
+        if (!std::isnan(spacing) && std::abs(spacing - derived) > kVoxelTolerance * std::abs(spacing))
             throw Error(CLEFT_ERROR_FORMAT, "its spacing along the " + ordinal(static_cast<int64_t>(axis)) +
                                                 " axis is " + std::to_string(spacing) +
                                                 ", but its minimum and maximum tell of " + std::to_string(derived));
@@ -168,9 +168,9 @@ void set_from_axes(const NrrdHeader& header, const NrrdAxes& axes, Image& image)
     if (axes.space.size() == 2)
         set_thickness(2, image);
     const bool placed = !header.mins.empty() || !header.maxs.empty();
-    const bool told = std::any_of(header.centers.begin(), header.centers.end(),
-                                  [](const std::string& center) { return center == "cell" || center == "node"; });
-    if (placed && !told)
+    const bool is_stated = std::any_of(header.centers.begin(), header.centers.end(),
+                                       [](const std::string& center) { return center == "cell" || center == "node"; });
+    if (placed && !is_stated)
         image.notes.emplace_back(
             "it does not say whether the ends of its axes are centres or sides of voxels; they "
             "are taken for sides");

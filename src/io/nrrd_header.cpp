@@ -15,7 +15,7 @@ namespace
 {
 
 // NRRD_DIM_MAX of teem, which defines the format.
-constexpr size_t most_axes = 16;
+constexpr size_t kMostAxes = 16;
 struct TypeName {
     Component component;
     std::vector<std::string_view> names;
@@ -119,7 +119,7 @@ public:
                 take_line(line);
             // A binary file that begins with NRRD by chance, or by intent, must not be read to its
             // end in memory.
-            if (source_.position() > longest_text_header)
+            if (source_.position() > kLongestTextHeader)
                 throw Error(CLEFT_ERROR_FORMAT, "its header has no end");
         }
         if (list_)
@@ -238,8 +238,8 @@ private:
     void take_dimension(const std::string& value)
     {
         const int64_t dimension = integer_of("dimension", value);
-        if (dimension < 1 || dimension > static_cast<int64_t>(most_axes))
-            refuse_field("dimension", value, "there are 1 to " + std::to_string(most_axes));
+        if (dimension < 1 || dimension > static_cast<int64_t>(kMostAxes))
+            refuse_field("dimension", value, "there are 1 to " + std::to_string(kMostAxes));
         dimension_ = static_cast<size_t>(dimension);
     }
 

@@ -51,7 +51,7 @@ Component component_of(cleft_type type)
 cleft_io_raw checked_layout(const cleft_io_raw* raw)
 {
     cleft_io_raw layout = copy_in(*raw, "cleft_io_raw");
-    // Called for its Error only: a wrong type must be told before a file is opened.
+    // Called for its Error only: a wrong type must be reported before a file is opened.
     component_of(layout.type);
     check_kind(layout.kind);
     if (layout.skip < 0)

@@ -17,9 +17,9 @@ namespace
 {
 
 // BITMAPFILEHEADER, then BITMAPCOREHEADER (12 bytes) or BITMAPINFOHEADER and its longer successors, which begin alike.
-constexpr size_t file_header_bytes = 14;
-constexpr uint32_t oldest_header = 12;  // of OS/2, whose sizes are of 16 bits
-constexpr uint32_t common_header = 40;
+constexpr size_t kFileHeaderBytes = 14;
+constexpr uint32_t kOldestHeader = 12;  // of OS/2, whose sizes are of 16 bits
+constexpr uint32_t kCommonHeader = 40;
 
 struct Header {
     uint32_t offset = 0;  // of the voxels
@@ -32,15 +32,15 @@ struct Header {
 Header parse(const FileHead& head)
 {
     const BinaryHeader fields(head.bytes, false);
-    const uint32_t header_bytes = fields.at<uint32_t>(file_header_bytes);
+    const uint32_t header_bytes = fields.at<uint32_t>(kFileHeaderBytes);
     Header header;
     // bfOffBits: other programs leave gaps behind the palette, so the place is not computed.
     header.offset = fields.at<uint32_t>(10);
-    if (header_bytes == oldest_header) {
+    if (header_bytes == kOldestHeader) {
         header.width = fields.at<uint16_t>(18);
         header.height = fields.at<uint16_t>(20);
         header.bits = fields.at<uint16_t>(24);
-    } else if (header_bytes >= common_header) {
+    } else if (header_bytes >= kCommonHeader) {
         header.width = fields.at<int32_t>(18);
         header.height = fields.at<int32_t>(22);
         header.bits = fields.at<uint16_t>(28);

@@ -12,9 +12,9 @@ namespace cleft::io
 namespace
 {
 
-constexpr size_t gipl_header_bytes = 256;
+constexpr size_t kGiplHeaderBytes = 256;
 // The two magic numbers in use, in the last four bytes of the header.
-constexpr uint32_t marks[] = {719555000, 4026526128};
+constexpr uint32_t kMarks[] = {719555000, 4026526128};
 
 Component component_of(uint16_t type)
 {
@@ -34,10 +34,10 @@ Component component_of(uint16_t type)
 
 bool is_gipl(const FileHead& head)
 {
-    if (head.content.size() < gipl_header_bytes)
+    if (head.content.size() < kGiplHeaderBytes)
         return false;
     const auto mark = BinaryHeader(head.content, true).at<uint32_t>(252);
-    return mark == marks[0] || mark == marks[1];
+    return mark == kMarks[0] || mark == kMarks[1];
 }
 
 Image read_gipl(const std::string& path, const FileHead& head)
@@ -66,7 +66,7 @@ Image read_gipl(const std::string& path, const FileHead& head)
     data.files = {path};
     data.encoding = head.gzip ? VoxelData::Encoding::deflated : VoxelData::Encoding::raw;
     // skip counts decompressed bytes, so it is right where the whole file is gzip, too.
-    data.skip = gipl_header_bytes;
+    data.skip = kGiplHeaderBytes;
     read_voxels(data, image);
     return image;
 }

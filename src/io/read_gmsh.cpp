@@ -17,7 +17,7 @@ namespace
 {
 
 // The type with four corners, the only one that is read.
-constexpr int64_t tetrahedron = 4;
+constexpr int64_t kTetrahedron = 4;
 
 // What is needed to pass over an element: how many points it has, and whether it may be skipped.
 struct ElementType {
@@ -26,7 +26,7 @@ struct ElementType {
 };
 
 // Types 1 .. 31 of the manual.
-constexpr std::array<ElementType, 32> element_types = {{
+constexpr std::array<ElementType, 32> kElementTypes = {{
     {0, 0},  {1, 2},  {2, 3},  {2, 4},  {3, 4}, {3, 8}, {3, 6},  {3, 5},  {1, 3},  {2, 6},  {2, 9},
     {3, 10}, {3, 27}, {3, 18}, {3, 14}, {0, 1}, {2, 8}, {3, 20}, {3, 15}, {3, 13}, {2, 9},  {2, 10},
     {2, 12}, {2, 15}, {2, 15}, {2, 21}, {1, 4}, {1, 5}, {1, 6},  {3, 20}, {3, 35}, {3, 56},
@@ -102,12 +102,12 @@ int64_t GmshReader::large_count(int64_t least_bytes, const char* what)
 
 const ElementType& GmshReader::type_of(int64_t type)
 {
-    if (type < 1 || type >= static_cast<int64_t>(element_types.size()))
+    if (type < 1 || type >= static_cast<int64_t>(kElementTypes.size()))
         in_.unsupported("elements of type " + std::to_string(type) + " are not known");
-    const ElementType& found = element_types[static_cast<size_t>(type)];
+    const ElementType& found = kElementTypes[static_cast<size_t>(type)];
     // Skipping a prism or a second-order tetrahedron would leave a hole in the mesh, so they are
     // refused. Points, lines and plane elements are only the boundary.
-    if (found.dimension == 3 && type != tetrahedron)
+    if (found.dimension == 3 && type != kTetrahedron)
         in_.unsupported("elements of type " + std::to_string(type) + " are no tetrahedra with four corners");
     return found;
 }

@@ -1,5 +1,7 @@
 // Which reader takes a file: the first in the table that knows its first bytes. The name of the file matters only where
 // a format has no mark of its own.
+#include "io/read_image.hpp"
+
 #include "base/error.hpp"
 #include "base/utf8.hpp"
 #include "io/dicom_image.hpp"
@@ -20,7 +22,7 @@ struct Reader {
 
 // Formats with a sure mark come first. Foreign marks stand before NIfTI, since Analyze is known by
 // little more than a number, and foreign extensions come last.
-constexpr Reader readers[] = {
+constexpr Reader kReaders[] = {
     {"DICOM", is_dicom, read_dicom_image},
     {"NRRD", is_nrrd, read_nrrd},
     {"MetaImage", is_metaimage, read_metaimage},
@@ -39,7 +41,7 @@ constexpr Reader readers[] = {
 Image read_by_table(const std::string& path)
 {
     const FileHead head = read_head(path);
-    for (const Reader& reader : readers)
+    for (const Reader& reader : kReaders)
         if (reader.is(head))
             return reader.read(path, head);
     throw Error(CLEFT_ERROR_FILE, "it is in no format of volumes that can be read, or it is damaged");

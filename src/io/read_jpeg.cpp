@@ -52,11 +52,11 @@ void check_scans(j_common_ptr jpeg)
 {
     // The authors of libjpeg-turbo advise such a limit against hostile files. Progressive files
     // have about ten scans.
-    constexpr int most_scans = 500;
-    if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number <= most_scans)
+    constexpr int kMostScans = 500;
+    if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number <= kMostScans)
         return;
     auto* decoder = static_cast<JpegDecoder*>(jpeg->client_data);
-    std::snprintf(decoder->message, sizeof decoder->message, "more than %d scans", most_scans);
+    std::snprintf(decoder->message, sizeof decoder->message, "more than %d scans", kMostScans);
     std::longjmp(decoder->leave, 1);
 }
 
@@ -103,14 +103,14 @@ bool read_rows(JpegDecoder& decoder, std::byte* voxels)
 
 void check_jpeg(const JpegDecoder& decoder, uintmax_t file_bytes)
 {
-    constexpr double most_expansion = 4096;  // a block of 64 voxels takes about a bit
+    constexpr double kMostExpansion = 4096;  // a block of 64 voxels takes about a bit
     // Three components are colours and four are print colours. Grey has one, whatever JFIF or Adobe
     // markers say.
     if (decoder.jpeg.num_components != 1)
         throw Error(CLEFT_ERROR_FORMAT, "it has " + std::to_string(decoder.jpeg.num_components) +
                                             " numbers a voxel (colours); one is wanted");
     if (static_cast<double>(decoder.jpeg.image_width) * decoder.jpeg.image_height >
-        most_expansion * static_cast<double>(file_bytes))
+        kMostExpansion * static_cast<double>(file_bytes))
         throw Error(CLEFT_ERROR_FORMAT, "it claims more voxels than its bytes can hold");
 }
 

@@ -13,7 +13,7 @@ namespace
 // Numbers in each row of the sections that may be passed over.
 // Each row of them has a fixed number of numbers. Sections of other elements of three dimensions
 // are not here, so that they are refused.
-const std::map<std::string, int, std::less<>> rows_to_skip = {
+const std::map<std::string, int, std::less<>> kRowsToSkip = {
     {"Corners", 1},
     {"RequiredVertices", 1},
     {"Edges", 3},
@@ -71,7 +71,7 @@ MeshData read_medit(const std::string& path)
     in.integer();
     while (!in.at_end()) {
         const std::string_view section = in.word();
-        const auto skip = rows_to_skip.find(section);
+        const auto skip = kRowsToSkip.find(section);
         if (section == "End")
             break;
         if (section == "Dimension") {
@@ -81,7 +81,7 @@ MeshData read_medit(const std::string& path)
             read_vertices(in, mesh);
         } else if (section == "Tetrahedra") {
             read_tetrahedra(in, mesh);
-        } else if (skip != rows_to_skip.end()) {
+        } else if (skip != kRowsToSkip.end()) {
             const int64_t count = in.count(2, "rows");
             for (int64_t i = 0; i < count * skip->second; ++i)
                 in.real();

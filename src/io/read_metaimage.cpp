@@ -36,7 +36,7 @@ MetaHeader read_meta_header(const std::string& path)
     while (header.fields.count("ElementDataFile") == 0) {
         if (!source.next_line(line))
             throw Error(CLEFT_ERROR_FORMAT, "its header has no field 'ElementDataFile', or is cut short");
-        if (source.position() > longest_text_header)
+        if (source.position() > kLongestTextHeader)
             throw Error(CLEFT_ERROR_FORMAT, "its header has no end");
         if (trimmed(line).empty())
             continue;
@@ -290,7 +290,7 @@ VoxelData data_of(const std::string& path, const MetaHeader& header, const std::
 // Fields that change nothing about voxels and places.
 void note_other_fields(const Fields& fields, Image& image)
 {
-    // Fields of MetaIO that say nothing of voxels, and those that are read above. Others are told,
+    // Fields of MetaIO that say nothing of voxels, and those that are read above. Others are reported,
     // as they may be misspelt.
     static const std::set<std::string> known{"ObjectType",
                                              "ObjectSubType",

@@ -15,15 +15,15 @@ namespace
 {
 
 // Offsets are those of the words of MRC2014 (Cheng et al., 2015), four bytes each and counted from 1: word 53 is MAP.
-constexpr size_t mrc_header_bytes = 1024;
-constexpr size_t mark_place = 208;
+constexpr size_t kMrcHeaderBytes = 1024;
+constexpr size_t kMarkPlace = 208;
 // "IMOD" in word 39: the flags in word 40 are then those of IMOD, whose first bit is for signed bytes.
-constexpr int32_t imod_stamp = 1146047817;
+constexpr int32_t kImodStamp = 1146047817;
 
 // Bytes are signed since 2014; before, and in files of IMOD that do not say so, they are not.
 bool has_signed_bytes(const BinaryHeader& header)
 {
-    if (header.at<int32_t>(152) == imod_stamp)
+    if (header.at<int32_t>(152) == kImodStamp)
         return header.at<int32_t>(156) & 1;
     // NVERSION: the year times 10 and the version within it. Before MRC2014 it is 0 or noise.
     const auto version = header.at<int32_t>(108);
@@ -81,7 +81,7 @@ void set_place(const BinaryHeader& header, Image& image)
         if (image.spacing[axis] < 0)
             refuse_field("CELLA", std::to_string(extent), "it must be positive");
         // ORIGIN, words 50 to 52, in angstroms. NXSTART and its kin give the place in voxels, in
-        // older files. Programs disagree about them, so they are told and not used.
+        // older files. Programs disagree about them, so they are reported and not used.
         image.origin[axis] = static_cast<double>(header.at<float>(196 + 4 * axis));
         if (header.at<int32_t>(16 + 4 * axis) != 0 && image.origin[axis] == 0)
             image.notes.push_back("its first voxel has the number " +
@@ -94,14 +94,14 @@ void set_place(const BinaryHeader& header, Image& image)
 
 bool is_mrc(const FileHead& head)
 {
-    return !head.gzip && head.content.size() >= mrc_header_bytes && head.text().substr(mark_place, 3) == "MAP";
+    return !head.gzip && head.content.size() >= kMrcHeaderBytes && head.text().substr(kMarkPlace, 3) == "MAP";
 }
 
 Image read_mrc(const std::string& path, const FileHead& head)
 {
     // MACHST, word 54: 0x44 for little-endian and 0x11 for big-endian. 0 is what old programs
     // leave.
-    const unsigned char stamp = head.content[mark_place + 4];
+    const unsigned char stamp = head.content[kMarkPlace + 4];
     if (stamp != 0x44 && stamp != 0x11 && stamp != 0)
         refuse_field("MACHST", std::to_string(stamp), "the order of bytes is not known");
     const BinaryHeader header(head.content, stamp == 0x11);
@@ -122,7 +122,7 @@ Image read_mrc(const std::string& path, const FileHead& head)
     data.big_endian = stamp == 0x11;
     data.attached = true;
     data.files = {path};
-    data.skip = static_cast<int64_t>(mrc_header_bytes) + extension;
+    data.skip = static_cast<int64_t>(kMrcHeaderBytes) + extension;
     read_voxels(data, image);
     // Only such bytes differ between the two readings of mode 0, so only they need a warning.
     const auto is_high = [](std::byte byte) { return byte >= std::byte{128}; };

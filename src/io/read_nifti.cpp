@@ -67,12 +67,12 @@ bool is_voxels_of_pair(const std::string& extension) { return extension == ".img
 NiftiHeader read_nifti_header(const std::string& path)
 {
     ByteSource source(path, coding_of(path));
-    std::vector<unsigned char> bytes(nifti2_header_bytes);
+    std::vector<unsigned char> bytes(kNifti2HeaderBytes);
     bytes.resize(source.read_some(bytes.data(), bytes.size()));
     // The name says NIfTI, so a short file is called cut short and not unknown.
-    if (bytes.size() < nifti1_header_bytes)
+    if (bytes.size() < kNifti1HeaderBytes)
         throw Error(CLEFT_ERROR_FORMAT, "it has " + counted(static_cast<int64_t>(bytes.size()), "byte") +
-                                            "; a header of NIfTI has " + std::to_string(nifti1_header_bytes));
+                                            "; a header of NIfTI has " + std::to_string(kNifti1HeaderBytes));
     if (!is_nifti_header(bytes.data(), bytes.size()))
         throw Error(CLEFT_ERROR_FORMAT, "it has no header of NIfTI or Analyze, or it is damaged");
     return parse_nifti_header(bytes.data(), bytes.size());
@@ -86,7 +86,7 @@ struct NiftiType {
 
 // DT_ codes of nifti1.h with their bits. Single bits are stored in an order that nifti1.h does not
 // define.
-constexpr NiftiType nifti_types[] = {
+constexpr NiftiType kNiftiTypes[] = {
     {2, 8, Component::uint8},      {4, 16, Component::int16},    {8, 32, Component::int32},
     {16, 32, Component::float32},  {64, 64, Component::float64}, {256, 8, Component::int8},
     {512, 16, Component::uint16},  {768, 32, Component::uint32}, {1024, 64, Component::int64},
@@ -115,7 +115,7 @@ const char* refused_type(int code)
 
 Component component_of(const NiftiHeader& header)
 {
-    for (const NiftiType& type : nifti_types) {
+    for (const NiftiType& type : kNiftiTypes) {
         if (type.code != header.datatype)
             continue;
         // The two fields must agree. Which of them is wrong cannot be known, and the voxels would
@@ -179,7 +179,7 @@ uintmax_t offset_of_voxels(const NiftiHeader& header)
 {
     // nifti1.h requires 352 bytes at least before the voxels of a single file. In a pair they may
     // begin at 0.
-    const double least = header.single_file ? static_cast<double>(header.bytes() + nifti_extension_mark) : 0;
+    const double least = header.single_file ? static_cast<double>(header.bytes() + kNiftiExtensionMark) : 0;
     const double offset = header.vox_offset;
     // NIfTI-1 stores the offset as a float, which may be NaN. 2^53 is the last whole number that a
     // double counts by ones.
@@ -204,24 +204,24 @@ int32_t number_at(const unsigned char* at, bool swapped)
 void skip_extensions(ByteSource& source, const NiftiHeader& header, uintmax_t offset)
 {
     // esize and ecode, four bytes each.
-    constexpr size_t size_and_code = 8;
-    unsigned char mark[nifti_extension_mark];
+    constexpr size_t kSizeAndCode = 8;
+    unsigned char mark[kNiftiExtensionMark];
     source.read(mark, sizeof mark);
     uintmax_t left = offset - header.bytes() - sizeof mark;
     // Each extension begins with its size (esize, a multiple of 16) and its code. Sizes are
     // followed so that a wrong vox_offset shows.
-    while (mark[0] != 0 && left >= size_and_code) {
-        unsigned char head[size_and_code];
+    while (mark[0] != 0 && left >= kSizeAndCode) {
+        unsigned char head[kSizeAndCode];
         source.read(head, sizeof head);
-        left -= size_and_code;
+        left -= kSizeAndCode;
         const int64_t size = number_at(head, header.swapped);
-        if (size < static_cast<int64_t>(size_and_code))  // filled up with zeros
+        if (size < static_cast<int64_t>(kSizeAndCode))  // filled up with zeros
             break;
-        if (static_cast<uintmax_t>(size) - size_and_code > left)
+        if (static_cast<uintmax_t>(size) - kSizeAndCode > left)
             throw Error(CLEFT_ERROR_FORMAT,
                         "an extension of its header, of " + std::to_string(size) + " bytes, runs into its voxels");
-        source.skip(static_cast<uintmax_t>(size) - size_and_code);
-        left -= static_cast<uintmax_t>(size) - size_and_code;
+        source.skip(static_cast<uintmax_t>(size) - kSizeAndCode);
+        left -= static_cast<uintmax_t>(size) - kSizeAndCode;
     }
     source.skip(left);
 }
@@ -247,7 +247,7 @@ void read_voxels(const std::string& path, const NiftiHeader& header, Image& imag
 
 // SPM keeps the place of Analyze's voxels in a file of Matlab's.
 // The matrix in it may differ from the header's. Reading MATLAB's format for it is not worth the
-// code, so it is told.
+// code, so it is reported.
 void note_spm_file(const std::string& path, Image& image)
 {
     const std::string name = without_extension(path) + ".mat";

@@ -17,7 +17,7 @@ namespace cleft::io
 namespace
 {
 
-constexpr size_t signature_bytes = 8;  // PNG specification, section 5.2
+constexpr size_t kSignatureBytes = 8;  // PNG specification, section 5.2
 
 // What libpng's calls share. libpng leaves them by longjmp, which passes over destructors: so the functions that call
 // it have none to run.
@@ -99,7 +99,7 @@ bool has_chunk(const FileHead& head, const char* type)
     const std::vector<unsigned char>& bytes = head.bytes;
     // A chunk is its length in four bytes, most significant first, its type, its data and a check
     // sum.
-    for (size_t at = signature_bytes; at + 8 <= bytes.size();) {
+    for (size_t at = kSignatureBytes; at + 8 <= bytes.size();) {
         if (std::memcmp(&bytes[at + 4], type, 4) == 0)
             return true;
         const size_t length =
@@ -113,8 +113,8 @@ bool has_chunk(const FileHead& head, const char* type)
 
 bool is_png(const FileHead& head)
 {
-    return !head.gzip && head.bytes.size() >= signature_bytes &&
-           png_sig_cmp(head.bytes.data(), 0, signature_bytes) == 0;
+    return !head.gzip && head.bytes.size() >= kSignatureBytes &&
+           png_sig_cmp(head.bytes.data(), 0, kSignatureBytes) == 0;
 }
 
 Image read_png(const std::string& path, const FileHead& head)

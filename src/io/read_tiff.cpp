@@ -39,15 +39,15 @@ std::string page_name(size_t directory) { return "the " + ordinal(static_cast<in
 // where the pages do not tell.
 void check_program(const TiffDirectory& directory)
 {
-    constexpr uint16_t zeiss = 34412;
-    constexpr uint16_t metamorph = 33629;
-    constexpr uint16_t olympus = 34361;
-    if (directory.has(zeiss))
+    constexpr uint16_t kZeiss = 34412;
+    constexpr uint16_t kMetamorph = 33629;
+    constexpr uint16_t kOlympus = 34361;
+    if (directory.has(kZeiss))
         throw Error(CLEFT_ERROR_UNSUPPORTED, "it is an LSM file of Zeiss: save its labels as a plain TIFF stack");
     // UIC2: its count is the number of planes, which all lie behind one page.
-    if (directory.count(metamorph) > 1)
+    if (directory.count(kMetamorph) > 1)
         throw Error(CLEFT_ERROR_UNSUPPORTED, "it is an STK file of MetaMorph: save its labels as a plain TIFF stack");
-    if (directory.has(olympus))
+    if (directory.has(kOlympus))
         throw Error(CLEFT_ERROR_UNSUPPORTED, "it is a FluoView file of Olympus: save its labels as a plain TIFF stack");
 }
 
@@ -77,7 +77,7 @@ TiffPageSize size_of_page(const TiffFile& file, const TiffPage& page)
 
 void read_first(TiffFile& file, const TiffDirectory& directory, const TiffPage& page, Stack& stack)
 {
-    constexpr uint16_t geo_scale = 33550;
+    constexpr uint16_t kGeoScale = 33550;
     const char* text = nullptr;
     // Programs describe the whole file in the first page alone.
     if (TIFFGetField(file.handle(), TIFFTAG_IMAGEDESCRIPTION, &text) && text)
@@ -94,7 +94,7 @@ void read_first(TiffFile& file, const TiffDirectory& directory, const TiffPage& 
         stack.notes.emplace_back("its orientation, number " +
                                  std::to_string(directory.value(TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT)) +
                                  ", is not used: rows and columns are in the order of the file");
-    if (directory.has(geo_scale))
+    if (directory.has(kGeoScale))
         stack.notes.emplace_back("the scale of its map (GeoTIFF) is not used: voxels are unit cubes");
 }
 
@@ -108,7 +108,7 @@ void add_page(TiffFile& file, size_t number, Stack& stack)
         return;
     }
     const TiffPage page = tiff_page(file, directory, stack.directories.file_bytes, page_name(number));
-    // Taken after each page, so that the warning is told of the right one. The first suffices.
+    // Taken after each page, so that the warning is about the right one. The first suffices.
     const std::string doubt = file.take_messages().warning;
     if (!doubt.empty() && stack.notes.empty())
         stack.notes.push_back("libtiff says of " + page.name + ": '" + doubt + "'");
@@ -227,7 +227,7 @@ void set_spacing(const Stack& stack, Image& image)
         image.spacing[2] = image.spacing[0];
     else if (!said.knows_third)
         guess = ", of which it does not give the last";
-    // Unit cubes are what is read without a description, too, so nothing need be told.
+    // Unit cubes are what is read without a description, too, so nothing need be reported.
     if (image.spacing != Vector3{1, 1, 1})
         image.notes.push_back(said.who + "'s size of voxels, " + text_of(image.spacing) +
                               (said.unit.empty() ? "" : " " + said.unit) + guess + ", is used");
@@ -279,10 +279,10 @@ bool is_tiff(const FileHead& head)
 Image read_tiff(const std::string& path, const FileHead&)
 {
     // libtiff needs memory for its tables beside the strips; 256 MB are more than any page needs.
-    constexpr uint64_t slack = uint64_t{1} << 28;
+    constexpr uint64_t kSlack = uint64_t{1} << 28;
     Stack stack;
     stack.directories = tiff_directories(path);
-    TiffFile file(path, stack.directories.file_bytes + slack);
+    TiffFile file(path, stack.directories.file_bytes + kSlack);
     find_slices(file, stack);
     Image image;
     const TiffPage& first = stack.pages.front();

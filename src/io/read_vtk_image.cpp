@@ -95,7 +95,7 @@ std::vector<double> coordinates(TextSource& source, bool binary, const char* fie
 
 void take_coordinates(TextSource& source, const char* field, size_t axis, Grid& grid)
 {
-    constexpr double tolerance = 1e-3;  // of a voxel
+    constexpr double kTolerance = 1e-3;  // of a voxel
     const std::vector<double> places = coordinates(source, grid.binary, field, grid.points[axis]);
     grid.origin[axis] = places.front();
     if (places.size() == 1)
@@ -103,7 +103,7 @@ void take_coordinates(TextSource& source, const char* field, size_t axis, Grid& 
     const double step = (places.back() - places.front()) / static_cast<double>(places.size() - 1);
     for (size_t i = 0; i < places.size(); ++i)
         // Coordinates of single precision are off by less. The negation also catches NaN.
-        if (!(std::abs(places[i] - places.front() - static_cast<double>(i) * step) <= tolerance * std::abs(step)))
+        if (!(std::abs(places[i] - places.front() - static_cast<double>(i) * step) <= kTolerance * std::abs(step)))
             throw Error(CLEFT_ERROR_UNSUPPORTED,
                         std::string("its rectilinear grid is not evenly spaced (") + field + "): resample it");
     // Descending coordinates give a negative step, which set_place() makes a flipped axis.
@@ -113,7 +113,7 @@ void take_coordinates(TextSource& source, const char* field, size_t axis, Grid& 
 // Takes a keyword of the geometry; false if it is none.
 bool take_geometry(TextSource& source, const std::string& keyword, bool rectilinear, Grid& grid)
 {
-    static constexpr std::array<const char*, 3> names{"X_COORDINATES", "Y_COORDINATES", "Z_COORDINATES"};
+    static constexpr std::array<const char*, 3> kNames{"X_COORDINATES", "Y_COORDINATES", "Z_COORDINATES"};
     // The keywords of the geometry may come in any order, but for coordinates, whose number must be
     // known.
     if (keyword == "DIMENSIONS") {
@@ -128,12 +128,12 @@ bool take_geometry(TextSource& source, const std::string& keyword, bool rectilin
     } else if (keyword == "FIELD") {
         skip_vtk_field(source, grid.binary);
     } else {
-        const auto found = std::find(names.begin(), names.end(), keyword);
-        if (!rectilinear || found == names.end())
+        const auto found = std::find(kNames.begin(), kNames.end(), keyword);
+        if (!rectilinear || found == kNames.end())
             return false;
         if (grid.points[0] == 0)
             throw Error(CLEFT_ERROR_FORMAT, "its DIMENSIONS must come before its coordinates");
-        take_coordinates(source, *found, static_cast<size_t>(found - names.begin()), grid);
+        take_coordinates(source, *found, static_cast<size_t>(found - kNames.begin()), grid);
     }
     return true;
 }

@@ -49,11 +49,11 @@ void check_same_grid(const VoxelGrid& grid, const VoxelGrid& other, const std::s
 {
     // Headers in single precision differ by 1e-4 of a voxel on large grids. A field that is shifted
     // by a tenth is wrong already.
-    constexpr double tolerance = 0.01;
+    constexpr double kTolerance = 0.01;
     if (grid.dims != other.dims)
         throw Error(CLEFT_ERROR_ARGUMENT,
                     "it has " + text_of(grid.dims) + " voxels, but " + name + " has " + text_of(other.dims));
-    if (greatest_shift(grid, other) > tolerance)
+    if (greatest_shift(grid, other) > kTolerance)
         throw Error(CLEFT_ERROR_ARGUMENT, "its voxels are not at the places of those of " + name);
 }
 

@@ -12,24 +12,24 @@ namespace cleft::io
 namespace
 {
 
-constexpr size_t text_buffer_bytes = size_t{1} << 16;  // pieces that fit the cache of a core
+constexpr size_t kTextBufferBytes = size_t{1} << 16;  // pieces that fit the cache of a core
 // 16 MB: NRRD may have all sizes, names of files or comments in one line. A binary file may have no line end at all.
-constexpr size_t longest_line = size_t{1} << 24;
+constexpr size_t kLongestLine = size_t{1} << 24;
 // Keywords and numbers have some tens of characters.
-constexpr size_t longest_word = 1024;
+constexpr size_t kLongestWord = 1024;
 
 // An int, as -1 stands for the end of the file. Not std::isspace(), which follows the locale.
 bool is_blank(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 }  // namespace
 
-TextSource::TextSource(const std::string& path) : source_(path, Coding::plain), buffer_(text_buffer_bytes)
+TextSource::TextSource(const std::string& path) : source_(path, Coding::plain), buffer_(kTextBufferBytes)
 {
     // position_ counts the mark, too: it is a place in the file.
-    constexpr std::string_view mark = "\xef\xbb\xbf";
+    constexpr std::string_view kMark = "\xef\xbb\xbf";
     peek_byte();
-    if (filled_ >= mark.size() && std::string_view(buffer_.data(), mark.size()) == mark)
-        position_ = at_ = mark.size();
+    if (filled_ >= kMark.size() && std::string_view(buffer_.data(), kMark.size()) == kMark)
+        position_ = at_ = kMark.size();
 }
 
 int TextSource::peek_byte()
@@ -59,7 +59,7 @@ bool TextSource::next_line(std::string& line)
         return false;
     for (; byte >= 0 && byte != '\n'; byte = next_byte()) {
         // push_back() would otherwise fill the memory with a binary file.
-        if (line.size() == longest_line)
+        if (line.size() == kLongestLine)
             throw Error(CLEFT_ERROR_FORMAT, "a line of its header has no end");
         line.push_back(static_cast<char>(byte));
     }
@@ -81,7 +81,7 @@ std::string_view TextSource::peek()
         skip_blanks();
         word_.clear();
         for (int byte = peek_byte(); byte >= 0 && !is_blank(byte); byte = peek_byte()) {
-            if (word_.size() == longest_word)
+            if (word_.size() == kLongestWord)
                 throw Error(CLEFT_ERROR_FORMAT, "there is no end to '" + word_.substr(0, 20) + "...'");
             word_.push_back(static_cast<char>(next_byte()));
         }

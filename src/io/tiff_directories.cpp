@@ -20,8 +20,8 @@ namespace
 {
 
 // libtiff counts directories in 16 bits in versions before 4.5.
-constexpr size_t most_pages = 65535;
-constexpr size_t most_tags = 1000;  // different ones in a file
+constexpr size_t kMostPages = 65535;
+constexpr size_t kMostTags = 1000;  // different ones in a file
 
 class Walker
 {
@@ -42,8 +42,8 @@ public:
             // circles is slow in older versions.
             if (!seen.insert(offset).second)
                 throw Error(CLEFT_ERROR_FORMAT, "its pages run in a circle: the file is damaged");
-            if (found_.list.size() == most_pages)
-                throw Error(CLEFT_ERROR_UNSUPPORTED, "it has more than " + std::to_string(most_pages) + " pages");
+            if (found_.list.size() == kMostPages)
+                throw Error(CLEFT_ERROR_UNSUPPORTED, "it has more than " + std::to_string(kMostPages) + " pages");
             offset = directory(offset, page);
         }
         if (found_.list.empty())
@@ -94,7 +94,7 @@ private:
         const size_t count_bytes = big_ ? 8 : 2;
         const size_t entry_bytes = big_ ? 20 : 12;
         const uint64_t entries = number(read(offset, count_bytes, page).data(), count_bytes);
-        if (entries == 0 || entries > most_tags)
+        if (entries == 0 || entries > kMostTags)
             throw Error(CLEFT_ERROR_FORMAT, page + " has " + std::to_string(entries) + " tags: the file is damaged");
         const uint64_t table_bytes = entries * entry_bytes;
         const std::vector<unsigned char> table = read(offset + count_bytes, table_bytes + (big_ ? 8 : 4), page);
@@ -109,10 +109,10 @@ private:
     {
         // Bytes of the types 1 to 12 of TIFF 6.0, 13 (IFD) and 16 to 18 of BigTIFF. 0: no such
         // type.
-        constexpr std::array<uint8_t, 19> sizes{0, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8, 4, 0, 0, 8, 8, 8};
+        constexpr std::array<uint8_t, 19> kSizes{0, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8, 4, 0, 0, 8, 8, 8};
         const size_t inline_bytes = big_ ? 8 : 4;
         const uint64_t type = number(at + 2, 2);
-        const uint64_t size = type < sizes.size() ? sizes[type] : 0;
+        const uint64_t size = type < kSizes.size() ? kSizes[type] : 0;
         TiffEntry made;
         made.tag = static_cast<uint16_t>(number(at, 2));
         made.count = number(at + 4, inline_bytes);
@@ -126,9 +126,9 @@ private:
             check_data(made, size, page);
         // libtiff keeps a description of each unknown tag, and looks for it one by one.
         tags_.insert(made.tag);
-        if (tags_.size() > most_tags)
+        if (tags_.size() > kMostTags)
             throw Error(CLEFT_ERROR_FORMAT,
-                        "it has more than " + std::to_string(most_tags) + " kinds of tags: the file is damaged");
+                        "it has more than " + std::to_string(kMostTags) + " kinds of tags: the file is damaged");
         return made;
     }
 
@@ -137,13 +137,13 @@ private:
     {
         // Some writers give all pages one description. 16 times the file is far beyond that; the
         // slack is for small files.
-        constexpr uint64_t most_shares = 16;
-        constexpr uint64_t slack = uint64_t{1} << 20;
+        constexpr uint64_t kMostShares = 16;
+        constexpr uint64_t kSlack = uint64_t{1} << 20;
         if (entry.value > found_.file_bytes || entry.count > (found_.file_bytes - entry.value) / size)
             throw Error(CLEFT_ERROR_FORMAT, "tag " + std::to_string(entry.tag) + " of " + page +
                                                 " lies behind the end of the file: the file is cut short or damaged");
         tag_bytes_ += entry.count * size;
-        if (tag_bytes_ > most_shares * found_.file_bytes + slack)
+        if (tag_bytes_ > kMostShares * found_.file_bytes + kSlack)
             throw Error(CLEFT_ERROR_FORMAT, "the tags of its pages lie over each other: the file is damaged");
     }
 

@@ -148,13 +148,13 @@ void check_samples(const TiffFile& file, unsigned photometric)
 
 void check_compression(const TiffPage& page, const TiffDirectory& directory)
 {
-    constexpr uint16_t predictor = 317;
+    constexpr uint16_t kPredictor = 317;
     if (!is_readable(page.compression))
         throw Error(CLEFT_ERROR_FORMAT, "its compression, " + compression_name(page.compression) +
                                             ", cannot be read: save it uncompressed, or by deflate or LZW");
     // Predictor (TIFF 6.0, section 14) belongs to LZW, deflate and their kin. libtiff ignores it
     // elsewhere, and then gives differences for values.
-    const bool predicts = directory.value(predictor, 1) != 1;
+    const bool predicts = directory.value(kPredictor, 1) != 1;
     if (predicts && (page.compression == COMPRESSION_NONE || page.compression == COMPRESSION_PACKBITS))
         throw Error(CLEFT_ERROR_FORMAT, "it has a predictor, but a compression that knows none");
 }

@@ -8,6 +8,7 @@
 #include "io/same_grid.hpp"
 #include "io/text_scanner.hpp"
 #include "io/voxels.hpp"
+#include "io/write_image.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,9 +50,9 @@ Image read_and_tell(cleft_context* context, const std::string& path, const cleft
     Image image = read_image_or_series(path);
     // Notes of the reader first: they explain the geometry that the next ones speak of.
     for (const std::string& note : image.notes)
-        tell(context, "'" + path + "': " + note);
+        report(context, "'" + path + "': " + note);
     for (const std::string& note : notes_on_spacing(image, reading))
-        tell(context, "'" + path + "': " + note);
+        report(context, "'" + path + "': " + note);
     return image;
 }
 

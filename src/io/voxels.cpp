@@ -82,13 +82,13 @@ double spacing_along(size_t axis, const Image& image, const cleft_io_reading& re
 void check_directions(const Image& image)
 {
     // Of directions of length 1. Less is rounding of axes that lie in one plane.
-    constexpr double least_volume = 1e-6;
+    constexpr double kLeastVolume = 1e-6;
     for (size_t row = 0; row < 3; ++row)
         if (!std::isfinite(image.origin[row]))
             throw Error(CLEFT_ERROR_FORMAT, "its origin is not finite");
     // A volume that is NaN fails the comparison.
     const double volume = dot(cross(image.directions[0], image.directions[1]), image.directions[2]);
-    if (!(std::abs(volume) > least_volume))
+    if (!(std::abs(volume) > kLeastVolume))
         throw Error(CLEFT_ERROR_FORMAT, "the directions of its axes lie in a plane");
 }
 
@@ -123,14 +123,14 @@ std::array<double, 12> affine_of(const Image& image, const cleft_io_reading& rea
 std::vector<std::string> notes_on_spacing(const Image& image, const cleft_io_reading& reading)
 {
     // Units differ by factors of ten and more. A spacing that differs by less is a correction.
-    constexpr double another_unit = 9;
+    constexpr double kAnotherUnit = 9;
     double greatest = 1;  // factor between the spacing wanted and the file's, either way
     for (size_t axis = 0; axis < 3; ++axis)
         if (reading.spacing[axis] > 0 && image.spacing[axis] > 0) {
             const double factor = reading.spacing[axis] / (reading.scale * image.spacing[axis]);
             greatest = std::max({greatest, factor, 1 / factor});
         }
-    if (reading.scale != 1 && greatest > another_unit)
+    if (reading.scale != 1 && greatest > kAnotherUnit)
         return {"the spacing asked for is taken as it is, and not multiplied by the scale " +
                 number_text(reading.scale) + ": it differs from the file's by a factor of " + number_text(greatest)};
     // An origin of 0 stays right in any unit.

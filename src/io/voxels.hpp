@@ -10,7 +10,7 @@ namespace cleft::io
 // The affine map from voxel indices to the wanted world, with a scale that is not 0. Throws if it would flatten the
 // volume.
 std::array<double, 12> affine_of(const Image& image, const cleft_io_reading& reading);
-// What is to be told where the caller's spacing replaces the file's: the origin does not follow.
+// What is to be reported where the caller's spacing replaces the file's: the origin does not follow.
 std::vector<std::string> notes_on_spacing(const Image& image, const cleft_io_reading& reading);
 // The same map taken apart again, back in ITK's world.
 void set_geometry(std::array<double, 12> affine, cleft_io_world world, Image& image);

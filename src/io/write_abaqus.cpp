@@ -55,10 +55,10 @@ void write_node_set(const MeshView& mesh, const Set& set, std::vector<int32_t>& 
     // A point lies at about six triangles, so the file would name it six times.
     scratch.erase(std::unique(scratch.begin(), scratch.end()), scratch.end());
     // *NSET takes at most 16 entries a line.
-    constexpr size_t per_line = 16;
+    constexpr size_t kPerLine = 16;
     file.print("*NSET, NSET=", set.name, '\n');
     for (size_t i = 0; i < scratch.size(); ++i) {
-        const bool ends = i + 1 == scratch.size() || i % per_line == per_line - 1;
+        const bool ends = i + 1 == scratch.size() || i % kPerLine == kPerLine - 1;
         file.print(scratch[i] + int64_t{1}, ends ? '\n' : ',');
     }
 }

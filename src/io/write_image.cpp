@@ -1,5 +1,7 @@
 // Writes fields of float as volumes: NRRD, MetaImage, legacy VTK; NIfTI has a file of its own. What a format cannot
 // hold is refused.
+#include "io/write_image.hpp"
+
 #include "base/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/file_name.hpp"
@@ -26,9 +28,9 @@ enum class Wrapping { gzip, zlib };
 std::string compressed(const Image& image, Wrapping wrapping)
 {
     // The default of zlib and of libdeflate.
-    constexpr int level = 6;
+    constexpr int kLevel = 6;
     const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
-        libdeflate_alloc_compressor(level), libdeflate_free_compressor);
+        libdeflate_alloc_compressor(kLevel), libdeflate_free_compressor);
     if (!compressor)
         throw std::bad_alloc();
     const bool gzip = wrapping == Wrapping::gzip;
@@ -89,16 +91,16 @@ void write_metaimage(AtomicFile& file, const Image& image)
 void write_vtk_volume(AtomicFile& file, const Image& image)
 {
     // Big-endian copies of 256 kB, so that the field is not held twice.
-    constexpr size_t chunk = size_t{1} << 18;
+    constexpr size_t kChunk = size_t{1} << 18;
     file.print("# vtk DataFile Version 3.0\nCleft sizing field\nBINARY\nDATASET STRUCTURED_POINTS\nDIMENSIONS ");
     print_sizes(file, image);
     file.print("ORIGIN ", image.origin[0], ' ', image.origin[1], ' ', image.origin[2], "\nSPACING ", image.spacing[0],
                ' ', image.spacing[1], ' ', image.spacing[2], "\nPOINT_DATA ", image.field_size(),
                "\nSCALARS size float 1\nLOOKUP_TABLE default\n");
     std::vector<std::byte> swapped;
-    for (size_t begin = 0; begin < image.bytes(); begin += chunk) {
+    for (size_t begin = 0; begin < image.bytes(); begin += kChunk) {
         const std::byte* from = image.voxels.get() + begin;
-        swapped.assign(from, from + std::min(chunk, image.bytes() - begin));
+        swapped.assign(from, from + std::min(kChunk, image.bytes() - begin));
         swap_bytes(swapped.data(), swapped.size() / sizeof(float), sizeof(float));
         file.write(swapped.data(), swapped.size());
     }
@@ -108,14 +110,14 @@ void write_vtk_volume(AtomicFile& file, const Image& image)
 void check_geometry(const Image& image, const std::string& extension)
 {
     // Directions come out of a division and are off by rounding.
-    constexpr double tolerance = 1e-6;
+    constexpr double kTolerance = 1e-6;
     bool turned = false;
     bool sheared = false;
     for (size_t axis = 0; axis < 3; ++axis) {
         // Structured points have axes along x, y and z only. MetaImage has directions, which ITK
         // wants at right angles.
-        turned = turned || image.directions[axis][axis] < 1 - tolerance;
-        sheared = sheared || std::abs(dot(image.directions[axis], image.directions[(axis + 1) % 3])) > tolerance;
+        turned = turned || image.directions[axis][axis] < 1 - kTolerance;
+        sheared = sheared || std::abs(dot(image.directions[axis], image.directions[(axis + 1) % 3])) > kTolerance;
     }
     turned = turned || sheared;
     if ((extension == ".vtk" && turned) || (extension == ".mha" && sheared))

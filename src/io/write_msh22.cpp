@@ -17,13 +17,13 @@ void write_msh22_elements(const MeshView& mesh, AtomicFile& file)
             const int32_t* c = group.triangles + 3 * t;
             // " 2 ": two tags follow, physical group and entity. Elements are numbered through both
             // kinds, as no two may have the same number.
-            file.print(++element, ' ', gmsh_triangle, " 2 ", group.number, ' ', group.number, ' ', c[0] + int64_t{1},
+            file.print(++element, ' ', kGmshTriangle, " 2 ", group.number, ' ', group.number, ' ', c[0] + int64_t{1},
                        ' ', c[1] + int64_t{1}, ' ', c[2] + int64_t{1}, '\n');
         }
     for (int64_t t = 0; t < mesh.tet_count; ++t) {
         const int32_t* c = mesh.tets + 4 * t;
         const int32_t volume = mesh.volume_numbers[mesh.label_index(mesh.tet_labels[t])];
-        file.print(++element, ' ', gmsh_tetrahedron, " 2 ", volume, ' ', volume, ' ', c[0] + int64_t{1}, ' ',
+        file.print(++element, ' ', kGmshTetrahedron, " 2 ", volume, ' ', volume, ' ', c[0] + int64_t{1}, ' ',
                    c[1] + int64_t{1}, ' ', c[2] + int64_t{1}, ' ', c[3] + int64_t{1}, '\n');
     }
     file.print("$EndElements\n");

@@ -165,13 +165,13 @@ void write_elements(const MeshView& mesh, const Entities& entities, AtomicFile& 
         file.binary(number);
     size_t element = 0;
     for (const SurfaceGroup& group : mesh.groups) {
-        file.binary(std::array<int32_t, 3>{2, group.number, gmsh_triangle});
+        file.binary(std::array<int32_t, 3>{2, group.number, kGmshTriangle});
         file.binary(static_cast<size_t>(group.count));
         for (int64_t t = 0; t < group.count; ++t)
             write_element(file, ++element, group.triangles + 3 * t, 3);
     }
     for (size_t v = 0; v < entities.tets.size(); ++v) {
-        file.binary(std::array<int32_t, 3>{3, mesh.volume_numbers[v], gmsh_tetrahedron});
+        file.binary(std::array<int32_t, 3>{3, mesh.volume_numbers[v], kGmshTetrahedron});
         file.binary(entities.tets[v].size());
         for (const int64_t t : entities.tets[v])
             write_element(file, ++element, mesh.tets + 4 * t, 4);

@@ -19,7 +19,7 @@ namespace
 {
 
 // 352, the least vox_offset that nifti1.h allows in a single file.
-constexpr size_t voxel_offset = nifti1_header_bytes + nifti_extension_mark;
+constexpr size_t kVoxelOffset = kNifti1HeaderBytes + kNiftiExtensionMark;
 
 template <class T>
 void put(std::string& header, size_t offset, T value)
@@ -59,9 +59,9 @@ std::array<double, 3> quaternion_of(const std::array<Vector3, 3>& axes)
 bool is_sheared(const Image& image)
 {
     // Directions come out of a division and are off by rounding.
-    constexpr double tolerance = 1e-6;
+    constexpr double kTolerance = 1e-6;
     for (size_t axis = 0; axis < 3; ++axis)
-        if (std::abs(dot(image.directions[axis], image.directions[(axis + 1) % 3])) > tolerance)
+        if (std::abs(dot(image.directions[axis], image.directions[(axis + 1) % 3])) > kTolerance)
             return true;
     return false;
 }
@@ -101,9 +101,9 @@ void put_geometry(const Image& image, std::string& header)
 std::string header_of(const Image& image)
 {
     // DT_FLOAT32
-    constexpr int16_t float32 = 16;
-    std::string header(voxel_offset, '\0');
-    put(header, 0, static_cast<int32_t>(nifti1_header_bytes));
+    constexpr int16_t kFloat32 = 16;
+    std::string header(kVoxelOffset, '\0');
+    put(header, 0, static_cast<int32_t>(kNifti1HeaderBytes));
     // dim[0]. Fields of nifti1.h that are not set below stay 0.
     put(header, 40, int16_t{3});
     for (size_t axis = 0; axis < 7; ++axis) {
@@ -115,9 +115,9 @@ std::string header_of(const Image& image)
         put(header, 42 + 2 * axis, static_cast<int16_t>(count));
         put(header, 80 + 4 * axis, axis < 3 ? static_cast<float>(image.spacing[axis]) : 1.0F);
     }
-    put(header, 70, float32);
+    put(header, 70, kFloat32);
     put(header, 72, int16_t{32});
-    put(header, 108, static_cast<float>(voxel_offset));
+    put(header, 108, static_cast<float>(kVoxelOffset));
     put(header, 112, 1.0F);  // scl_slope
     put_geometry(image, header);
     header.replace(344, 4, std::string("n+1", 4));
@@ -129,9 +129,9 @@ std::string gzip(const std::string& header, const Image& image)
     std::string bytes = header;
     bytes.append(reinterpret_cast<const char*>(image.voxels.get()), image.bytes());
     // The default of zlib and of libdeflate.
-    constexpr int level = 6;
+    constexpr int kLevel = 6;
     const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
-        libdeflate_alloc_compressor(level), libdeflate_free_compressor);
+        libdeflate_alloc_compressor(kLevel), libdeflate_free_compressor);
     if (!compressor)
         throw std::bad_alloc();
     std::string packed(libdeflate_gzip_compress_bound(compressor.get(), bytes.size()), '\0');

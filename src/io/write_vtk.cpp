@@ -7,7 +7,7 @@ namespace cleft::io
 
 void write_vtk(const MeshView& mesh, const std::string& path)
 {
-    constexpr int vtk_tetra = 10;
+    constexpr int kVtkTetra = 10;
     AtomicFile file(path);
     // Version 3.0 and not 5.1, whose OFFSETS many programs do not know.
     file.print("# vtk DataFile Version 3.0\ncleft\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS ", mesh.point_count,
@@ -24,7 +24,7 @@ void write_vtk(const MeshView& mesh, const std::string& path)
     }
     file.print("CELL_TYPES ", mesh.tet_count, '\n');
     for (int64_t t = 0; t < mesh.tet_count; ++t)
-        file.print(vtk_tetra, '\n');
+        file.print(kVtkTetra, '\n');
     file.print("CELL_DATA ", mesh.tet_count, "\nSCALARS material int 1\nLOOKUP_TABLE default\n");
     for (int64_t t = 0; t < mesh.tet_count; ++t)
         file.print(mesh.tet_labels[t], '\n');

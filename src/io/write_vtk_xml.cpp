@@ -18,15 +18,15 @@ namespace
 
 template <class T>
 // Arrays are of the four types below; the names are those of VTK.
-constexpr const char* vtk_type = nullptr;
+constexpr const char* kVtkType = nullptr;
 template <>
-constexpr const char* vtk_type<double> = "Float64";
+constexpr const char* kVtkType<double> = "Float64";
 template <>
-constexpr const char* vtk_type<int64_t> = "Int64";
+constexpr const char* kVtkType<int64_t> = "Int64";
 template <>
-constexpr const char* vtk_type<int32_t> = "Int32";
+constexpr const char* kVtkType<int32_t> = "Int32";
 template <>
-constexpr const char* vtk_type<uint8_t> = "UInt8";
+constexpr const char* kVtkType<uint8_t> = "UInt8";
 
 // Gathers the compressed arrays, as their places must be known before the first byte is written.
 class AppendedArrays
@@ -38,7 +38,7 @@ public:
     template <class T>
     std::string add(const std::string& name, const T* values, int64_t count, int components = 1)
     {
-        std::string element = std::string("<DataArray type=\"") + vtk_type<T> + "\" Name=\"" + name +
+        std::string element = std::string("<DataArray type=\"") + kVtkType<T> + "\" Name=\"" + name +
                               "\" NumberOfComponents=\"" + std::to_string(components) +
                               "\" format=\"appended\" offset=\"" + std::to_string(offset_) + "\"/>\n";
         arrays_.push_back(compress_blocks(values, static_cast<size_t>(count) * sizeof(T), threads_));
@@ -112,8 +112,8 @@ void write_file(const std::string& path, const std::string& type, const std::str
 
 void write_vtu(const MeshView& mesh, const std::string& path, int threads)
 {
-    constexpr uint8_t vtk_tetra = 10;
-    const std::vector<uint8_t> types(static_cast<size_t>(mesh.tet_count), vtk_tetra);
+    constexpr uint8_t kVtkTetra = 10;
+    const std::vector<uint8_t> types(static_cast<size_t>(mesh.tet_count), kVtkTetra);
     AppendedArrays arrays(threads);
     std::string piece = "<Piece NumberOfPoints=\"" + std::to_string(mesh.point_count) + "\" NumberOfCells=\"" +
                         std::to_string(mesh.tet_count) + "\">\n";

@@ -12,17 +12,17 @@ namespace
 {
 
 // The five entities that XML 1.0, section 4.6 defines.
-constexpr std::pair<char, std::string_view> entities[] = {
+constexpr std::pair<char, std::string_view> kEntities[] = {
     {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&apos;"}};
 
-constexpr const char* xml_blanks = " \t\r\n";
+constexpr const char* kXmlBlanks = " \t\r\n";
 
 // name="value" or name='value', any number of them.
 std::map<std::string, std::string> parse_attributes(std::string_view text)
 {
     std::map<std::string, std::string> attributes;
     for (size_t at = 0;;) {
-        at = text.find_first_not_of(xml_blanks, at);
+        at = text.find_first_not_of(kXmlBlanks, at);
         const size_t equals = text.find('=', at);
         // A damaged attribute ends the list. What is missing is then refused by who asks for it.
         if (at == std::string_view::npos || equals == std::string_view::npos)
@@ -32,7 +32,7 @@ std::map<std::string, std::string> parse_attributes(std::string_view text)
         if (close == std::string_view::npos)
             return attributes;
         std::string name(text.substr(at, equals - at));
-        name.erase(name.find_last_not_of(xml_blanks) + 1);
+        name.erase(name.find_last_not_of(kXmlBlanks) + 1);
         attributes[name] = from_xml(text.substr(open + 1, close - open - 1));
         at = close + 1;
     }
@@ -45,8 +45,8 @@ std::string to_xml(std::string_view text)
     std::string out;
     for (const char c : text) {
         const auto* entity =
-            std::find_if(std::begin(entities), std::end(entities), [c](const auto& e) { return e.first == c; });
-        if (entity != std::end(entities))
+            std::find_if(std::begin(kEntities), std::end(kEntities), [c](const auto& e) { return e.first == c; });
+        if (entity != std::end(kEntities))
             out += entity->second;
         else
             out += c;
@@ -58,11 +58,11 @@ std::string from_xml(std::string_view text)
 {
     std::string out;
     while (!text.empty()) {
-        const auto* entity = std::find_if(std::begin(entities), std::end(entities), [text](const auto& e) {
+        const auto* entity = std::find_if(std::begin(kEntities), std::end(kEntities), [text](const auto& e) {
             return text.substr(0, e.second.size()) == e.second;
         });
         // Numeric entities stay as they are: VTK's writers hardly use them.
-        const bool found = entity != std::end(entities);
+        const bool found = entity != std::end(kEntities);
         out += found ? entity->first : text.front();
         text.remove_prefix(found ? entity->second.size() : 1);
     }
