@@ -2,9 +2,9 @@
 // out the time.
 #pragma once
 
+#include "base/assert.hpp"
 #include "base/stage_timer.hpp"
 
-#include <cassert>
 #include <utility>
 #include <vector>
 
@@ -31,7 +31,7 @@ public:
     // The run of the step that begins now. A step with a name reports it.
     Run next()
     {
-        assert(at_ < steps_.size());
+        CLEFT_ASSERT(at_ < steps_.size());
         const Step step = steps_[at_++];
         const double begin = done_ / all_, share = step.share / all_;
         done_ += step.share;

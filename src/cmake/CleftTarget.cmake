@@ -14,6 +14,7 @@ function(cleft_compile_settings target)
         $<$<AND:$<BOOL:${unity}>,$<COMPILE_LANG_AND_ID:CXX,GNU>>:-Wno-subobject-linkage>)
     # errno is never read after a mathematical function: let sqrt be an instruction.
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O3 -fno-math-errno>)
+    target_compile_definitions(${target} PRIVATE $<$<BOOL:${CLEFT_ASSERTIONS}>:CLEFT_ASSERTIONS>)
     if(CLEFT_SANITIZE)
         target_compile_options(${target} PRIVATE -fsanitize=${CLEFT_SANITIZE} -fno-omit-frame-pointer
             -fno-sanitize-recover=all)
