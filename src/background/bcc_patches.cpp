@@ -10,11 +10,11 @@ namespace cleft
 namespace
 {
 
-using Index = std::array<int32_t, 3>;
+using Index = FixedArray<int32_t, 3>;
 
-size_t flat(const Index& i, const Index& dims)
+int64_t flat(const Index& i, const Index& dims)
 {
-    return static_cast<size_t>(i[0] + int64_t{dims[0]} * (i[1] + int64_t{dims[1]} * i[2]));
+    return i[0] + int64_t{dims[0]} * (i[1] + int64_t{dims[1]} * i[2]);
 }
 
 Index corner_dims(const Index& cells) { return {cells[0] + 1, cells[1] + 1, cells[2] + 1}; }
@@ -23,10 +23,8 @@ Index corner_dims(const Index& cells) { return {cells[0] + 1, cells[1] + 1, cell
 Vec3 position(const BccPatches& lattice, const Index& i, double shift)
 {
     Vec3 x;
-    for (size_t a = 0; a < 3; ++a) {
-        const auto axis = static_cast<int>(a);
-        x[axis] = i[a] == lattice.cells[a] ? lattice.extent[axis] : (i[a] + shift) * lattice.cell[axis];
-    }
+    for (int a = 0; a < 3; ++a)
+        x[a] = i[a] == lattice.cells[a] ? lattice.extent[a] : (i[a] + shift) * lattice.cell[a];
     return x;
 }
 
@@ -36,8 +34,8 @@ Index nearest(const BccPatches& lattice, const Vec3& x, double shift, double& di
     const int32_t beyond = shift > 0 ? 1 : 0;
     Index i;
     distance = 0;
-    for (size_t a = 0; a < 3; ++a) {
-        const double u = x[static_cast<int>(a)] / lattice.cell[static_cast<int>(a)] - shift;
+    for (int a = 0; a < 3; ++a) {
+        const double u = x[a] / lattice.cell[a] - shift;
         i[a] = std::clamp(static_cast<int32_t>(std::lround(u)), 0, lattice.cells[a] - beyond);
         distance += (u - i[a]) * (u - i[a]);
     }
@@ -58,10 +56,10 @@ bool is_constant_near(const SizeSampler& size, const Vec3& x, double constant, c
     return true;
 }
 
-void mark_used(std::vector<uint8_t>& used, const Index& dims, const BccPatches& lattice, double shift,
+void mark_used(Array<uint8_t>& used, const Index& dims, const BccPatches& lattice, double shift,
                const SizeSampler& size, double constant, const Run& run)
 {
-    used.assign(static_cast<size_t>(int64_t{dims[0]} * dims[1] * dims[2]), 0);
+    used.assign(int64_t{dims[0]} * dims[1] * dims[2], 0);
     parallel_for(run, int64_t{dims[1]} * dims[2], 64, [&](int64_t begin, int64_t end) {
         for (int64_t row = begin; row < end; ++row) {
             Index i{0, static_cast<int32_t>(row % dims[1]), static_cast<int32_t>(row / dims[1])};
@@ -72,7 +70,7 @@ void mark_used(std::vector<uint8_t>& used, const Index& dims, const BccPatches& 
 }
 
 template <class Visit>
-void for_each_used(const std::vector<uint8_t>& used, const Index& dims, const Visit& visit)
+void for_each_used(const Array<uint8_t>& used, const Index& dims, const Visit& visit)
 {
     Index i;
     for (i[2] = 0; i[2] < dims[2]; ++i[2])
@@ -86,9 +84,7 @@ void for_each_used(const std::vector<uint8_t>& used, const Index& dims, const Vi
 
 bool BccPatches::fill_the_box() const
 {
-    const auto all = [](const std::vector<uint8_t>& used) {
-        return std::find(used.begin(), used.end(), 0) == used.end();
-    };
+    const auto all = [](const Array<uint8_t>& used) { return std::find(used.begin(), used.end(), 0) == used.end(); };
     return !empty() && all(corner_used) && all(centre_used);
 }
 
@@ -109,7 +105,7 @@ void BccPatches::add_particles(ParticleSet& out) const
         return;
     for_each_used(corner_used, corner_dims(cells), [&](const Index& i) {
         Walls walls = 0;
-        for (size_t a = 0; a < 3; ++a)
+        for (int a = 0; a < 3; ++a)
             if (i[a] == 0 || i[a] == cells[a])
                 walls = static_cast<Walls>(walls | 1 << a);
         if (wall_count(walls) < 3)
@@ -134,9 +130,9 @@ Index cells_between_walls(const Vec3& extent, double wanted)
         Index cells{};
         double misfit = 0;
         bool fits = true;
-        for (size_t a = 0; a < 3; ++a) {
-            const double count = std::max(1.0, std::floor(exact[static_cast<int>(a)]) + (choice >> a & 1));
-            const double stretch = exact[static_cast<int>(a)] / count;
+        for (int a = 0; a < 3; ++a) {
+            const double count = std::max(1.0, std::floor(exact[a]) + (choice >> a & 1));
+            const double stretch = exact[a] / count;
             fits = fits && std::abs(stretch - 1) <= kStretch;
             misfit += std::log(stretch);
             cells[a] = static_cast<int32_t>(std::min(count, 1e9));
@@ -160,8 +156,8 @@ BccPatches constant_size_patches(const SizingField& field, const SizeSampler& si
     const Index cells = cells_between_walls(lattice.extent, wanted);
     if (cells[0] == 0)
         return {};
-    for (size_t a = 0; a < 3; ++a)
-        lattice.cell[static_cast<int>(a)] = lattice.extent[static_cast<int>(a)] / cells[a];
+    for (int a = 0; a < 3; ++a)
+        lattice.cell[a] = lattice.extent[a] / cells[a];
     lattice.cells = cells;
     mark_used(lattice.corner_used, corner_dims(cells), lattice, 0, size, greatest, run);
     mark_used(lattice.centre_used, cells, lattice, 0.5, size, greatest, run);

@@ -4,19 +4,18 @@
 
 #include "background/charge.hpp"
 #include "background/particle_set.hpp"
+#include "base/array.hpp"
+#include "base/fixed_array.hpp"
 #include "base/run.hpp"
-
-#include <array>
-#include <vector>
 
 namespace cleft
 {
 
 struct BccPatches {
-    std::array<int32_t, 3> cells{0, 0, 0};  // of the whole lattice; zero: there is no lattice
+    FixedArray<int32_t, 3> cells{0, 0, 0};  // of the whole lattice; zero: there is no lattice
     Vec3 cell{1, 1, 1};
     Vec3 extent{0, 0, 0};
-    std::vector<uint8_t> corner_used, centre_used;
+    Array<uint8_t> corner_used, centre_used;
 
     bool empty() const { return cells[0] == 0; }
     bool fill_the_box() const;  // every point is used

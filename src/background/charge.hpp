@@ -5,6 +5,7 @@
 // particle on a wall belongs to the box by one half (on an edge of the box by a quarter, in a corner by an eighth).
 #pragma once
 
+#include "base/fixed_array.hpp"
 #include "base/mix.hpp"
 #include "sizing/sizing_field.hpp"
 
@@ -30,16 +31,16 @@ class SizeSampler
 public:
     struct Table {
         const float* h;
-        std::array<float, 3> walls{};     // the far ones, in voxels
-        std::array<int32_t, 3> last{};    // the greatest lower corner
-        std::array<int32_t, 3> stride{};  // 0 where there is one voxel only
+        FixedArray<float, 3> walls{};     // the far ones, in voxels
+        FixedArray<int32_t, 3> last{};    // the greatest lower corner
+        FixedArray<int32_t, 3> stride{};  // 0 where there is one voxel only
     };
 
     explicit SizeSampler(const SizingField& field)
         : extent_(field.grid.extent()), inverse_spacing_(field.grid.spacing.cwiseInverse()), table_{field.h.data()}
     {
         int32_t stride = 1;  // a sizing field has less than 2^31 voxels
-        for (size_t a = 0; a < 3; ++a) {
+        for (int a = 0; a < 3; ++a) {
             const int32_t cells = field.grid.dims[a];
             table_.walls[a] = static_cast<float>(cells) - 0.5F;
             table_.last[a] = std::max(0, cells - 2);
@@ -65,10 +66,10 @@ public:
     }
     float at_voxel(const Eigen::Array3f& u) const
     {
-        std::array<float, 3> t;
+        FixedArray<float, 3> t;
         const float* corner = table_.h;
-        for (size_t a = 0; a < 3; ++a) {
-            const float v = std::max(0.0F, std::min(u[static_cast<int>(a)], table_.walls[a]));
+        for (int a = 0; a < 3; ++a) {
+            const float v = std::max(0.0F, std::min(u[a], table_.walls[a]));
             const int32_t voxel = std::min(static_cast<int32_t>(v), table_.last[a]);
             t[a] = std::min(v - static_cast<float>(voxel), 1.0F);
             corner += voxel * table_.stride[a];

@@ -6,8 +6,7 @@
 #include "background/hilbert.hpp"
 #include "background/particle_set.hpp"
 #include "background/random.hpp"
-
-#include <vector>
+#include "base/array.hpp"
 
 namespace cleft
 {
@@ -79,10 +78,10 @@ void walk_cells(const BoxPart<D>& part, const SizeSampler& size, const CurveCell
 
 // Runs of the curve for parallel work.
 template <size_t D>
-std::vector<CurveCell<D>> curve_tasks(const BoxPart<D>& part, const SizeSampler& size, uint64_t variation)
+Array<CurveCell<D>> curve_tasks(const BoxPart<D>& part, const SizeSampler& size, uint64_t variation)
 {
     constexpr double kTaskSize = 8;
-    std::vector<CurveCell<D>> tasks;
+    Array<CurveCell<D>> tasks;
     walk_cells(part, size, root_cell(part, size.extent(), variation), kTaskSize,
                [&](const CurveCell<D>& cell, double) { tasks.push_back(cell); });
     return tasks;

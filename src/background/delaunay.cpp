@@ -19,7 +19,7 @@ namespace cleft
 namespace
 {
 
-void check_points(const std::vector<Vec3>& points)
+void check_points(const Array<Vec3>& points)
 {
     if (points.size() < 4)
         throw Error(CLEFT_ERROR_ARGUMENT,
@@ -33,7 +33,7 @@ void check_points(const std::vector<Vec3>& points)
 }
 
 // Three corners of the widest triangle met, then any point off its plane (exactly).
-bool all_in_one_plane(const std::vector<Vec3>& points)
+bool all_in_one_plane(const Array<Vec3>& points)
 {
     const Vec3& a = points[0];
     const auto farthest = [&](const auto& measure) {
@@ -53,7 +53,7 @@ bool all_in_one_plane(const std::vector<Vec3>& points)
 
 // TetGen's predicates multiply up to five coordinates: keep the products far from overflow and underflow. A power of
 // two, so that the scaling is exact.
-double safe_scale(const std::vector<Vec3>& points)
+double safe_scale(const Array<Vec3>& points)
 {
     double greatest = 0;
     for (const Vec3& p : points)
@@ -62,7 +62,7 @@ double safe_scale(const std::vector<Vec3>& points)
 }
 
 // TetGen keeps its error bounds in global variables.
-std::vector<Tet> run_tetgen_alone(std::vector<Vec3>& scaled, const Run& run)
+Array<Tet> run_tetgen_alone(Array<Vec3>& scaled, const Run& run)
 {
     static std::mutex one_at_a_time;
     const std::lock_guard<std::mutex> lock(one_at_a_time);
@@ -72,26 +72,26 @@ std::vector<Tet> run_tetgen_alone(std::vector<Vec3>& scaled, const Run& run)
 
 // Cospherical points in a plane of the hull may be joined by a tetrahedron of no volume that lies in that plane.
 // Without it the hull stays the same set of points.
-void drop_flat_hull_tets(std::vector<Tet>& tets, std::vector<char>& flat, int64_t point_count, const Run& run)
+void drop_flat_hull_tets(Array<Tet>& tets, Array<char>& flat, int64_t point_count, const Run& run)
 {
-    const auto neighbours = tet_neighbours(tets, point_count, run);
-    std::vector<size_t> hull;
-    std::vector<char> dropped(tets.size(), 0);
-    const auto visit = [&](size_t t) {
+    const Array<FixedArray<int32_t, 4>> neighbours = tet_neighbours(tets, point_count, run);
+    Array<int64_t> hull;
+    Array<char> dropped(tets.size(), 0);
+    const auto visit = [&](int64_t t) {
         if (flat[t] && !dropped[t]) {
             dropped[t] = 1;
             hull.push_back(t);
         }
     };
-    for (size_t t = 0; t < tets.size(); ++t)
+    for (int64_t t = 0; t < tets.count(); ++t)
         if (std::count(neighbours[t].begin(), neighbours[t].end(), -1) > 0)
             visit(t);
     while (!hull.empty()) {
-        const size_t t = hull.back();
+        const int64_t t = hull.back();
         hull.pop_back();
         for (const int32_t n : neighbours[t])
             if (n >= 0)
-                visit(static_cast<size_t>(n));
+                visit(n);
     }
     size_t kept = 0;
     for (size_t t = 0; t < tets.size(); ++t)
@@ -103,13 +103,13 @@ void drop_flat_hull_tets(std::vector<Tet>& tets, std::vector<char>& flat, int64_
     flat.resize(kept);
 }
 
-void make_positive(std::vector<Tet>& tets, const std::vector<Vec3>& points, const Run& run)
+void make_positive(Array<Tet>& tets, const Array<Vec3>& points, const Run& run)
 {
-    std::vector<char> flat(tets.size(), 0);
+    Array<char> flat(tets.size(), 0);
     bool any_flat = false;
     for (size_t t = 0; t < tets.size(); ++t) {
         const Tet& v = tets[t];
-        const auto corner = [&](size_t i) -> const Vec3& { return points[static_cast<size_t>(v[i])]; };
+        const auto corner = [&](size_t i) -> const Vec3& { return points[v[i]]; };
         const int sign = orient_sign(corner(0), corner(1), corner(2), corner(3));
         if (sign < 0)
             throw Error(CLEFT_ERROR_INTERNAL, "TetGen returned an inverted tetrahedron");
@@ -117,56 +117,56 @@ void make_positive(std::vector<Tet>& tets, const std::vector<Vec3>& points, cons
         any_flat = any_flat || sign == 0;
     }
     if (any_flat)
-        drop_flat_hull_tets(tets, flat, static_cast<int64_t>(points.size()), run);
+        drop_flat_hull_tets(tets, flat, points.count(), run);
     if (std::count(flat.begin(), flat.end(), 1) > 0)
         throw Error(CLEFT_ERROR_INTERNAL, "TetGen returned a flat tetrahedron inside the mesh");
 }
 
 // TetGen's order is that of its insertions, all over the box. Where the points are in a spatial order, so are the
 // tetrahedra after this, and the stages that follow find in the cache what they need.
-std::vector<Tet> by_least_point(const std::vector<Tet>& tets, size_t point_count)
+Array<Tet> by_least_point(const Array<Tet>& tets, size_t point_count)
 {
-    const auto key = [](const Tet& tet) { return static_cast<size_t>(*std::min_element(tet.begin(), tet.end())); };
-    std::vector<size_t> begin(point_count + 1, 0);
+    const auto key = [](const Tet& tet) { return *std::min_element(tet.begin(), tet.end()); };
+    Array<size_t> begin(point_count + 1, 0);
     for (const Tet& tet : tets)
         ++begin[key(tet) + 1];
     for (size_t v = 0; v < point_count; ++v)
         begin[v + 1] += begin[v];
-    std::vector<Tet> sorted = large_vector<Tet>(tets.size());
+    Array<Tet> sorted = large_array<Tet>(tets.size());
     for (const Tet& tet : tets)
         sorted[begin[key(tet)]++] = tet;
     return sorted;
 }
 
-void check_all_used(const std::vector<Tet>& tets, size_t point_count)
+void check_all_used(const Array<Tet>& tets, size_t point_count)
 {
-    std::vector<char> used(point_count, 0);
+    Array<char> used(point_count, 0);
     for (const Tet& tet : tets)
         for (const int32_t v : tet)
-            used[static_cast<size_t>(v)] = 1;
+            used[v] = 1;
     const auto unused = std::find(used.begin(), used.end(), 0) - used.begin();
-    if (static_cast<size_t>(unused) < point_count)
+    if (unused < used.count())
         throw Error(CLEFT_ERROR_ARGUMENT, "point " + std::to_string(unused) + " lies on another point");
 }
 
 }  // namespace
 
-std::vector<Tet> delaunay(const std::vector<Vec3>& points, const Run& run)
+Array<Tet> delaunay(const Array<Vec3>& points, const Run& run)
 {
     check_points(points);
     const double scale = safe_scale(points);
-    const std::vector<int32_t> order = insertion_order(points, run);
-    std::vector<Vec3> scaled(points.size());
+    const Array<int32_t> order = insertion_order(points, run);
+    Array<Vec3> scaled(points.size());
     for (size_t i = 0; i < points.size(); ++i)
-        scaled[i] = points[static_cast<size_t>(order[i])] * scale;
+        scaled[i] = points[order[i]] * scale;
     if (all_in_one_plane(scaled))
         throw Error(CLEFT_ERROR_ARGUMENT, "the points lie all in one plane");
     Steps steps(run, {{nullptr, 9}, {nullptr, 1}});
-    std::vector<Tet> tets = run_tetgen_alone(scaled, steps.next());
+    Array<Tet> tets = run_tetgen_alone(scaled, steps.next());
     make_positive(tets, scaled, steps.next());
     for (Tet& tet : tets)
         for (int32_t& v : tet)
-            v = order[static_cast<size_t>(v)];
+            v = order[v];
     check_all_used(tets, points.size());
     tets = by_least_point(tets, points.size());
     return tets;
@@ -179,7 +179,7 @@ std::vector<Tet> delaunay(const std::vector<Vec3>& points, const Run& run)
 namespace cleft
 {
 
-std::vector<Tet> delaunay(const std::vector<Vec3>&, const Run&)
+Array<Tet> delaunay(const Array<Vec3>&, const Run&)
 {
     throw Error(
         CLEFT_ERROR_UNSUPPORTED,

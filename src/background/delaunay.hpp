@@ -1,11 +1,11 @@
 // The one door to the Delaunay engine.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/run.hpp"
 #include "mesh/tet_mesh.hpp"
 
 #include <cstddef>
-#include <vector>
 
 namespace cleft
 {
@@ -15,6 +15,6 @@ inline constexpr size_t kMostDelaunayPoints = 60'000'000;
 
 // Delaunay tetrahedra of the points, positively oriented; every point is used. Refuses fewer than four points,
 // non-finite coordinates and points all in one plane. Throws CLEFT_ERROR_UNSUPPORTED in a build without TetGen.
-std::vector<Tet> delaunay(const std::vector<Vec3>& points, const Run& run);
+Array<Tet> delaunay(const Array<Vec3>& points, const Run& run);
 
 }  // namespace cleft

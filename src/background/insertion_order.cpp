@@ -26,12 +26,12 @@ int rounds_from_the_last(uint64_t index)
 
 }  // namespace
 
-std::vector<int32_t> insertion_order(const std::vector<Vec3>& points, const Run& run)
+Array<int32_t> insertion_order(const Array<Vec3>& points, const Run& run)
 {
-    std::vector<std::vector<int32_t>> rounds(kMostRounds);
+    Array<Array<int32_t>> rounds(kMostRounds);
     for (size_t i = 0; i < points.size(); ++i)
-        rounds[static_cast<size_t>(rounds_from_the_last(i))].push_back(static_cast<int32_t>(i));
-    std::vector<int32_t> order;
+        rounds[rounds_from_the_last(i)].push_back(static_cast<int32_t>(i));
+    Array<int32_t> order;
     order.reserve(points.size());
     for (auto round = rounds.rbegin(); round != rounds.rend(); ++round) {
         order_along_curve(points, *round, run);

@@ -35,9 +35,9 @@ constexpr BackgroundRow kRows[] = {
 };
 
 // The share of the voxels that are in materials with keep[material] != 0.
-double kept_share_of_voxels(const Volume& volume, const std::vector<char>& keep)
+double kept_share_of_voxels(const Volume& volume, const Array<char>& keep)
 {
-    const std::vector<int64_t> voxels = volume.voxel_counts();
+    const Array<int64_t> voxels = volume.voxel_counts();
     double kept = 0;
     for (size_t m = 0; m < voxels.size(); ++m)
         kept += keep[m] != 0 ? static_cast<double>(voxels[m]) : 0;
@@ -46,10 +46,10 @@ double kept_share_of_voxels(const Volume& volume, const std::vector<char>& keep)
 
 }  // namespace
 
-const BackgroundRow& row_of(BackgroundKind kind) { return kRows[static_cast<size_t>(kind)]; }
+const BackgroundRow& row_of(BackgroundKind kind) { return kRows[static_cast<int>(kind)]; }
 
 ExpectedTets expected_tets(const SizingField& field, const BackgroundOptions& options, const Volume& volume,
-                           const std::vector<char>& keep, const Run& run)
+                           const Array<char>& keep, const Run& run)
 {
     const double all = row_of(options.kind).expected_tets(field, options, run);
     if (keep.empty())

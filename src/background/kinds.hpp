@@ -3,8 +3,7 @@
 
 #include "background/field_lattice.hpp"
 #include "background/particles.hpp"
-
-#include <vector>
+#include "base/array.hpp"
 
 namespace cleft
 {
@@ -37,6 +36,6 @@ struct ExpectedTets {
     double all = 0, kept = 0;
 };
 ExpectedTets expected_tets(const SizingField& field, const BackgroundOptions& options, const Volume& volume,
-                           const std::vector<char>& keep, const Run& run);
+                           const Array<char>& keep, const Run& run);
 
 }  // namespace cleft

@@ -16,24 +16,26 @@ namespace
 class Lattice
 {
 public:
-    Lattice(const Vec3& extent, const std::array<int32_t, 3>& cells) : extent_(extent), n_(cells) {}
+    Lattice(const Vec3& extent, const FixedArray<int32_t, 3>& cells) : extent_(extent), n_(cells)
+    {
+    }
 
     int64_t corner_count() const { return int64_t{n_[0] + 1} * (n_[1] + 1) * (n_[2] + 1); }
     int64_t cell_count() const { return int64_t{n_[0]} * n_[1] * n_[2]; }
 
-    int32_t corner(const std::array<int32_t, 3>& at) const
+    int32_t corner(const FixedArray<int32_t, 3>& at) const
     {
         return static_cast<int32_t>(at[0] + int64_t{n_[0] + 1} * (at[1] + int64_t{n_[1] + 1} * at[2]));
     }
-    int32_t centre(const std::array<int32_t, 3>& at) const
+    int32_t centre(const FixedArray<int32_t, 3>& at) const
     {
         return static_cast<int32_t>(corner_count() + at[0] + int64_t{n_[0]} * (at[1] + int64_t{n_[1]} * at[2]));
     }
 
-    std::vector<Vec3> points() const
+    Array<Vec3> points() const
     {
-        std::vector<Vec3> out;
-        out.reserve(static_cast<size_t>(corner_count() + cell_count()));
+        Array<Vec3> out;
+        out.reserve(corner_count() + cell_count());
         for (int half = 0; half < 2; ++half)  // corners, then centres
             for (int32_t k = 0; k < n_[2] + 1 - half; ++k)
                 for (int32_t j = 0; j < n_[1] + 1 - half; ++j)
@@ -44,11 +46,11 @@ public:
 
     // The corners of the face of cell `at` across `axis` (side 0: low, 1: high), wound so that the normal looks along
     // the axis.
-    std::array<int32_t, 4> face(std::array<int32_t, 3> at, size_t axis, int side) const
+    FixedArray<int32_t, 4> face(FixedArray<int32_t, 3> at, int axis, int side) const
     {
-        const size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
         at[axis] += side;
-        std::array<int32_t, 4> out{};
+        FixedArray<int32_t, 4> out{};
         for (size_t c = 0; c < 4; ++c) {
             auto p = at;
             p[u] += c == 1 || c == 2;
@@ -60,18 +62,18 @@ public:
 
 private:
     // Exactly 0 and exactly the extent at the walls.
-    double coordinate(size_t axis, int32_t i, int half) const
+    double coordinate(int axis, int32_t i, int half) const
     {
-        const double extent = extent_[static_cast<int>(axis)];
+        const double extent = extent_[axis];
         return half == 0 && i == n_[axis] ? extent : (i + 0.5 * half) * (extent / n_[axis]);
     }
 
     Vec3 extent_;
-    std::array<int32_t, 3> n_;
+    FixedArray<int32_t, 3> n_;
 };
 
 // Between two cells: the four tetrahedra around the line from the lower centre to the upper one.
-void emit_octahedron(int32_t low, int32_t high, const std::array<int32_t, 4>& face, std::vector<Tet>& tets)
+void emit_octahedron(int32_t low, int32_t high, const FixedArray<int32_t, 4>& face, Array<Tet>& tets)
 {
     for (size_t c = 0; c < 4; ++c)
         tets.push_back({low, face[c], face[(c + 1) % 4], high});
@@ -79,21 +81,21 @@ void emit_octahedron(int32_t low, int32_t high, const std::array<int32_t, 4>& fa
 
 // At a wall: the pyramid over the face, cut along a diagonal whose direction alternates from cell to cell. `face` is
 // wound so that the apex lies behind it.
-void emit_pyramid(int32_t apex, const std::array<int32_t, 4>& face, bool odd, std::vector<Tet>& tets)
+void emit_pyramid(int32_t apex, const FixedArray<int32_t, 4>& face, bool odd, Array<Tet>& tets)
 {
     const size_t s = odd ? 1 : 0;
     tets.push_back({apex, face[s], face[s + 1], face[s + 2]});
     tets.push_back({apex, face[s], face[s + 2], face[(s + 3) % 4]});
 }
 
-std::array<int32_t, 3> cell_counts(const Vec3& extent, double size)
+FixedArray<int32_t, 3> cell_counts(const Vec3& extent, double size)
 {
     // A cell longer than the thinnest side of the box would be flattened by it.
     const double side = std::min(size / kMeanEdge, extent.minCoeff());
-    std::array<int32_t, 3> cells{};
+    FixedArray<int32_t, 3> cells{};
     double points = 1;
-    for (size_t axis = 0; axis < 3; ++axis) {
-        const double n = std::max(1.0, std::round(extent[static_cast<int>(axis)] / side));
+    for (int axis = 0; axis < 3; ++axis) {
+        const double n = std::max(1.0, std::round(extent[axis] / side));
         points *= 2 * (n + 1);
         cells[axis] = static_cast<int32_t>(std::min(n, 1e9));
     }
@@ -125,19 +127,19 @@ double lattice_tets(const Grid& grid, double size)
 TetMesh lattice_background(const Grid& grid, double size, const Run& run)
 {
     const Vec3 extent = grid.extent();
-    const std::array<int32_t, 3> n = cell_counts(extent, size);
+    const FixedArray<int32_t, 3> n = cell_counts(extent, size);
     const Lattice lattice(extent, n);
     TetMesh mesh;
     mesh.points = lattice.points();
-    mesh.tets.reserve(static_cast<size_t>(12 * lattice.cell_count()));
-    std::array<int32_t, 3> at{};
+    mesh.tets.reserve(12 * lattice.cell_count());
+    FixedArray<int32_t, 3> at{};
     for (at[2] = 0; at[2] < n[2]; ++at[2]) {
         run.report(at[2] / static_cast<double>(n[2]), "background: lattice");
         for (at[1] = 0; at[1] < n[1]; ++at[1])
             for (at[0] = 0; at[0] < n[0]; ++at[0]) {
                 const int32_t centre = lattice.centre(at);
                 const bool odd = (at[0] + at[1] + at[2]) & 1;
-                for (size_t axis = 0; axis < 3; ++axis) {
+                for (int axis = 0; axis < 3; ++axis) {
                     if (at[axis] == 0) {
                         auto face = lattice.face(at, axis, 0);
                         std::swap(face[1], face[3]);  // outward is against the axis

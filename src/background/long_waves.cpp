@@ -19,8 +19,8 @@ int64_t cell_count(const Cells& cells) { return int64_t{cells[0]} * cells[1] * c
 
 // Quadratic B-spline around the cell of x on one axis, mirrored at the walls: three cells, weights and slopes.
 struct Spline {
-    std::array<int32_t, 3> cell;
-    std::array<float, 3> weight, slope;
+    FixedArray<int32_t, 3> cell;
+    FixedArray<float, 3> weight, slope;
 };
 
 Spline spline(double x, double length, int32_t cells)
@@ -35,7 +35,7 @@ Spline spline(double x, double length, int32_t cells)
     return s;
 }
 
-std::array<Spline, 3> splines(const Vec3& x, const Vec3& extent, const Cells& cells)
+FixedArray<Spline, 3> splines(const Vec3& x, const Vec3& extent, const Cells& cells)
 {
     return {spline(x[0], extent[0], cells[0]), spline(x[1], extent[1], cells[1]), spline(x[2], extent[2], cells[2])};
 }
@@ -53,17 +53,17 @@ void deposit(const Vec3& x, float charge, const Vec3& extent, const Cells& cells
 }
 
 // Few chunks of particles, each with a grid of its own; the grids are added up in their order.
-std::vector<float> particle_charge(const LongWaves& waves, const ParticleSet& particles, const Run& run)
+Array<float> particle_charge(const LongWaves& waves, const ParticleSet& particles, const Run& run)
 {
     constexpr int64_t kMostGrids = 16, kLeastParticles = 4096;
     const Cells& cells = waves.levels[0].cells;
-    const auto n = static_cast<int64_t>(particles.size());
+    const auto n = particles.count();
     const int64_t grain = std::max(kLeastParticles, chunk_count(n, kMostGrids));
-    std::vector<std::vector<float>> grids(static_cast<size_t>(chunk_count(n, grain)));
+    Array<Array<float>> grids(chunk_count(n, grain));
     parallel_chunks(run, n, grain, [&](int64_t chunk, int64_t begin, int64_t end) {
-        auto& grid = grids[static_cast<size_t>(chunk)];
-        grid.assign(static_cast<size_t>(cell_count(cells)), 0);
-        for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i)
+        auto& grid = grids[chunk];
+        grid.assign(cell_count(cells), 0);
+        for (int64_t i = begin; i < end; ++i)
             deposit(particles.x[i], static_cast<float>(share_of_box(particles.walls[i])), waves.extent, cells,
                     grid.data());
     });
@@ -91,16 +91,16 @@ double integral(const SizeSampler& size, const Vec3& centre, const Vec3& sides)
     return sum;
 }
 
-std::vector<float> background_charge(const SizeSampler& size, const Cells& cells, const Run& run)
+Array<float> background_charge(const SizeSampler& size, const Cells& cells, const Run& run)
 {
-    std::vector<float> charge(static_cast<size_t>(cell_count(cells)));
+    Array<float> charge(cell_count(cells));
     const Vec3 sides = size.extent().cwiseQuotient(Vec3(cells[0], cells[1], cells[2]));
-    parallel_for(run, static_cast<int64_t>(charge.size()), 64, [&](int64_t begin, int64_t end) {
+    parallel_for(run, charge.count(), 64, [&](int64_t begin, int64_t end) {
         for (int64_t c = begin; c < end; ++c) {
             const Vec3 place(static_cast<double>(c % cells[0]), static_cast<double>(c / cells[0] % cells[1]),
                              static_cast<double>(c / cells[0] / cells[1]));
             const Vec3 centre = (place.array() + 0.5).matrix().cwiseProduct(sides);
-            charge[static_cast<size_t>(c)] = static_cast<float>(kParticleDensity[3] * integral(size, centre, sides));
+            charge[c] = static_cast<float>(kParticleDensity[3] * integral(size, centre, sides));
         }
     });
     return charge;
@@ -122,10 +122,10 @@ Matrix cosines(int32_t waves, int32_t cells, int power)
 
 // The product of the three matrices, one for each axis, with the numbers of a grid of `from` points; `to` points come
 // out.
-std::vector<float> transformed(const std::array<Matrix, 3>& m, const std::vector<float>& in, const Run& run)
+Array<float> transformed(const FixedArray<Matrix, 3>& m, const Array<float>& in, const Run& run)
 {
     const Eigen::Index nx = m[0].cols(), ny = m[1].cols(), nz = m[2].cols(), plane = m[0].rows() * m[1].rows();
-    std::vector<float> planes(static_cast<size_t>(plane * nz)), out(static_cast<size_t>(plane * m[2].rows()));
+    Array<float> planes(plane * nz), out(plane * m[2].rows());
     parallel_for(run, nz, 4, [&](int64_t begin, int64_t end) {
         for (int64_t z = begin; z < end; ++z) {
             const Eigen::Map<const Matrix> slice(in.data() + z * nx * ny, ny, nx);
@@ -142,11 +142,10 @@ std::vector<float> transformed(const std::array<Matrix, 3>& m, const std::vector
 }
 
 // The part of the spectrum of the charge that a level can carry, as the spectrum of its potential.
-std::vector<float> potential_waves(const LongWaves& waves, const LongWaves::Level& level,
-                                   const std::vector<float>& charge)
+Array<float> potential_waves(const LongWaves& waves, const LongWaves::Level& level, const Array<float>& charge)
 {
     const Cells &all = waves.levels[0].cells, &n = level.cells;
-    std::vector<float> out(static_cast<size_t>(cell_count(n)), 0);
+    Array<float> out(cell_count(n), 0);
     const Vec3 base = kPi * waves.extent.cwiseInverse();
     const double scale = 4 * kPi / waves.extent.prod();
     size_t at = 0;
@@ -159,7 +158,7 @@ std::vector<float> potential_waves(const LongWaves& waves, const LongWaves::Leve
                     continue;  // beyond its first zero the transform of a cloud is next to nothing
                 const int twice = (x > 0) + (y > 0) + (z > 0);
                 const double cloud = sinc(phase) * sinc(phase);
-                const auto from = static_cast<size_t>(x + int64_t{all[0]} * (y + int64_t{all[1]} * z));
+                const int64_t from = x + int64_t{all[0]} * (y + int64_t{all[1]} * z);
                 out[at] = static_cast<float>((1 << twice) * scale * cloud / k2) * charge[from];
             }
     return out;
@@ -178,14 +177,14 @@ double finest_reach(const Vec3& extent, double smallest, double particles)
     return reach;
 }
 
-std::vector<LongWaves::Level> make_levels(const Vec3& extent, double finest, double largest)
+Array<LongWaves::Level> make_levels(const Vec3& extent, double finest, double largest)
 {
-    std::vector<LongWaves::Level> levels;
+    Array<LongWaves::Level> levels;
     for (double reach = finest;; reach *= 2) {
         LongWaves::Level level;
         level.reach = reach;
-        for (size_t a = 0; a < 3; ++a) {
-            level.cells[a] = std::max(1, static_cast<int32_t>(std::ceil(2 * extent[static_cast<int>(a)] / reach)));
+        for (int a = 0; a < 3; ++a) {
+            level.cells[a] = std::max(1, static_cast<int32_t>(std::ceil(2 * extent[a] / reach)));
             level.from_waves[a] = cosines(level.cells[a], level.cells[a], 3).transpose();
         }
         if (cell_count(level.cells) == 1)
@@ -215,17 +214,16 @@ Vec3 field_of(const LongWaves::Level& level, const Vec3& x, const Vec3& extent)
     return -gradient.cast<double>();
 }
 
-double brick_error(const Cells& cells, const std::vector<float>& particles, const std::vector<float>& charge)
+double brick_error(const Cells& cells, const Array<float>& particles, const Array<float>& charge)
 {
     constexpr int32_t kSide = 4;
     const Cells bricks{(cells[0] + kSide - 1) / kSide, (cells[1] + kSide - 1) / kSide, (cells[2] + kSide - 1) / kSide};
-    std::vector<double> excess(static_cast<size_t>(cell_count(bricks)), 0), all(excess.size(), 0);
+    Array<double> excess(cell_count(bricks), 0), all(excess.size(), 0);
     size_t at = 0;
     for (int32_t z = 0; z < cells[2]; ++z)
         for (int32_t y = 0; y < cells[1]; ++y)
             for (int32_t x = 0; x < cells[0]; ++x, ++at) {
-                const auto b = static_cast<size_t>(x / kSide +
-                                                   int64_t{bricks[0]} * (y / kSide + int64_t{bricks[1]} * (z / kSide)));
+                const int64_t b = x / kSide + int64_t{bricks[0]} * (y / kSide + int64_t{bricks[1]} * (z / kSide));
                 excess[b] += static_cast<double>(particles[at] - charge[at]);
                 all[b] += static_cast<double>(charge[at]);
             }
@@ -240,7 +238,7 @@ double brick_error(const Cells& cells, const std::vector<float>& particles, cons
 // A box whose charges do not add up to nothing has a wave of number 0, which no force can level: the surplus would
 // spread evenly over the box and flood or drain the places of large h, which hold few particles. So the background
 // gets the charge of the particles, each place in proportion to what it has.
-void make_neutral(const ParticleSet& particles, std::vector<float>& background)
+void make_neutral(const ParticleSet& particles, Array<float>& background)
 {
     double all = 0, wanted = 0;
     for (const Walls walls : particles.walls)
@@ -265,8 +263,8 @@ LongWaves make_long_waves(const SizeSampler& size, double least_size, double gre
     const Cells& cells = waves.levels[0].cells;
     waves.background = background_charge(size, cells, run);
     make_neutral(particles, waves.background);
-    std::array<Matrix, 3> from_cells;
-    for (size_t a = 0; a < 3; ++a) {
+    FixedArray<Matrix, 3> from_cells;
+    for (int a = 0; a < 3; ++a) {
         waves.to_waves[a] = cosines(cells[a], cells[a], 3);
         from_cells[a] = cosines(cells[a], cells[a], 1);
     }
@@ -278,8 +276,8 @@ double solve_poisson(LongWaves& waves, const ParticleSet& particles, const Run& 
 {
     if (waves.levels.empty())
         return 0;
-    const std::vector<float> charge = particle_charge(waves, particles, run);
-    std::vector<float> spectrum = transformed(waves.to_waves, charge, run);
+    const Array<float> charge = particle_charge(waves, particles, run);
+    Array<float> spectrum = transformed(waves.to_waves, charge, run);
     for (size_t k = 0; k < spectrum.size(); ++k)
         spectrum[k] -= waves.background_waves[k];
     for (LongWaves::Level& level : waves.levels)

@@ -11,26 +11,26 @@
 
 #include "background/charge.hpp"
 #include "background/particle_set.hpp"
-
-#include <vector>
+#include "base/array.hpp"
+#include "base/fixed_array.hpp"
 
 namespace cleft
 {
 
 struct LongWaves {
     using Matrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    using Cells = std::array<int32_t, 3>;
+    using Cells = FixedArray<int32_t, 3>;
     struct Level {
         double reach = 0;
         Cells cells{1, 1, 1};
-        std::array<Matrix, 3> from_waves;  // by axis, to the coefficients of quadratic splines
-        std::vector<float> potential;      // these coefficients
+        FixedArray<Matrix, 3> from_waves;  // by axis, to the coefficients of quadratic splines
+        Array<float> potential;            // these coefficients
     };
     Vec3 extent{0, 0, 0};
-    std::vector<Level> levels;       // least reach first; none: the box is too small for waves
-    std::array<Matrix, 3> to_waves;  // from charges put on the finest grid by quadratic splines
-    std::vector<float> background;   // the charge in the cells of the finest grid
-    std::vector<float> background_waves;
+    Array<Level> levels;             // least reach first; none: the box is too small for waves
+    FixedArray<Matrix, 3> to_waves;  // from charges put on the finest grid by quadratic splines
+    Array<float> background;         // the charge in the cells of the finest grid
+    Array<float> background_waves;
 };
 
 // `particles`: the ones to come, or others of the same total charge.

@@ -2,27 +2,25 @@
 #pragma once
 
 #include "background/particle_set.hpp"
-
-#include <array>
+#include "base/fixed_array.hpp"
 
 namespace cleft
 {
 
 // Which copy, counted from the box along each axis.
-using CopyNumber = std::array<int8_t, 3>;
+using CopyNumber = FixedArray<int8_t, 3>;
 
 // On an axis where `odd`, x appears at shift - x, elsewhere at shift + x.
 struct MirrorCopy {
-    std::array<bool, 3> odd;
+    FixedArray<bool, 3> odd;
     Vec3 sign, shift;
 
     MirrorCopy(const CopyNumber& number, const Vec3& extent)
     {
-        for (size_t a = 0; a < 3; ++a) {
-            const auto axis = static_cast<int>(a);
+        for (int a = 0; a < 3; ++a) {
             odd[a] = number[a] % 2 != 0;
-            sign[axis] = odd[a] ? -1 : 1;
-            shift[axis] = extent[axis] * (odd[a] ? number[a] + 1 : number[a]);
+            sign[a] = odd[a] ? -1 : 1;
+            shift[a] = extent[a] * (odd[a] ? number[a] + 1 : number[a]);
         }
     }
     // The place whose image is x.

@@ -11,10 +11,7 @@ namespace cleft
 namespace
 {
 
-const ParticleTree::Node& node_of(const ParticleTree& tree, int32_t leaf)
-{
-    return tree.nodes[static_cast<size_t>(tree.leaves[static_cast<size_t>(leaf)])];
-}
+const ParticleTree::Node& node_of(const ParticleTree& tree, int32_t leaf) { return tree.nodes[tree.leaves[leaf]]; }
 
 // The box of the leaves of a group, and how far its particles reach.
 struct Region {
@@ -34,7 +31,7 @@ Region region_of(const ParticleTree& tree, const NearGroup& group)
 
 // The numbers of the copies of the box that the region meets on an axis. More copies than these change nothing that
 // matters: a box so thin has no particle that could move across it.
-std::array<int, 2> copies(const Region& region, double length, int axis)
+FixedArray<int, 2> copies(const Region& region, double length, int axis)
 {
     constexpr double kMost = 2;
     const auto copy = [&](double x) { return static_cast<int>(std::clamp(std::floor(x / length), -kMost, kMost)); };
@@ -47,9 +44,9 @@ void gather(const ParticleTree& tree, const ParticleSet& particles, const Vec3& 
 {
     group.neighbourhood.clear();
     group.copies.clear();
-    std::array<std::array<int, 2>, 3> range;
-    for (size_t a = 0; a < 3; ++a)
-        range[a] = copies(region, extent[static_cast<int>(a)], static_cast<int>(a));
+    FixedArray<FixedArray<int, 2>, 3> range;
+    for (int a = 0; a < 3; ++a)
+        range[a] = copies(region, extent[a], a);
     for (int z = range[2][0]; z <= range[2][1]; ++z)
         for (int y = range[1][0]; y <= range[1][1]; ++y)
             for (int x = range[0][0]; x <= range[0][1]; ++x) {
@@ -63,7 +60,7 @@ void gather(const ParticleTree& tree, const ParticleSet& particles, const Vec3& 
                     const auto last =
                         std::min(first + static_cast<int32_t>(kLeafSize), static_cast<int32_t>(particles.size()));
                     for (int32_t i = first; i < last; ++i)
-                        if (copy.has(particles.walls[static_cast<size_t>(i)]))
+                        if (copy.has(particles.walls[i]))
                             group.neighbourhood.push_back(i);
                 });
                 group.copies.push_back({number, group.neighbourhood.size()});
@@ -72,7 +69,7 @@ void gather(const ParticleTree& tree, const ParticleSet& particles, const Vec3& 
 
 // A box and how far its particles reach, in the units of a group.
 struct Target {
-    std::array<float, 3> middle, half;
+    FixedArray<float, 3> middle, half;
     float reach;
 };
 
@@ -80,17 +77,16 @@ Target target_of(const Eigen::AlignedBox3d& box, double reach, const NearGroup& 
 {
     Target t;
     const double scale = 1 / group.unit;
-    for (size_t a = 0; a < 3; ++a) {
-        const auto axis = static_cast<int>(a);
-        t.middle[a] = static_cast<float>((box.center()[axis] - group.centre[axis]) * scale);
-        t.half[a] = static_cast<float>(0.5 * box.sizes()[axis] * scale);
+    for (int a = 0; a < 3; ++a) {
+        t.middle[a] = static_cast<float>((box.center()[a] - group.centre[a]) * scale);
+        t.half[a] = static_cast<float>(0.5 * box.sizes()[a] * scale);
     }
     t.reach = static_cast<float>(reach * scale);
     return t;
 }
 
 // How far each place is within reach of a box.
-CLEFT_WIDE_VECTORS void measure(const Places& places, const Target box, std::vector<float>& inside)
+CLEFT_WIDE_VECTORS void measure(const Places& places, const Target box, Array<float>& inside)
 {
     const auto beyond = [](float d) { return 0.5F * (d + std::abs(d)); };  // max(d, 0) without a branch
     for (size_t i = 0; i < places.size(); ++i) {
@@ -104,8 +100,8 @@ CLEFT_WIDE_VECTORS void measure(const Places& places, const Target box, std::vec
 // What one thread needs to choose with.
 struct Scratch {
     Places places;
-    std::vector<float> inside;
-    std::vector<uint32_t> chosen;
+    Array<float> inside;
+    Array<uint32_t> chosen;
 };
 
 // Drops from the neighbourhood what no particle of the group can feel.
@@ -133,7 +129,7 @@ void choose(const ParticleTree& tree, Scratch& scratch, NearGroup& group)
 {
     const size_t all = scratch.places.size();
     scratch.inside.resize(all);
-    scratch.chosen.resize(all * static_cast<size_t>(kLeavesInGroup));
+    scratch.chosen.resize(all * size_t{kLeavesInGroup});
     size_t n = 0;
     for (int32_t l = 0; l < group.leaf_count; ++l) {
         const ParticleTree::Node& leaf = node_of(tree, group.first_leaf + l);
@@ -142,7 +138,7 @@ void choose(const ParticleTree& tree, Scratch& scratch, NearGroup& group)
             scratch.chosen[n] = static_cast<uint32_t>(i);
             n += scratch.inside[i] > 0;
         }
-        group.chosen_begin[static_cast<size_t>(l) + 1] = n;
+        group.chosen_begin[l + 1] = n;
     }
     group.chosen.assign(scratch.chosen.begin(), scratch.chosen.begin() + static_cast<ptrdiff_t>(n));
 }
@@ -158,7 +154,7 @@ void read_places(const NearGroup& group, const ParticleSet& particles, const Vec
         const MirrorCopy copy(run.copy, extent);
         const Vec3 factor = copy.sign * scale, shift = (copy.shift - group.centre) * scale;
         for (; i < run.end; ++i) {
-            const Vec3& x = particles.x[static_cast<size_t>(group.neighbourhood[i])];
+            const Vec3& x = particles.x[group.neighbourhood[i]];
             places.x[i] = static_cast<float>(shift[0] + factor[0] * x[0]);
             places.y[i] = static_cast<float>(shift[1] + factor[1] * x[1]);
             places.z[i] = static_cast<float>(shift[2] + factor[2] * x[2]);
@@ -166,16 +162,16 @@ void read_places(const NearGroup& group, const ParticleSet& particles, const Vec
     }
 }
 
-void find_near(const ParticleTree& tree, const ParticleSet& particles, const Vec3& extent,
-               std::vector<NearGroup>& groups, const Run& run)
+void find_near(const ParticleTree& tree, const ParticleSet& particles, const Vec3& extent, Array<NearGroup>& groups,
+               const Run& run)
 {
     constexpr int64_t kGroupsAtOnce = 16;
-    const auto leaves = static_cast<int64_t>(tree.leaves.size());
-    groups.resize(static_cast<size_t>(chunk_count(leaves, kLeavesInGroup)));
-    parallel_for(run, static_cast<int64_t>(groups.size()), kGroupsAtOnce, [&](int64_t begin, int64_t end) {
+    const auto leaves = tree.leaves.count();
+    groups.resize(chunk_count(leaves, kLeavesInGroup));
+    parallel_for(run, groups.count(), kGroupsAtOnce, [&](int64_t begin, int64_t end) {
         Scratch scratch;
         for (int64_t g = begin; g < end; ++g) {
-            NearGroup& group = groups[static_cast<size_t>(g)];
+            NearGroup& group = groups[g];
             group.first_leaf = static_cast<int32_t>(g * kLeavesInGroup);
             group.leaf_count = static_cast<int32_t>(std::min(kLeavesInGroup, leaves - g * kLeavesInGroup));
             const Region region = region_of(tree, group);

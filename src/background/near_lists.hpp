@@ -7,8 +7,8 @@
 
 #include "background/mirror.hpp"
 #include "background/particle_tree.hpp"
-
-#include <vector>
+#include "base/array.hpp"
+#include "base/fixed_array.hpp"
 
 namespace cleft
 {
@@ -23,15 +23,15 @@ struct NearGroup {
     Vec3 centre{0, 0, 0};
     double unit = 1;
     int32_t first_leaf = 0, leaf_count = 0;
-    std::vector<int32_t> neighbourhood;  // numbers of particles
-    std::vector<CopyRun> copies;
-    std::vector<uint32_t> chosen;  // of the neighbourhood, by one leaf of the group after the other
-    std::array<size_t, static_cast<size_t>(kLeavesInGroup) + 1> chosen_begin{};
+    Array<int32_t> neighbourhood;  // numbers of particles
+    Array<CopyRun> copies;
+    Array<uint32_t> chosen;  // of the neighbourhood, by one leaf of the group after the other
+    FixedArray<size_t, kLeavesInGroup + 1> chosen_begin{};
 };
 
 // Places side by side, as vectors of the processor want them.
 struct Places {
-    std::vector<float> x, y, z;
+    Array<float> x, y, z;
 
     size_t size() const { return x.size(); }
     void resize(size_t n)
@@ -45,7 +45,7 @@ struct Places {
 void read_places(const NearGroup& group, const ParticleSet& particles, const Vec3& extent, Places& places);
 
 // The lists of all groups, from the boxes and reaches of a fitted tree.
-void find_near(const ParticleTree& tree, const ParticleSet& particles, const Vec3& extent,
-               std::vector<NearGroup>& groups, const Run& run);
+void find_near(const ParticleTree& tree, const ParticleSet& particles, const Vec3& extent, Array<NearGroup>& groups,
+               const Run& run);
 
 }  // namespace cleft

@@ -12,14 +12,12 @@ namespace cleft
 namespace
 {
 
-constexpr auto kLeafLanes = static_cast<size_t>(kLeafSize);
-
 struct Lanes {
-    std::array<float, kLeafLanes> x{}, y{}, z{}, reach{};
+    FixedArray<float, kLeafSize> x{}, y{}, z{}, reach{};
 };
 
 // The particles of a leaf in the frame of a group. Lanes without a particle reach nothing.
-Lanes lanes_of(size_t first, size_t count, const ParticleSet& particles, const std::vector<float>& reach,
+Lanes lanes_of(int64_t first, int64_t count, const ParticleSet& particles, const Array<float>& reach,
                const NearGroup& group)
 {
     constexpr float kFarAway = -1e6F;
@@ -27,7 +25,7 @@ Lanes lanes_of(size_t first, size_t count, const ParticleSet& particles, const s
     out.x.fill(kFarAway);
     out.reach.fill(1);
     const double scale = 1 / group.unit;
-    for (size_t i = 0; i < count; ++i) {
+    for (int64_t i = 0; i < count; ++i) {
         const Vec3 p = (particles.x[first + i] - group.centre) * scale;
         out.x[i] = static_cast<float>(p.x());
         out.y[i] = static_cast<float>(p.y());
@@ -41,12 +39,12 @@ Lanes lanes_of(size_t first, size_t count, const ParticleSet& particles, const s
 // A particle meets itself at distance 0, where the weight is finite.
 CLEFT_WIDE_VECTORS void repel(const Lanes& leaf, const Places& places, const uint32_t* near, size_t count, Lanes& force)
 {
-    std::array<float, kLeafLanes> fx{}, fy{}, fz{}, r2;
-    for (size_t i = 0; i < kLeafLanes; ++i)
+    FixedArray<float, kLeafSize> fx{}, fy{}, fz{}, r2;
+    for (int64_t i = 0; i < kLeafSize; ++i)
         r2[i] = leaf.reach[i] * leaf.reach[i];
     for (size_t n = 0; n < count; ++n) {
         const float x = places.x[near[n]], y = places.y[near[n]], z = places.z[near[n]];
-        for (size_t i = 0; i < kLeafLanes; ++i) {
+        for (int64_t i = 0; i < kLeafSize; ++i) {
             const float dx = leaf.x[i] - x, dy = leaf.y[i] - y, dz = leaf.z[i] - z;
             const float s = std::max(dx * dx + dy * dy + dz * dz, 1e-12F);
             const float w = std::max(r2[i] - s, 0.0F) / (r2[i] * s * std::sqrt(s));
@@ -62,23 +60,23 @@ CLEFT_WIDE_VECTORS void repel(const Lanes& leaf, const Places& places, const uin
 
 }  // namespace
 
-void near_repulsion(const std::vector<NearGroup>& groups, const ParticleSet& particles, const std::vector<float>& reach,
-                    const Vec3& extent, std::vector<Eigen::Vector3f>& force, const Run& run)
+void near_repulsion(const Array<NearGroup>& groups, const ParticleSet& particles, const Array<float>& reach,
+                    const Vec3& extent, Array<Eigen::Vector3f>& force, const Run& run)
 {
     constexpr int64_t kGroupsAtOnce = 16;
-    parallel_for(run, static_cast<int64_t>(groups.size()), kGroupsAtOnce, [&](int64_t begin, int64_t end) {
+    parallel_for(run, groups.count(), kGroupsAtOnce, [&](int64_t begin, int64_t end) {
         Places places;
         Lanes f;
         for (int64_t g = begin; g < end; ++g) {
-            const NearGroup& group = groups[static_cast<size_t>(g)];
+            const NearGroup& group = groups[g];
             read_places(group, particles, extent, places);
-            for (size_t leaf = 0; leaf < static_cast<size_t>(group.leaf_count); ++leaf) {
-                const size_t first = (static_cast<size_t>(group.first_leaf) + leaf) * kLeafLanes;
-                const size_t count = std::min(kLeafLanes, particles.size() - first);
+            for (int32_t leaf = 0; leaf < group.leaf_count; ++leaf) {
+                const int64_t first = (group.first_leaf + leaf) * kLeafSize;
+                const int64_t count = std::min(kLeafSize, particles.count() - first);
                 const Lanes own = lanes_of(first, count, particles, reach, group);
                 const size_t chosen = group.chosen_begin[leaf];
                 repel(own, places, group.chosen.data() + chosen, group.chosen_begin[leaf + 1] - chosen, f);
-                for (size_t i = 0; i < count; ++i) {
+                for (int64_t i = 0; i < count; ++i) {
                     const float h = own.reach[i] / kReach;
                     force[first + i] = h * h * Eigen::Vector3f(f.x[i], f.y[i], f.z[i]);
                 }

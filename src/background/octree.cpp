@@ -29,7 +29,7 @@ class Points
 public:
     Points(const Octree& tree, const Vec3& extent) : tree_(tree), extent_(extent)
     {
-        for (size_t axis = 0; axis < 3; ++axis)
+        for (int axis = 0; axis < 3; ++axis)
             fine_[axis] = int64_t{tree.roots[axis]} << (tree.levels + 1);
         for (const OctreeCell& cell : tree.cells)
             if (cell.first_child < 0)
@@ -39,7 +39,7 @@ public:
         keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
     }
 
-    std::array<int64_t, 3> corner(const OctreeCell& cell, int c) const
+    FixedArray<int64_t, 3> corner(const OctreeCell& cell, int c) const
     {
         const int shift = tree_.levels + 1 - cell.level;
         return {int64_t{cell.at[0] + (c & 1)} << shift, int64_t{cell.at[1] + (c >> 1 & 1)} << shift,
@@ -47,7 +47,7 @@ public:
     }
 
     // The number of the point at a fine place, or -1.
-    int32_t number(const std::array<int64_t, 3>& at) const
+    int32_t number(const FixedArray<int64_t, 3>& at) const
     {
         const uint64_t k = key(at);
         const auto found = std::lower_bound(keys_.begin(), keys_.end(), k);
@@ -56,21 +56,21 @@ public:
 
     int32_t count() const { return static_cast<int32_t>(keys_.size()); }
 
-    Vec3 position(const std::array<int64_t, 3>& at) const
+    Vec3 position(const FixedArray<int64_t, 3>& at) const
     {
         Vec3 x;
-        for (size_t axis = 0; axis < 3; ++axis) {
-            const double extent = extent_[static_cast<int>(axis)];
-            x[static_cast<int>(axis)] =
-                at[axis] == fine_[axis] ? extent
-                                        : static_cast<double>(at[axis]) * (extent / static_cast<double>(fine_[axis]));
+        for (int axis = 0; axis < 3; ++axis) {
+            const double extent = extent_[axis];
+            x[axis] = at[axis] == fine_[axis]
+                          ? extent
+                          : static_cast<double>(at[axis]) * (extent / static_cast<double>(fine_[axis]));
         }
         return x;
     }
 
-    std::vector<Vec3> positions() const
+    Array<Vec3> positions() const
     {
-        std::vector<Vec3> out;
+        Array<Vec3> out;
         out.reserve(keys_.size());
         for (int32_t p = 0; p < count(); ++p)
             out.push_back(position(place(p)));
@@ -78,9 +78,9 @@ public:
     }
 
     // The fine place of a point.
-    std::array<int64_t, 3> place(int32_t point) const
+    FixedArray<int64_t, 3> place(int32_t point) const
     {
-        const uint64_t k = keys_[static_cast<size_t>(point)];
+        const uint64_t k = keys_[point];
         return {static_cast<int64_t>(k & kMask), static_cast<int64_t>(k >> 21 & kMask), static_cast<int64_t>(k >> 42)};
     }
 
@@ -88,61 +88,61 @@ public:
 
 private:
     static constexpr uint64_t kMask = kMostPlaces;
-    static uint64_t key(const std::array<int64_t, 3>& at)
+    static uint64_t key(const FixedArray<int64_t, 3>& at)
     {
         return static_cast<uint64_t>(at[0]) | static_cast<uint64_t>(at[1]) << 21 | static_cast<uint64_t>(at[2]) << 42;
     }
 
     const Octree& tree_;
     Vec3 extent_;
-    std::array<int64_t, 3> fine_{};
-    std::vector<uint64_t> keys_;
+    FixedArray<int64_t, 3> fine_{};
+    Array<uint64_t> keys_;
 };
 
 // A face of a leaf: its corners in order around it, the normal looking along the axis, and the points in the middles of
 // its sides (-1 where there is none).
 struct Facet {
-    std::array<int32_t, 4> corner{};
-    std::array<int32_t, 4> middle{};  // middle[i] lies between corner[i] and corner[i + 1]
+    FixedArray<int32_t, 4> corner{};
+    FixedArray<int32_t, 4> middle{};  // middle[i] lies between corner[i] and corner[i + 1]
 };
 
 class Mesher
 {
 public:
-    Mesher(const Octree& tree, const Points& points, const std::vector<int32_t>& centre, TetMesh& mesh)
+    Mesher(const Octree& tree, const Points& points, const Array<int32_t>& centre, TetMesh& mesh)
         : tree_(tree), points_(points), centre_(centre), mesh_points_(mesh.points), tets_(mesh.tets)
     {
     }
 
     void mesh_leaf(int32_t leaf)
     {
-        for (size_t axis = 0; axis < 3; ++axis)
+        for (int axis = 0; axis < 3; ++axis)
             for (int side = 0; side < 2; ++side)
                 mesh_face(leaf, axis, side);
     }
 
 private:
-    void mesh_face(int32_t leaf, size_t axis, int side)
+    void mesh_face(int32_t leaf, int axis, int side)
     {
-        const OctreeCell& cell = tree_.cells[static_cast<size_t>(leaf)];
+        const OctreeCell& cell = tree_.cells[leaf];
         Int3 behind = cell.at;
         behind[axis] += 2 * side - 1;
         const int32_t other = tree_.find(behind, cell.level);
         if (other < 0) {
-            join_wall(centre_[static_cast<size_t>(leaf)], outward(facet(cell, axis, side), side));
+            join_wall(centre_[leaf], outward(facet(cell, axis, side), side));
         } else if (tree_.is_leaf(other)) {
-            const int32_t own = centre_[static_cast<size_t>(leaf)], far = centre_[static_cast<size_t>(other)];
-            if (tree_.cells[static_cast<size_t>(other)].level < cell.level)
+            const int32_t own = centre_[leaf], far = centre_[other];
+            if (tree_.cells[other].level < cell.level)
                 join_coarser(own, far, outward(facet(cell, axis, side), side), cell, axis);
             else if (side == 1)
                 join_equal(own, far, facet(cell, axis, side));
         }
     }
 
-    Facet facet(const OctreeCell& cell, size_t axis, int side) const
+    Facet facet(const OctreeCell& cell, int axis, int side) const
     {
-        const size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-        std::array<int64_t, 3> at[4];
+        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+        FixedArray<int64_t, 3> at[4];
         Facet out;
         for (size_t c = 0; c < 4; ++c) {
             const int along_u = c == 1 || c == 2, along_v = c >= 2;
@@ -180,18 +180,18 @@ private:
     }
 
     // The corner of the facet in the middle of the larger face is the one at odd places across the axis.
-    void join_coarser(int32_t own, int32_t far, const Facet& f, const OctreeCell& cell, size_t axis)
+    void join_coarser(int32_t own, int32_t far, const Facet& f, const OctreeCell& cell, int axis)
     {
-        const size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
         const int odd_u = 1 - (cell.at[u] & 1), odd_v = 1 - (cell.at[v] & 1);
-        const std::array<int64_t, 3> low = points_.corner(cell, 0), high = points_.corner(cell, 7);
-        size_t start = 0;
-        for (size_t c = 0; c < 4; ++c) {
+        const FixedArray<int64_t, 3> low = points_.corner(cell, 0), high = points_.corner(cell, 7);
+        int start = -1;
+        for (int c = 0; c < 4; ++c) {
             const auto at = points_.place(f.corner[c]);
             if (at[u] == (odd_u ? high : low)[u] && at[v] == (odd_v ? high : low)[v])
                 start = c;
         }
-        for (size_t half = 1; half < 3; ++half) {
+        for (int half = 1; half < 3; ++half) {
             const int32_t a = f.corner[start], b = f.corner[(start + half) % 4], c = f.corner[(start + half + 1) % 4];
             tets_.push_back({own, a, b, c});
             tets_.push_back({far, a, c, b});
@@ -229,9 +229,9 @@ private:
 
     const Octree& tree_;
     const Points& points_;
-    const std::vector<int32_t>& centre_;
-    std::vector<Vec3>& mesh_points_;
-    std::vector<Tet>& tets_;
+    const Array<int32_t>& centre_;
+    Array<Vec3>& mesh_points_;
+    Array<Tet>& tets_;
 };
 
 }  // namespace
@@ -246,10 +246,10 @@ TetMesh octree_background(const SizingField& field, const Run& run)
         throw Error(CLEFT_ERROR_TOO_LARGE, "the sizing field spans too many octree levels for a box of this shape");
     TetMesh mesh;
     mesh.points = points.positions();
-    std::vector<int32_t> centre(tree.cells.size(), -1);
+    Array<int32_t> centre(tree.cells.size(), -1);
     for (size_t c = 0; c < tree.cells.size(); ++c)
         if (tree.cells[c].first_child < 0) {
-            if (mesh.points.size() >= static_cast<size_t>(INT32_MAX))
+            if (mesh.points.count() >= INT32_MAX)
                 throw Error(CLEFT_ERROR_TOO_LARGE, "the octree has more than 2147483647 points");
             centre[c] = static_cast<int32_t>(mesh.points.size());
             const auto low = points.corner(tree.cells[c], 0), high = points.corner(tree.cells[c], 7);
@@ -277,11 +277,11 @@ int64_t octree_tets(const SizingField& field, const Run& run)
         const OctreeCell& cell = tree.cells[c];
         for (int face = 0; cell.first_child < 0 && face < 6; ++face) {
             Int3 behind = cell.at;
-            behind[static_cast<size_t>(face / 2)] += face % 2 == 1 ? 1 : -1;
+            behind[face / 2] += face % 2 == 1 ? 1 : -1;
             const int32_t other = tree.find(behind, cell.level);
             if (other < 0)
                 tets += kAtWall;
-            else if (tree.is_leaf(other) && tree.cells[static_cast<size_t>(other)].level < cell.level)
+            else if (tree.is_leaf(other) && tree.cells[other].level < cell.level)
                 tets += kFromFiner;
             else if (tree.is_leaf(other) && face % 2 == 1)
                 tets += kBetweenEqual;

@@ -43,8 +43,8 @@ void split(Octree& tree, int32_t cell)
         throw Error(CLEFT_ERROR_TOO_LARGE,
                     "the sizes ask for more than 60 million octree cells: set a greater size or "
                     "size_min");
-    const OctreeCell parent = tree.cells[static_cast<size_t>(cell)];
-    tree.cells[static_cast<size_t>(cell)].first_child = first;
+    const OctreeCell parent = tree.cells[cell];
+    tree.cells[cell].first_child = first;
     for (int32_t child = 0; child < 8; ++child)
         tree.cells.push_back(
             {{2 * parent.at[0] + (child & 1), 2 * parent.at[1] + (child >> 1 & 1), 2 * parent.at[2] + (child >> 2)},
@@ -75,8 +75,8 @@ Int3 root_counts(const Vec3& extent, const SizingField& field)
         most > finest ? std::ldexp(finest, std::ilogb(most / finest)) : std::min(finest, extent.minCoeff());
     Int3 roots{};
     double count = 1;
-    for (size_t axis = 0; axis < 3; ++axis) {
-        const double n = std::max(1.0, std::round(extent[static_cast<int>(axis)] / side));
+    for (int axis = 0; axis < 3; ++axis) {
+        const double n = std::max(1.0, std::round(extent[axis] / side));
         count *= n;
         roots[axis] = static_cast<int32_t>(std::min(n, 1e9));
     }
@@ -132,13 +132,13 @@ void refine(Octree& tree, const SizingField& field, const Vec3& root_side, const
 // at in their turn.
 void balance(Octree& tree, const Run& run)
 {
-    std::vector<int32_t> queue;
+    Array<int32_t> queue;
     for (size_t c = 0; c < tree.cells.size(); ++c)
         if (tree.cells[c].first_child < 0 && tree.cells[c].level > 1)
             queue.push_back(static_cast<int32_t>(c));
     for (size_t q = 0; q < queue.size(); ++q) {
         run.check_at(q);
-        const OctreeCell cell = tree.cells[static_cast<size_t>(queue[q])];
+        const OctreeCell cell = tree.cells[queue[q]];
         for (int d = 0; d < 27; ++d) {
             const Int3 step = {d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1};
             const int reach = std::abs(step[0]) + std::abs(step[1]) + std::abs(step[2]);
@@ -146,10 +146,10 @@ void balance(Octree& tree, const Run& run)
                 continue;
             const Int3 place = {cell.at[0] + step[0], cell.at[1] + step[1], cell.at[2] + step[2]};
             int32_t other = tree.find(place, cell.level);
-            while (other >= 0 && tree.cells[static_cast<size_t>(other)].level < cell.level - 1) {
+            while (other >= 0 && tree.cells[other].level < cell.level - 1) {
                 split(tree, other);
-                const int32_t first = tree.cells[static_cast<size_t>(other)].first_child;
-                if (tree.cells[static_cast<size_t>(first)].level > 1)
+                const int32_t first = tree.cells[other].first_child;
+                if (tree.cells[first].level > 1)
                     for (int32_t child = first; child < first + 8; ++child)
                         queue.push_back(child);
                 other = tree.find(place, cell.level);
@@ -163,7 +163,7 @@ void balance(Octree& tree, const Run& run)
 int32_t Octree::find(const Int3& at, int32_t level) const
 {
     Int3 root{};
-    for (size_t axis = 0; axis < 3; ++axis) {
+    for (int axis = 0; axis < 3; ++axis) {
         root[axis] = at[axis] >> level;
         if (at[axis] < 0 || root[axis] >= roots[axis])
             return -1;
@@ -171,7 +171,7 @@ int32_t Octree::find(const Int3& at, int32_t level) const
     int32_t cell = root[0] + roots[0] * (root[1] + roots[1] * root[2]);
     for (int32_t l = level - 1; l >= 0 && !is_leaf(cell); --l) {
         const int32_t child = (at[0] >> l & 1) + 2 * (at[1] >> l & 1) + 4 * (at[2] >> l & 1);
-        cell = cells[static_cast<size_t>(cell)].first_child + child;
+        cell = cells[cell].first_child + child;
     }
     return cell;
 }

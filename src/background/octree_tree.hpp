@@ -1,17 +1,17 @@
 // The balanced octree under the graded background.
 #pragma once
 
+#include "base/array.hpp"
+#include "base/fixed_array.hpp"
 #include "base/run.hpp"
 #include "sizing/sizing_field.hpp"
 
-#include <array>
 #include <cstdint>
-#include <vector>
 
 namespace cleft
 {
 
-using Int3 = std::array<int32_t, 3>;
+using Int3 = FixedArray<int32_t, 3>;
 
 // Places along an axis at the finest level, halves counted: three of them make one 64-bit key.
 inline constexpr int64_t kMostPlaces = (int64_t{1} << 21) - 1;
@@ -24,11 +24,11 @@ struct OctreeCell {
 };
 
 struct Octree {
-    Int3 roots{};                   // number of roots along each axis; they are the first cells
-    int32_t levels = 0;             // depth of the deepest cell
-    std::vector<OctreeCell> cells;  // children of a cell are eight in a row, x fastest
+    Int3 roots{};             // number of roots along each axis; they are the first cells
+    int32_t levels = 0;       // depth of the deepest cell
+    Array<OctreeCell> cells;  // children of a cell are eight in a row, x fastest
 
-    bool is_leaf(int32_t cell) const { return cells[static_cast<size_t>(cell)].first_child < 0; }
+    bool is_leaf(int32_t cell) const { return cells[cell].first_child < 0; }
     // The leaf or inner cell of at most `level` that covers place `at` of that level; -1 outside the box.
     int32_t find(const Int3& at, int32_t level) const;
 };

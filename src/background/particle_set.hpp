@@ -1,10 +1,10 @@
 // The particles of a box and the walls that hold them.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/vec.hpp"
 
 #include <cstdint>
-#include <vector>
 
 namespace cleft
 {
@@ -12,17 +12,18 @@ namespace cleft
 // Bit a is set where the coordinate of axis a is held: it is exactly 0 or the extent of the box.
 using Walls = uint8_t;
 
-inline bool held(Walls walls, size_t axis) { return (walls >> axis & 1) != 0; }
+inline bool held(Walls walls, int axis) { return (walls >> axis & 1) != 0; }
 // 0 inside, 1 on a face, 2 on an edge, 3 in a corner of the box.
 inline int wall_count(Walls walls) { return (walls & 1) + (walls >> 1 & 1) + (walls >> 2 & 1); }
 // The share of the particle that belongs to the box; the rest belongs to its mirror images.
 inline double share_of_box(Walls walls) { return 1.0 / (1 << wall_count(walls)); }
 
 struct ParticleSet {
-    std::vector<Vec3> x;
-    std::vector<Walls> walls;
+    Array<Vec3> x;
+    Array<Walls> walls;
 
     size_t size() const { return x.size(); }
+    int64_t count() const { return x.count(); }
     void add(const Vec3& point, Walls w)
     {
         x.push_back(point);

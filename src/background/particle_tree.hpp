@@ -2,12 +2,12 @@
 // its leaves once; later, when they have moved a little, only the boxes are fitted again.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/run.hpp"
 #include "base/vec.hpp"
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 namespace cleft
 {
@@ -17,7 +17,7 @@ constexpr int64_t kLeafSize = 8;
 constexpr int64_t kLeavesInGroup = 8;
 
 // The order in which each run of eight points is a leaf: halves along the longest side, again and again.
-std::vector<int32_t> tree_order(const std::vector<Vec3>& points, const Run& run);
+Array<int32_t> tree_order(const Array<Vec3>& points, const Run& run);
 
 struct ParticleTree {
     struct Node {
@@ -26,14 +26,14 @@ struct ParticleTree {
         int32_t leaf = -1;  // its number, or -1 for an inner node
         int32_t next = 0;   // the node that follows all below this one
     };
-    std::vector<Node> nodes;      // a parent before its children
-    std::vector<int32_t> leaves;  // the node of each leaf
+    Array<Node> nodes;      // a parent before its children
+    Array<int32_t> leaves;  // the node of each leaf
 };
 
-ParticleTree make_tree(size_t points);
+ParticleTree make_tree(int64_t points);
 
 // `points` in tree order; a particle feels the others that are nearer than its reach.
-void fit_boxes(ParticleTree& tree, const std::vector<Vec3>& points, const std::vector<float>& reach, const Run& run);
+void fit_boxes(ParticleTree& tree, const Array<Vec3>& points, const Array<float>& reach, const Run& run);
 
 // visit(leaf) for every leaf whose box is nearer than `reach` to the box.
 template <class Visit>
@@ -41,8 +41,7 @@ void for_leaves_near(const ParticleTree& tree, const Eigen::AlignedBox3d& box, d
 {
     const auto end = static_cast<int32_t>(tree.nodes.size());
     for (int32_t n = 0; n < end;) {
-        const ParticleTree::Node& node = tree.nodes[static_cast<size_t>(n)];
-
+        const ParticleTree::Node& node = tree.nodes[n];
         const Vec3 gap = (node.box.min() - box.max()).cwiseMax(box.min() - node.box.max()).cwiseMax(0.0);
         if (gap.squaredNorm() >= reach * reach) {
             n = node.next;

@@ -21,21 +21,21 @@ constexpr double kJitter = 1e-9;  // in h
 
 void jitter(ParticleSet& particles, const SizeSampler& size, uint64_t variation, const Run& run)
 {
-    parallel_for(run, static_cast<int64_t>(particles.size()), 4096, [&](int64_t begin, int64_t end) {
+    parallel_for(run, particles.count(), 4096, [&](int64_t begin, int64_t end) {
         for (int64_t i = begin; i < end; ++i) {
-            Vec3& x = particles.x[static_cast<size_t>(i)];
+            Vec3& x = particles.x[i];
             const double h = static_cast<double>(size(x));
             for (int a = 0; a < 3; ++a)
-                if (!held(particles.walls[static_cast<size_t>(i)], static_cast<size_t>(a)))
+                if (!held(particles.walls[i], a))
                     x[a] += kJitter * h * (2 * unit_random(variation + 2, static_cast<uint64_t>(3 * i + a)) - 1);
         }
     });
 }
 
 // Corners, edges, faces, inside; else in the order that they have.
-std::vector<Vec3> walls_first(const ParticleSet& particles)
+Array<Vec3> walls_first(const ParticleSet& particles)
 {
-    std::vector<Vec3> out;
+    Array<Vec3> out;
     out.reserve(particles.size());
     for (int walls = 3; walls >= 0; --walls)
         for (size_t i = 0; i < particles.size(); ++i)
@@ -46,7 +46,7 @@ std::vector<Vec3> walls_first(const ParticleSet& particles)
 
 }  // namespace
 
-std::vector<Vec3> relaxed_particles(const SizingField& field, const ParticleOptions& options, const Run& run)
+Array<Vec3> relaxed_particles(const SizingField& field, const ParticleOptions& options, const Run& run)
 {
     const SizeSampler size(field);
     Steps steps(run, {{nullptr, 12}, {nullptr, 88}});

@@ -30,27 +30,27 @@ constexpr double kClearance = 0.1;
 constexpr auto kStepScale = static_cast<float>(1 / (4 * 3.14159265358979323846 * kParticleDensity[3]));
 
 struct Motion {
-    std::vector<float> h, reach;
-    std::vector<Eigen::Vector3f> attraction, force, velocity;  // in units of h of the particle
+    Array<float> h, reach;
+    Array<Eigen::Vector3f> attraction, force, velocity;  // in units of h of the particle
 
-    explicit Motion(size_t n) : h(n), reach(n), attraction(n), force(n), velocity(n, Eigen::Vector3f::Zero()) {}
+    explicit Motion(int64_t n) : h(n), reach(n), attraction(n), force(n), velocity(n, Eigen::Vector3f::Zero()) {}
 };
 
-ParticleSet in_order(const ParticleSet& particles, const std::vector<int32_t>& order)
+ParticleSet in_order(const ParticleSet& particles, const Array<int32_t>& order)
 {
     ParticleSet out;
     out.x.reserve(order.size());
     out.walls.reserve(order.size());
     for (const int32_t i : order)
-        out.add(particles.x[static_cast<size_t>(i)], particles.walls[static_cast<size_t>(i)]);
+        out.add(particles.x[i], particles.walls[i]);
     return out;
 }
 
 void read_sizes(const ParticleSet& particles, const SizeSampler& size, bool attraction_too, Motion& motion,
                 const Run& run)
 {
-    parallel_for(run, static_cast<int64_t>(particles.size()), 1024, [&](int64_t begin, int64_t end) {
-        for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
+    parallel_for(run, particles.count(), 1024, [&](int64_t begin, int64_t end) {
+        for (int64_t i = begin; i < end; ++i) {
             motion.h[i] = size(particles.x[i]);
             motion.reach[i] = kReach * motion.h[i];
             if (attraction_too)
@@ -69,28 +69,28 @@ double moved(double x, double by, double length, double clearance)
 double move(ParticleSet& particles, Motion& motion, const LongWaves& waves, const Vec3& extent, const Run& run)
 {
     constexpr int64_t kGrain = 1024;
-    const auto n = static_cast<int64_t>(particles.size());
-    std::vector<double> sums(static_cast<size_t>(chunk_count(n, kGrain)));
+    const auto n = particles.count();
+    Array<double> sums(chunk_count(n, kGrain));
     parallel_chunks(run, n, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
         double sum = 0;
-        for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
+        for (int64_t i = begin; i < end; ++i) {
             const double h = static_cast<double>(motion.h[i]);
             const Eigen::Vector3f wave =
                 (field_at(waves, particles.x[i], static_cast<double>(motion.reach[i])) * (h * h)).cast<float>();
             const Eigen::Vector3f near = motion.force[i] + motion.attraction[i];
             Eigen::Vector3f v = kMomentum * motion.velocity[i] + kStepScale * (kNearGain * near + kWaveGain * wave);
             for (int a = 0; a < 3; ++a)
-                if (held(particles.walls[i], static_cast<size_t>(a)))
+                if (held(particles.walls[i], a))
                     v[a] = 0;
             v *= std::min(1.0F, kLongestMove / std::max(v.norm(), 1e-30F));
             motion.velocity[i] = v;
             for (int a = 0; a < 3; ++a)
-                if (!held(particles.walls[i], static_cast<size_t>(a)))
+                if (!held(particles.walls[i], a))
                     particles.x[i][a] =
                         moved(particles.x[i][a], h * static_cast<double>(v[a]), extent[a], kClearance * h);
             sum += static_cast<double>(v.squaredNorm());
         }
-        sums[static_cast<size_t>(chunk)] = sum;
+        sums[chunk] = sum;
     });
     double all = 0;
     for (const double s : sums)
@@ -103,11 +103,11 @@ double move(ParticleSet& particles, Motion& motion, const LongWaves& waves, cons
 void relax(ParticleSet& particles, const SizingField& field, const SizeSampler& size, int steps, const Run& run)
 {
     particles = in_order(particles, tree_order(particles.x, run));
-    ParticleTree tree = make_tree(particles.size());
-    Motion motion(particles.size());
+    ParticleTree tree = make_tree(particles.count());
+    Motion motion(particles.count());
     const auto [least, greatest] = std::minmax_element(field.h.begin(), field.h.end());
     LongWaves waves = make_long_waves(size, *least, *greatest, particles, run);
-    std::vector<NearGroup> near;
+    Array<NearGroup> near;
     for (int step = 0; step < steps; ++step) {
         run.report(static_cast<double>(step) / steps);
         read_sizes(particles, size, step % kAttractionLasts == 0, motion, run);

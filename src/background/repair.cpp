@@ -34,7 +34,7 @@ public:
     // Flips first: a sweep over bad connections would only move points to bad places.
     void work()
     {
-        std::vector<Step> shares(static_cast<size_t>(options_.sweeps) + 2, {nullptr, 4});
+        Array<Step> shares(options_.sweeps + 2, {nullptr, 4});
         shares[0].share = 2;
         Steps steps(run_, shares);
         improve_bad(std::min(kSweepAngle, options_.target_angle), false, steps.next());

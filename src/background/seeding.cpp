@@ -21,7 +21,7 @@ class ErrorDiffusion
 {
 public:
     // `phase` of the first unit is already there.
-    ErrorDiffusion(double phase, std::vector<Vec3>& out) : charge_(phase), out_(out) {}
+    ErrorDiffusion(double phase, Array<Vec3>& out) : charge_(phase), out_(out) {}
 
     void add(const Vec3& x, double charge, double h)
     {
@@ -44,7 +44,7 @@ private:
     double charge_;
     bool started_ = false;
     Vec3 moment_ = Vec3::Zero();  // first moment of the charge gathered
-    std::vector<Vec3>& out_;
+    Array<Vec3>& out_;
 };
 
 // The number of particles to come. A particle of a wall takes half of its charge from the box: the other half is
@@ -53,15 +53,15 @@ double expected_particles(const SizingField& field)
 {
     double expected = 8 + kParticleDensity[3] * sizing_charge(field);
     const Grid& grid = field.grid;
-    for (size_t axis = 0; axis < 3; ++axis) {
-        const size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
         const double du = grid.spacing[static_cast<int>(u)], dv = grid.spacing[static_cast<int>(v)];
-        std::array<int32_t, 3> at{};
+        FixedArray<int32_t, 3> at{};
         for (const int32_t side : {0, grid.dims[axis] - 1}) {
             at[axis] = side;
             for (at[v] = 0; at[v] < grid.dims[v]; ++at[v])
                 for (at[u] = 0; at[u] < grid.dims[u]; ++at[u]) {
-                    const double h = field.h[static_cast<size_t>(grid.index(at[0], at[1], at[2]))];
+                    const double h = field.h[grid.index(at[0], at[1], at[2])];
                     expected += 0.5 * kParticleDensity[2] * du * dv / (h * h);
                 }
         }
@@ -87,25 +87,23 @@ void seed_part(const BoxPart<D>& part, const SizeSampler& size, const BccPatches
 {
     // Each run of the curve has a phase of its own: at worst one particle more or less in hundreds.
     constexpr int64_t kTasksAtOnce = 8;
-    const std::vector<CurveCell<D>> tasks = curve_tasks(part, size, variation);
-    const auto count = static_cast<int64_t>(tasks.size());
+    const Array<CurveCell<D>> tasks = curve_tasks(part, size, variation);
+    const auto count = tasks.count();
     const uint64_t stream = hashed(variation + 1, part.number);
-    std::vector<std::vector<Vec3>> found(static_cast<size_t>(chunk_count(count, kTasksAtOnce)));
+    Array<Array<Vec3>> found(chunk_count(count, kTasksAtOnce));
     parallel_chunks(run, count, kTasksAtOnce, [&](int64_t chunk, int64_t begin, int64_t end) {
-        const auto c = static_cast<size_t>(chunk);
-        ErrorDiffusion diffusion(unit_random(stream, c), found[c]);
+        ErrorDiffusion diffusion(unit_random(stream, static_cast<uint64_t>(chunk)), found[chunk]);
         for (int64_t t = begin; t < end; ++t)
-            walk_charge(part, size, tasks[static_cast<size_t>(t)], border_layer(D),
-                        [&](const Vec3& x, double charge, double h) {
-                            if (!patches.owns(x, part.walls))
-                                diffusion.add(x, charge, h);
-                        });
+            walk_charge(part, size, tasks[t], border_layer(D), [&](const Vec3& x, double charge, double h) {
+                if (!patches.owns(x, part.walls))
+                    diffusion.add(x, charge, h);
+            });
     });
     for (const auto& points : found) {
         for (Vec3 x : points) {
-            for (size_t axis = 0; axis < 3; ++axis)
+            for (int axis = 0; axis < 3; ++axis)
                 if (held(part.walls, axis))  // a centroid of points in a wall may miss it by a rounding error
-                    x[static_cast<int>(axis)] = part.origin[static_cast<int>(axis)];
+                    x[axis] = part.origin[axis];
             out.add(x, part.walls);
         }
     }

@@ -91,7 +91,7 @@ void tetrahedralize_reserved(tetgenbehavior& behavior, tetgenio& in, tetgenio& o
 
 }  // namespace
 
-std::vector<Tet> run_tetgen(std::vector<Vec3>& points)
+Array<Tet> run_tetgen(Array<Vec3>& points)
 {
     // Quiet; zero-based; keep the numbering; no nodes, faces, boundary markers; the tolerance of its test of
     // coplanarity.
@@ -109,7 +109,7 @@ std::vector<Tet> run_tetgen(std::vector<Vec3>& points)
     in.pointlist = points.data()->data();
     in.numberofpoints = static_cast<int>(points.size());
     tetrahedralize_reserved(behavior, in, out);
-    std::vector<Tet> tets(static_cast<size_t>(out.numberoftetrahedra));
+    Array<Tet> tets(out.numberoftetrahedra);
     for (size_t t = 0; t < tets.size(); ++t)
         std::copy_n(out.tetrahedronlist + 4 * t, 4, tets[t].begin());
     return tets;

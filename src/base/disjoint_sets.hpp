@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 namespace cleft
 {
@@ -16,16 +15,16 @@ class DisjointSets
 {
 public:
     // Each of 0 .. count - 1 alone.
-    explicit DisjointSets(size_t count) : parent_(large_vector<int32_t>(count))
+    explicit DisjointSets(size_t count) : parent_(large_array<int32_t>(count))
     {
         std::iota(parent_.begin(), parent_.end(), 0);
     }
 
     int32_t find(int32_t i)
     {
-        while (parent(i) != i) {
-            parent(i) = parent(parent(i));  // halves the path
-            i = parent(i);
+        while (parent_[i] != i) {
+            parent_[i] = parent_[parent_[i]];  // halves the path
+            i = parent_[i];
         }
         return i;
     }
@@ -34,21 +33,21 @@ public:
     {
         a = find(a);
         b = find(b);
-        parent(std::max(a, b)) = std::min(a, b);
+        parent_[std::max(a, b)] = std::min(a, b);
     }
 
     // By number: the least member of its set.
-    std::vector<int32_t> take()
+    Array<int32_t> take()
     {
-        for (int32_t& up : parent_)  // one that is less comes before
-            up = parent(up);
+        for (int32_t i = 0; i < parent_.count(); ++i) {
+            CLEFT_ASSERT(parent_[i] <= i);
+            parent_[i] = parent_[parent_[i]];  // one that is less comes before
+        }
         return std::move(parent_);
     }
 
 private:
-    int32_t& parent(int32_t i) { return parent_[static_cast<size_t>(i)]; }
-
-    std::vector<int32_t> parent_;
+    Array<int32_t> parent_;
 };
 
 }  // namespace cleft

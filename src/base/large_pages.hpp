@@ -2,8 +2,9 @@
 // the processor spends much of that time finding the page.
 #pragma once
 
+#include "base/array.hpp"
+
 #include <cstddef>
-#include <vector>
 
 namespace cleft
 {
@@ -12,17 +13,17 @@ namespace cleft
 void allow_large_pages(void* data, size_t bytes);
 
 // reserve() of an empty vector.
-template <class T>
-void reserve_large(std::vector<T>& array, size_t count)
+template <class T, class Integer>
+void reserve_large(std::vector<T>& array, Integer count)
 {
-    array.reserve(count);
-    allow_large_pages(array.data(), count * sizeof(T));
+    array.reserve(to_size(count));
+    allow_large_pages(array.data(), to_size(count) * sizeof(T));
 }
 
-template <class T>
-std::vector<T> large_vector(size_t count, const T& value = T())
+template <class T, class Integer>
+Array<T> large_array(Integer count, const T& value = T())
 {
-    std::vector<T> array;
+    Array<T> array;
     reserve_large(array, count);
     array.assign(count, value);
     return array;

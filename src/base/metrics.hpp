@@ -2,15 +2,16 @@
 // Names are dotted, stage first: "background.repair.min_angle_before".
 #pragma once
 
+#include "base/array.hpp"
+
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace cleft
 {
 
 struct Metrics {
-    std::vector<std::pair<std::string, double>> items;
+    Array<std::pair<std::string, double>> items;
 
     void set(const std::string& name, double value)
     {

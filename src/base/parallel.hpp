@@ -3,6 +3,7 @@
 // bytes for every thread count.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/run.hpp"
 
 #include <algorithm>
@@ -27,9 +28,9 @@ void parallel_chunks(const Run& run, int64_t n, int64_t grain, const Body& body)
     const int workers = static_cast<int>(std::min<int64_t>(std::max(1, run.threads), chunks));
     std::atomic<int64_t> next{0};
     std::atomic<bool> failed{false};
-    std::vector<std::exception_ptr> errors(static_cast<size_t>(std::max(1, workers)));
-    std::vector<int64_t> error_chunk(errors.size(), INT64_MAX);
-    const auto work = [&](size_t worker) {
+    Array<std::exception_ptr> errors(std::max(1, workers));
+    Array<int64_t> error_chunk(errors.size(), INT64_MAX);
+    const auto work = [&](int worker) {
         int64_t chunk = 0;
         try {
             while (!failed.load(std::memory_order_relaxed) && (chunk = next.fetch_add(1)) < chunks) {
@@ -45,7 +46,7 @@ void parallel_chunks(const Run& run, int64_t n, int64_t grain, const Body& body)
     std::vector<std::thread> threads;
     for (int t = 1; t < workers; ++t) {
         try {
-            threads.emplace_back(work, static_cast<size_t>(t));
+            threads.emplace_back(work, t);
         } catch (const std::system_error&) {
             break;  // no more threads to be had: the others do the work
         }
@@ -55,8 +56,8 @@ void parallel_chunks(const Run& run, int64_t n, int64_t grain, const Body& body)
     for (auto& thread : threads)
         thread.join();
     const auto first = std::min_element(error_chunk.begin(), error_chunk.end()) - error_chunk.begin();
-    if (errors[static_cast<size_t>(first)])
-        std::rethrow_exception(errors[static_cast<size_t>(first)]);
+    if (errors[first])
+        std::rethrow_exception(errors[first]);
 }
 
 // body(begin, end) for every chunk.

@@ -2,11 +2,10 @@
 // out the time.
 #pragma once
 
-#include "base/assert.hpp"
+#include "base/array.hpp"
 #include "base/stage_timer.hpp"
 
 #include <utility>
-#include <vector>
 
 namespace cleft
 {
@@ -22,7 +21,7 @@ struct Step {
 class Steps
 {
 public:
-    Steps(Run run, std::vector<Step> steps) : run_(std::move(run)), steps_(std::move(steps))
+    Steps(Run run, Array<Step> steps) : run_(std::move(run)), steps_(std::move(steps))
     {
         for (const Step& step : steps_)
             all_ += step.share;
@@ -48,7 +47,7 @@ public:
 
 private:
     const Run run_;
-    std::vector<Step> steps_;
+    Array<Step> steps_;
     size_t at_ = 0;
     double all_ = 0, done_ = 0;
 };
@@ -57,9 +56,7 @@ private:
 class Stage : public Steps
 {
 public:
-    Stage(const Run& run, const char* name, std::vector<Step> steps) : Steps(run, std::move(steps)), timer_(run, name)
-    {
-    }
+    Stage(const Run& run, const char* name, Array<Step> steps) : Steps(run, std::move(steps)), timer_(run, name) {}
 
 private:
     StageTimer timer_;

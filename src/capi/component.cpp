@@ -31,13 +31,13 @@ void with_handle(const void* handle, const Body& body)
     throw cleft::Error(CLEFT_ERROR_HANDLE, "one of the handles is not a handle of this library");
 }
 
-void keep(std::vector<const void*>& kept, const void* handle)
+void keep(cleft::Array<const void*>& kept, const void* handle)
 {
     with_handle(handle, [](const auto& of_kind) { ++of_kind.owners.count; });
     kept.push_back(handle);
 }
 
-void let_go(const std::vector<const void*>& kept) noexcept
+void let_go(const cleft::Array<const void*>& kept) noexcept
 {
     for (const void* handle : kept)
         with_handle(handle, [](const auto& of_kind) { release(of_kind); });
@@ -53,10 +53,10 @@ cleft_status cleft_context_begin(cleft_context* context, const void* const* hand
         return CLEFT_ERROR_HANDLE;
     if (!context->occupancy.enter())
         return CLEFT_ERROR_BUSY;
-    std::vector<const void*> kept;
+    cleft::Array<const void*> kept;
     begin(*context);
     const cleft_status status = guarded(&context->message, [&] {
-        kept.reserve(static_cast<size_t>(count) + 1);
+        kept.reserve(count + 1);
         context->kept.reserve(context->kept.size() + 1);
         keep(kept, context);
         for (int64_t i = 0; i < count; ++i)
@@ -76,7 +76,7 @@ void cleft_context_end(cleft_context* context) noexcept
 {
     if (!is_sound(context) || context->occupancy.is_others() || context->kept.empty())
         return;
-    const std::vector<const void*> kept = std::move(context->kept.back());
+    const cleft::Array<const void*> kept = std::move(context->kept.back());
     context->kept.pop_back();
     context->occupancy.leave();
     let_go(kept);

@@ -28,8 +28,7 @@ struct Cover {
     explicit Cover(const TetMesh& mesh)
     {
         box.add(mesh.points);
-        for (const double tets :
-             material_volumes(mesh.points, mesh.tets, std::vector<Material>(mesh.tets.size(), 0), 1))
+        for (const double tets : material_volumes(mesh.points, mesh.tets, Array<Material>(mesh.tets.size(), 0), 1))
             volume += tets;
     }
 };

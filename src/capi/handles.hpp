@@ -3,6 +3,8 @@
 // work with it. A handle that a callback destroys so lives until the call that uses it ends.
 #pragma once
 
+#include "base/array.hpp"
+#include "base/fixed_array.hpp"
 #include "base/metrics.hpp"
 #include "capi/label_names.hpp"
 #include "capi/occupancy.hpp"
@@ -18,7 +20,6 @@
 #include <atomic>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace cleft::capi
 {
@@ -65,25 +66,25 @@ struct cleft_context : cleft::capi::Handle<cleft::capi::Mark::context> {
     void* log_user = nullptr;
     std::atomic<bool> cancel{false};
     cleft::capi::Occupancy occupancy;
-    std::vector<std::vector<const void*>> kept;  // handles that components keep alive, a list for each call of theirs
+    cleft::Array<cleft::Array<const void*>> kept;  // handles that components keep alive, a list for each call of theirs
     cleft::Metrics metrics;
     cleft::capi::Message message{};
 };
 
 struct cleft_options : cleft::capi::Handle<cleft::capi::Mark::options> {
-    std::array<double, cleft::capi::kOptionCount> values{};
-    std::array<bool, cleft::capi::kOptionCount> given{};  // whether the user set it
-    std::vector<std::pair<int32_t, double>> label_sizes;
-    std::vector<int32_t> strip;
-    std::vector<int32_t> only;
+    cleft::FixedArray<double, cleft::capi::kOptionCount> values{};
+    cleft::FixedArray<bool, cleft::capi::kOptionCount> given{};  // whether the user set it
+    cleft::Array<std::pair<int32_t, double>> label_sizes;
+    cleft::Array<int32_t> strip;
+    cleft::Array<int32_t> only;
     cleft::capi::Message message{};
 };
 
 struct cleft_volume : cleft::capi::Handle<cleft::capi::Mark::volume> {
     cleft::Frame frame;
     cleft::Volume volume;
-    std::vector<cleft::Material> listed;  // Volume::listed
-    std::vector<int32_t> labels;          // of these
+    cleft::Array<cleft::Material> listed;  // Volume::listed
+    cleft::Array<int32_t> labels;          // of these
     cleft::capi::LabelNames names;
 };
 
@@ -96,9 +97,9 @@ struct cleft_sizing : cleft::capi::Handle<cleft::capi::Mark::sizing> {
 struct cleft_mesh : cleft::capi::Handle<cleft::capi::Mark::mesh> {
     std::optional<cleft::Frame> frame;  // of the volume or sizing field that it came from
     cleft::capi::MadeBy made_by = cleft::capi::MadeBy::user;
-    std::vector<cleft::Vec3> local;  // a stage's own points for the next one, if the way back differs in last digits
+    cleft::Array<cleft::Vec3> local;  // a stage's own points for the next one, if the way back differs in last digits
     cleft::UserMesh mesh;
-    std::vector<int32_t> labels;  // the different ones, ascending
+    cleft::Array<int32_t> labels;  // the different ones, ascending
     cleft::capi::LabelNames names;
 };
 
@@ -108,5 +109,5 @@ struct cleft_surface : cleft::capi::Handle<cleft::capi::Mark::surface> {
 
 struct cleft_report : cleft::capi::Handle<cleft::capi::Mark::report> {
     cleft::LabelReport report;
-    std::vector<cleft::Material> listed;  // the material of each row that users see
+    cleft::Array<cleft::Material> listed;  // the material of each row that users see
 };

@@ -13,13 +13,13 @@ namespace cleft::capi
 namespace
 {
 
-bool contains(const std::vector<int32_t>& list, int32_t label)
+bool contains(const Array<int32_t>& list, int32_t label)
 {
     return std::find(list.begin(), list.end(), label) != list.end();
 }
 
 // "label 3", "labels 3 and 5", "labels 3, 5, 8 and 4 more".
-std::string named(std::vector<int32_t> labels)
+std::string named(Array<int32_t> labels)
 {
     constexpr size_t kMost = 5;
     std::sort(labels.begin(), labels.end());
@@ -41,11 +41,11 @@ std::string list_names(const cleft_options& options)
 
 }  // namespace
 
-std::vector<char> kept_labels(const std::vector<int32_t>& labels, const cleft_options* options, const char* whose)
+Array<char> kept_labels(const Array<int32_t>& labels, const cleft_options* options, const char* whose)
 {
     if (!options || (options->strip.empty() && options->only.empty()))
         return {};
-    std::vector<char> keep;
+    Array<char> keep;
     for (const int32_t label : labels)
         keep.push_back(!contains(options->strip, label) && (options->only.empty() || contains(options->only, label)));
     const bool keeps_some = std::find(keep.begin(), keep.end(), 1) != keep.end();
@@ -53,16 +53,16 @@ std::vector<char> kept_labels(const std::vector<int32_t>& labels, const cleft_op
         throw Error(CLEFT_ERROR_OPTION,
                     list_names(*options) + " would leave nothing of the " + whose + ", which has " + named(labels));
     const bool keeps_all = std::find(keep.begin(), keep.end(), 0) == keep.end();
-    return keeps_all ? std::vector<char>() : keep;
+    return keeps_all ? Array<char>() : keep;
 }
 
-void warn_of_unknown_labels(const std::vector<int32_t>& labels, const cleft_options* options, const char* whose,
+void warn_of_unknown_labels(const Array<int32_t>& labels, const cleft_options* options, const char* whose,
                             const Run& run)
 {
     if (!options)
         return;
-    const auto warn = [&](const char* option, const std::vector<int32_t>& list) {
-        std::vector<int32_t> unknown;
+    const auto warn = [&](const char* option, const Array<int32_t>& list) {
+        Array<int32_t> unknown;
         for (const int32_t label : list)
             if (!contains(labels, label))
                 unknown.push_back(label);
@@ -75,12 +75,12 @@ void warn_of_unknown_labels(const std::vector<int32_t>& labels, const cleft_opti
 
 void strip_labels(cleft_mesh& mesh, const cleft_options* options)
 {
-    const std::vector<char> keep = kept_labels(mesh.labels, options, "mesh");
+    const Array<char> keep = kept_labels(mesh.labels, options, "mesh");
     if (keep.empty())
         return;
     const auto is_kept = [&](int32_t label) {
         const auto place = std::lower_bound(mesh.labels.begin(), mesh.labels.end(), label) - mesh.labels.begin();
-        return keep[static_cast<size_t>(place)] != 0;
+        return keep[place] != 0;
     };
     strip(mesh.mesh.points, mesh.mesh.tets, mesh.mesh.labels, is_kept);
     mesh.labels = distinct_labels(mesh.mesh.labels);

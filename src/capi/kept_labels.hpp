@@ -1,6 +1,7 @@
 // Which labels the lists STRIP and ONLY of the options keep.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/run.hpp"
 #include "capi/handles.hpp"
 
@@ -9,10 +10,10 @@ namespace cleft::capi
 
 // By label: whether it is kept; empty if the options leave none of them out. An Error if they leave all of them out.
 // `whose` is what has the labels, in words: "volume" or "mesh".
-std::vector<char> kept_labels(const std::vector<int32_t>& labels, const cleft_options* options, const char* whose);
+Array<char> kept_labels(const Array<int32_t>& labels, const cleft_options* options, const char* whose);
 
 // Warns of labels that the lists name and that are not among `labels`.
-void warn_of_unknown_labels(const std::vector<int32_t>& labels, const cleft_options* options, const char* whose,
+void warn_of_unknown_labels(const Array<int32_t>& labels, const cleft_options* options, const char* whose,
                             const Run& run);
 
 // Takes out of a mesh what the options leave out.

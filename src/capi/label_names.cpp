@@ -28,8 +28,7 @@ void check_name(std::string_view name, int32_t label)
 
 }  // namespace
 
-void set_label_name(LabelNames& names, const std::vector<int32_t>& labels, int32_t label, const char* name,
-                    const char* owner)
+void set_label_name(LabelNames& names, const Array<int32_t>& labels, int32_t label, const char* name, const char* owner)
 {
     if (std::find(labels.begin(), labels.end(), label) == labels.end())
         throw Error(CLEFT_ERROR_ARGUMENT, std::string(owner) + " has no label " + std::to_string(label));
@@ -47,7 +46,7 @@ const char* label_name(const LabelNames& names, int32_t label)
     return found == names.end() ? "" : found->second.c_str();
 }
 
-void add_label_names(LabelNames& names, const LabelNames& more, const std::vector<int32_t>& labels)
+void add_label_names(LabelNames& names, const LabelNames& more, const Array<int32_t>& labels)
 {
     for (const auto& row : more)
         if (std::binary_search(labels.begin(), labels.end(), row.first))

@@ -30,9 +30,9 @@ void check_counts(int64_t point_count, int64_t tet_count, int32_t index_base)
         throw Error(CLEFT_ERROR_ARGUMENT, "index_base is " + std::to_string(index_base) + "; it must be 0 or 1");
 }
 
-std::vector<cleft::Tet> checked_tets(const int32_t* tets, int64_t tet_count, int64_t point_count, int32_t index_base)
+cleft::Array<cleft::Tet> checked_tets(const int32_t* tets, int64_t tet_count, int64_t point_count, int32_t index_base)
 {
-    std::vector<cleft::Tet> out(static_cast<size_t>(tet_count));
+    cleft::Array<cleft::Tet> out(tet_count);
     for (int64_t t = 0; t < tet_count; ++t)
         for (size_t i = 0; i < 4; ++i) {
             const int64_t corner = int64_t{tets[4 * t + static_cast<int64_t>(i)]} - index_base;
@@ -41,13 +41,13 @@ std::vector<cleft::Tet> checked_tets(const int32_t* tets, int64_t tet_count, int
                             "the " + ordinal(t) + " tetrahedron names point " + std::to_string(corner + index_base) +
                                 ", but there " + cleft::is_or_are(point_count) + " " +
                                 cleft::counted(point_count, "point") + ", counted from " + std::to_string(index_base));
-            out[static_cast<size_t>(t)][i] = static_cast<int32_t>(corner);
+            out[t][i] = static_cast<int32_t>(corner);
         }
     return out;
 }
 
 template <class T>
-const T* data_or_null(const std::vector<T>& v)
+const T* data_or_null(const cleft::Array<T>& v)
 {
     return v.empty() ? nullptr : v.data();
 }
@@ -72,18 +72,18 @@ cleft_status cleft_mesh_create(cleft_context* context, int64_t point_count, cons
         if (tet_count > 0)
             required(tets, "tets");
         cleft_mesh mesh;
-        mesh.mesh.points.resize(static_cast<size_t>(point_count));
+        mesh.mesh.points.resize(point_count);
         for (int64_t i = 0; i < point_count; ++i) {
             const cleft::Vec3 point(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
             if (!point.allFinite())
                 throw Error(CLEFT_ERROR_NOT_FINITE, "the " + ordinal(i) + " point is NaN or infinite");
-            mesh.mesh.points[static_cast<size_t>(i)] = point;
+            mesh.mesh.points[i] = point;
         }
         mesh.mesh.tets = checked_tets(tets, tet_count, point_count, index_base);
         if (labels)
             mesh.mesh.labels.assign(labels, labels + tet_count);
         else
-            mesh.mesh.labels.assign(static_cast<size_t>(tet_count), 0);
+            mesh.mesh.labels.assign(tet_count, 0);
         mesh.labels = distinct_labels(mesh.mesh.labels);
         return mesh;
     });
@@ -183,7 +183,7 @@ cleft_status cleft_mesh_copy_quadratic(const cleft_mesh* mesh, int32_t index_bas
         check_counts(0, 0, index_base);
         const cleft::MiddleNodes middles(from.tets);
         const size_t corners = from.points.size();
-        if (corners + middles.count() > static_cast<size_t>(INT32_MAX) - 1)
+        if (corners + middles.count() >= INT32_MAX)
             throw Error(CLEFT_ERROR_TOO_LARGE, "more than 2147483646 points");
         *point_count = static_cast<int64_t>(corners + middles.count());
         if (!points && !tets)

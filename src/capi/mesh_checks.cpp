@@ -79,7 +79,7 @@ cleft::BoundingBox box_of(const cleft_mesh& mesh, const cleft::UserMesh& local)
 
 const cleft::LabelRow& row_at(const cleft_report& report, int64_t index)
 {
-    return report.report.rows[static_cast<size_t>(report.listed[static_cast<size_t>(index)])];
+    return report.report.rows[report.listed[index]];
 }
 
 }  // namespace
@@ -256,8 +256,8 @@ cleft_status cleft_report_contact(const cleft_report* report, int64_t index, cle
         checked(report, "report");
         if (index < 0 || index >= cleft_report_contact_count(report))
             throw Error(CLEFT_ERROR_ARGUMENT, "there is no such contact");
-        const cleft::LabelContact& from = report->report.contacts[static_cast<size_t>(index)];
-        const auto label = [&](cleft::Material m) { return report->report.rows[static_cast<size_t>(m)].label; };
+        const cleft::LabelContact& from = report->report.contacts[index];
+        const auto label = [&](cleft::Material m) { return report->report.rows[m].label; };
         cleft_contact contact{};
         contact.first = label(from.first);
         contact.second = label(from.second);

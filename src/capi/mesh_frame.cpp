@@ -14,15 +14,15 @@ namespace cleft::capi
 namespace
 {
 
-void turn_round(std::vector<Tet>& tets)
+void turn_round(Array<Tet>& tets)
 {
     for (Tet& tet : tets)
         std::swap(tet[2], tet[3]);
 }
 
 // A mesh that is sound in its own frame was spoilt by the rounding of world coordinates.
-[[noreturn]] void refuse_result(std::vector<Tet> tets, const std::vector<Vec3>& local, const Frame& frame,
-                                const std::string& fault, const Run& run)
+[[noreturn]] void refuse_result(Array<Tet> tets, const Array<Vec3>& local, const Frame& frame, const std::string& fault,
+                                const Run& run)
 {
     if (frame.flips())
         turn_round(tets);
@@ -33,23 +33,23 @@ void turn_round(std::vector<Tet>& tets)
     throw Error(CLEFT_ERROR_INTERNAL, "the finished mesh has a fault, so it is not returned: " + fault);
 }
 
-std::vector<Vec3> local_points(const cleft_mesh& mesh, const Frame& frame)
+Array<Vec3> local_points(const cleft_mesh& mesh, const Frame& frame)
 {
-    std::vector<Vec3> points(mesh.mesh.points.size());
+    Array<Vec3> points(mesh.mesh.points.size());
     for (size_t i = 0; i < points.size(); ++i)
         points[i] = frame.to_local(mesh.mesh.points[i]);
     return points;
 }
 
-std::vector<Tet> local_tets(const cleft_mesh& mesh, const Frame& frame)
+Array<Tet> local_tets(const cleft_mesh& mesh, const Frame& frame)
 {
-    std::vector<Tet> tets = mesh.mesh.tets;
+    Array<Tet> tets = mesh.mesh.tets;
     if (frame.flips())
         turn_round(tets);
     return tets;
 }
 
-bool come_back(const std::vector<Vec3>& local, const std::vector<Vec3>& world, const Frame& frame)
+bool come_back(const Array<Vec3>& local, const Array<Vec3>& world, const Frame& frame)
 {
     for (size_t i = 0; i < local.size(); ++i)
         if (frame.to_local(world[i]) != local[i])
@@ -59,9 +59,9 @@ bool come_back(const std::vector<Vec3>& local, const std::vector<Vec3>& world, c
 
 }  // namespace
 
-std::vector<int32_t> distinct_labels(const std::vector<int32_t>& tet_labels)
+Array<int32_t> distinct_labels(const Array<int32_t>& tet_labels)
 {
-    std::vector<int32_t> labels;
+    Array<int32_t> labels;
     for (size_t t = 0; t < tet_labels.size(); ++t) {
         if (t > 0 && tet_labels[t] == tet_labels[t - 1])
             continue;
@@ -72,7 +72,7 @@ std::vector<int32_t> distinct_labels(const std::vector<int32_t>& tet_labels)
     return labels;
 }
 
-cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const std::vector<int32_t>& labels, const Run& run)
+cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const Array<int32_t>& labels, const Run& run)
 {
     const StageTimer timer(run, "result_check");
     cleft_mesh out;
@@ -88,15 +88,15 @@ cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const std::vector<in
     if (!fault.empty())
         refuse_result(std::move(out.mesh.tets), mesh.points, frame, fault, run);
     for (int32_t& label : out.mesh.labels)  // a material until here
-        label = labels[static_cast<size_t>(label)];
+        label = labels[label];
     out.labels = distinct_labels(out.mesh.labels);
     return out;
 }
 
-cleft_mesh to_next_stage(LabelledMesh&& mesh, MadeBy stage, const Frame& frame, const std::vector<int32_t>& labels,
+cleft_mesh to_next_stage(LabelledMesh&& mesh, MadeBy stage, const Frame& frame, const Array<int32_t>& labels,
                          const Run& run)
 {
-    std::vector<Vec3> local = mesh.points;
+    Array<Vec3> local = mesh.points;
     cleft_mesh out = to_user(std::move(mesh), frame, labels, run);
     out.made_by = stage;
     if (!come_back(local, out.mesh.points, frame))
@@ -111,11 +111,11 @@ bool is_as_left(const cleft_mesh& mesh, MadeBy stage, const Frame& frame)
 
 TetMesh as_left(const cleft_mesh& mesh)
 {
-    const std::vector<Vec3>& kept = mesh.local;
+    const Array<Vec3>& kept = mesh.local;
     return {kept.empty() ? local_points(mesh, *mesh.frame) : kept, local_tets(mesh, *mesh.frame)};
 }
 
-void to_local(const cleft_mesh& mesh, const Frame& frame, std::vector<Vec3>& points, std::vector<Tet>& tets)
+void to_local(const cleft_mesh& mesh, const Frame& frame, Array<Vec3>& points, Array<Tet>& tets)
 {
     points = local_points(mesh, frame);
     tets = local_tets(mesh, frame);
@@ -133,7 +133,7 @@ LabelledMesh to_stage(const cleft_mesh& mesh, const cleft_volume& volume)
     }
     std::unordered_map<int32_t, Material> material_of;  // looked up only, never walked
     for (Material m = 0; m < volume.volume.material_count(); ++m)
-        material_of[volume.volume.labels()[static_cast<size_t>(m)]] = m;
+        material_of[volume.volume.labels()[m]] = m;
     out.material.reserve(mesh.mesh.labels.size());
     for (const int32_t label : mesh.mesh.labels) {
         const auto found = material_of.find(label);

@@ -1,6 +1,7 @@
 // Between the meshes of the stages (local frame, dense materials) and those of the user (world, labels).
 #pragma once
 
+#include "base/array.hpp"
 #include "base/run.hpp"
 #include "capi/handles.hpp"
 
@@ -10,10 +11,10 @@ namespace cleft::capi
 // World coordinates and labels for a stage's result; an affine that mirrors turns the tetrahedra round. What the user
 // gets is checked (quick_fault()): an Error if a stage went wrong, or if the numbers of the world, far from the origin,
 // do not tell the points apart.
-cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const std::vector<int32_t>& labels, const Run& run);
+cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const Array<int32_t>& labels, const Run& run);
 // The same of a stage that another goes on from: that gets the very points, not those that rounding to the world
 // leaves.
-cleft_mesh to_next_stage(LabelledMesh&& mesh, MadeBy stage, const Frame& frame, const std::vector<int32_t>& labels,
+cleft_mesh to_next_stage(LabelledMesh&& mesh, MadeBy stage, const Frame& frame, const Array<int32_t>& labels,
                          const Run& run);
 // Whether the mesh is as that stage left it, in this frame.
 bool is_as_left(const cleft_mesh& mesh, MadeBy stage, const Frame& frame);
@@ -21,12 +22,12 @@ bool is_as_left(const cleft_mesh& mesh, MadeBy stage, const Frame& frame);
 TetMesh as_left(const cleft_mesh& mesh);
 
 // The points and tetrahedra of a user-supplied mesh in the local frame of a volume.
-void to_local(const cleft_mesh& mesh, const Frame& frame, std::vector<Vec3>& points, std::vector<Tet>& tets);
+void to_local(const cleft_mesh& mesh, const Frame& frame, Array<Vec3>& points, Array<Tet>& tets);
 
 // The same with labels turned into the volume's materials; a label that the volume lacks is an Error.
 LabelledMesh to_stage(const cleft_mesh& mesh, const cleft_volume& volume);
 
 // The different labels of a mesh, ascending.
-std::vector<int32_t> distinct_labels(const std::vector<int32_t>& tet_labels);
+Array<int32_t> distinct_labels(const Array<int32_t>& tet_labels);
 
 }  // namespace cleft::capi

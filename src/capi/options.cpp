@@ -46,7 +46,7 @@ void assign(cleft_options& options, const OptionRow& row, double value)
     if (value < row.least || value > row.greatest)
         throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is " + text_of(value) + ", which is not within " +
                                             text_of(row.least) + " to " + text_of(row.greatest));
-    const auto at = static_cast<size_t>(&row - kOptionTable);
+    const auto at = &row - kOptionTable;
     options.values[at] = value;
     options.given[at] = true;
 }
@@ -97,7 +97,7 @@ void take(Field& field, double value)
         field = static_cast<Field>(value);
 }
 
-void set_labels(std::vector<int32_t>& list, const int32_t* labels, int64_t count)
+void set_labels(Array<int32_t>& list, const int32_t* labels, int64_t count)
 {
     if (count < 0)
         throw Error(CLEFT_ERROR_ARGUMENT, "count is " + std::to_string(count) + "; it must not be negative");
@@ -110,7 +110,7 @@ void set_labels(std::vector<int32_t>& list, const int32_t* labels, int64_t count
 
 double option_value(const cleft_options* options, cleft_option key)
 {
-    const auto row = static_cast<size_t>(option_row(key));
+    const int row = option_row(key);
     return options ? options->values[row] : kOptionTable[row].value;
 }
 
@@ -139,7 +139,7 @@ PipelineOptions pipeline_options(const cleft_options* options, const cleft_volum
 
 void warn_of_unused_smooth(const Volume& volume, const cleft_options* options, const Run& run)
 {
-    if (!options || !options->given[static_cast<size_t>(option_row(CLEFT_OPTION_SMOOTH))])
+    if (!options || !options->given[option_row(CLEFT_OPTION_SMOOTH)])
         return;
     const int asked = static_cast<int>(option_value(options, CLEFT_OPTION_SMOOTH));
     if (!volume.is_label_map())

@@ -15,13 +15,12 @@ using cleft::SizingField;
 namespace
 {
 
-std::vector<double> as_doubles(cleft_type type, const void* values, int64_t count)
+cleft::Array<double> as_doubles(cleft_type type, const void* values, int64_t count)
 {
-    const auto n = static_cast<size_t>(count);
     if (type == CLEFT_TYPE_FLOAT32)
-        return std::vector<double>(static_cast<const float*>(values), static_cast<const float*>(values) + n);
+        return cleft::Array<double>(static_cast<const float*>(values), static_cast<const float*>(values) + count);
     if (type == CLEFT_TYPE_FLOAT64)
-        return std::vector<double>(static_cast<const double*>(values), static_cast<const double*>(values) + n);
+        return cleft::Array<double>(static_cast<const double*>(values), static_cast<const double*>(values) + count);
     throw Error(CLEFT_ERROR_ARGUMENT, "the values of a sizing field must be FLOAT32 or FLOAT64");
 }
 
@@ -68,7 +67,7 @@ cleft_status cleft_sizing_create_values(cleft_context* context, const cleft_volu
         required(values, "values");
         cleft::PipelineOptions p = pipeline_options(options, *v);
         warn_of_unused_smooth(v->volume, options, run);
-        const std::vector<double> doubles = as_doubles(type, values, v->frame.grid.size());
+        const cleft::Array<double> doubles = as_doubles(type, values, v->frame.grid.size());
         SizingField field = cleft::sizing_from_values(v->frame.grid, doubles.data());
         if (combine) {
             p.sizing.user = field.h.data();

@@ -31,20 +31,20 @@ template <class T>
 cleft::Volume indicators(const void* const* fields, int64_t count, const cleft::Grid& grid, const int32_t* labels,
                          const Run& run)
 {
-    std::vector<const T*> typed;
+    cleft::Array<const T*> typed;
     for (int64_t k = 0; k < count; ++k)
         typed.push_back(static_cast<const T*>(required(fields[k], "a field")));
     const int64_t names = count == 1 ? 2 : count;
     return cleft::Volume::from_indicators(
-        typed, grid, labels ? std::vector<int32_t>(labels, labels + names) : std::vector<int32_t>(), run);
+        typed, grid, labels ? cleft::Array<int32_t>(labels, labels + names) : cleft::Array<int32_t>(), run);
 }
 
 cleft_volume made_volume(const cleft::Frame& frame, cleft::Volume&& volume)
 {
-    std::vector<cleft::Material> listed = volume.listed();
-    std::vector<int32_t> labels;
+    cleft::Array<cleft::Material> listed = volume.listed();
+    cleft::Array<int32_t> labels;
     for (const cleft::Material m : listed)
-        labels.push_back(volume.labels()[static_cast<size_t>(m)]);
+        labels.push_back(volume.labels()[m]);
     return {{}, frame, std::move(volume), std::move(listed), std::move(labels), {}};
 }
 
@@ -131,11 +131,10 @@ cleft_status cleft_volume_copy_voxel_counts(const cleft_volume* volume, int64_t*
 {
     return guarded(nullptr, [&] {
         required(counts, "counts");
-        const std::vector<int64_t> all = checked(volume, "volume").volume.voxel_counts();
+        const cleft::Array<int64_t> all = checked(volume, "volume").volume.voxel_counts();
         if (capacity < static_cast<int64_t>(all.size()))
             throw Error(CLEFT_ERROR_BUFFER, "the buffer is too small");
-        std::transform(volume->listed.begin(), volume->listed.end(), counts,
-                       [&](cleft::Material m) { return all[static_cast<size_t>(m)]; });
+        std::transform(volume->listed.begin(), volume->listed.end(), counts, [&](cleft::Material m) { return all[m]; });
     });
 }
 
@@ -155,7 +154,7 @@ cleft_status cleft_volume_sample(const cleft_volume* volume, const double* point
             if (!world.allFinite())
                 throw Error(CLEFT_ERROR_NOT_FINITE, "a point is NaN or infinite");
             const cleft::Material m = volume->volume.material_at(volume->frame.to_local(world));
-            labels[i] = volume->volume.labels()[static_cast<size_t>(m)];
+            labels[i] = volume->volume.labels()[m];
         }
     });
 }

@@ -17,15 +17,14 @@ constexpr double kSideTolerance = 1e-6;  // of the longest side of the box
 struct Subject {
     const RegionMesh& mesh;
     const BoundingBox& box;
-    const std::vector<Sign>& sign;
+    const Array<Sign>& sign;
     const Placement& world;
     double tolerance;
 
-    const Vec3& point(int32_t p) const { return mesh.points[static_cast<size_t>(p)]; }
+    const Vec3& point(int32_t p) const { return mesh.points[p]; }
     bool same_region(const HalfFace& a, const HalfFace& b) const
     {
-        return mesh.region.size() != mesh.tets.size() ||
-               mesh.region[static_cast<size_t>(a.tet())] == mesh.region[static_cast<size_t>(b.tet())];
+        return mesh.region.size() != mesh.tets.size() || mesh.region[a.tet()] == mesh.region[b.tet()];
     }
     bool in_one_side(std::initializer_list<int32_t> points) const
     {
@@ -38,14 +37,14 @@ struct Subject {
 
 struct FacesPart {
     FaceChecks checks;
-    std::vector<uint32_t> ragged;      // faces of one tetrahedron or of more than two
-    std::vector<uint32_t> interfaces;  // faces between two materials
+    Array<uint32_t> ragged;      // faces of one tetrahedron or of more than two
+    Array<uint32_t> interfaces;  // faces between two materials
 };
 
 // The side of a face, seen with its points in ascending order, on which its tetrahedron lies: 1, -1, or 0 if unknown.
 int side_of_face(const Subject& s, const HalfFace& face)
 {
-    const Sign sign = s.sign[static_cast<size_t>(face.tet())];
+    const Sign sign = s.sign[face.tet()];
     if (sign == Sign::unknown)
         return 0;
     const auto [a, b, c] = face_points(s.mesh.tets, face.id);
@@ -57,7 +56,7 @@ void check_hull_face(const Subject& s, const HalfFace& face, FacesPart& part)
 {
     part.checks.hull.add(face.id);
     part.ragged.push_back(face.id);
-    if (s.sign[static_cast<size_t>(face.tet())] == Sign::unknown)
+    if (s.sign[face.tet()] == Sign::unknown)
         return;
     const auto [a, b, c] = face_points(s.mesh.tets, face.id);
     part.checks.hull_area += s.world.area(s.point(b) - s.point(a), s.point(c) - s.point(a)) / 2;
@@ -104,11 +103,11 @@ void append(FacesPart& whole, FacesPart&& part)
 
 FacesPart check_all_faces(const Subject& s, const Run& run)
 {
-    const auto point_count = static_cast<int64_t>(s.mesh.points.size());
+    const auto point_count = s.mesh.points.count();
     const FaceBuckets buckets(s.mesh.tets, point_count, run);
-    std::vector<FacesPart> parts(static_cast<size_t>(chunk_count(point_count, FaceBuckets::kPointsAtOnce)));
+    Array<FacesPart> parts(chunk_count(point_count, FaceBuckets::kPointsAtOnce));
     parallel_chunks(run, point_count, FaceBuckets::kPointsAtOnce, [&](int64_t chunk, int64_t begin, int64_t end) {
-        FacesPart& part = parts[static_cast<size_t>(chunk)];
+        FacesPart& part = parts[chunk];
         buckets.for_each_face(begin, end,
                               [&](const HalfFace* face, size_t count) { check_face(s, face, count, part); });
     });
@@ -120,30 +119,30 @@ FacesPart check_all_faces(const Subject& s, const Run& run)
 
 // Around an edge whose faces all have two tetrahedra the material changes never or at least twice. So only edges
 // between points of other faces, or of a tetrahedron that names a point twice, can have a single interface face.
-std::vector<char> points_of_open_edges(const Subject& s, const std::vector<uint32_t>& ragged)
+Array<char> points_of_open_edges(const Subject& s, const Array<uint32_t>& ragged)
 {
-    const auto point_count = static_cast<int64_t>(s.mesh.points.size());
-    std::vector<char> marked(s.mesh.points.size(), 0);
+    const auto point_count = s.mesh.points.count();
+    Array<char> marked(s.mesh.points.size(), 0);
     for (const uint32_t id : ragged)
         for (const int32_t p : face_points(s.mesh.tets, id))
-            marked[static_cast<size_t>(p)] = 1;
+            marked[p] = 1;
     for (const Tet& tet : s.mesh.tets)
         if (has_repeated_corner(tet) && !has_bad_index(tet, point_count))
             for (const int32_t p : tet)
-                marked[static_cast<size_t>(p)] = 1;
+                marked[p] = 1;
     return marked;
 }
 
 Tally find_open_edges(const Subject& s, const FacesPart& faces)
 {
-    const std::vector<char> marked = points_of_open_edges(s, faces.ragged);
-    std::vector<int64_t> edges;
+    const Array<char> marked = points_of_open_edges(s, faces.ragged);
+    Array<int64_t> edges;
     for (const uint32_t id : faces.interfaces) {
         const std::array<int32_t, 3> face = face_points(s.mesh.tets, id);
         for (size_t k = 0; k < 3; ++k) {
             const int32_t a = std::min(face[k], face[(k + 1) % 3]);
             const int32_t b = std::max(face[k], face[(k + 1) % 3]);
-            if (marked[static_cast<size_t>(a)] && marked[static_cast<size_t>(b)] && !s.in_one_side({a, b}))
+            if (marked[a] && marked[b] && !s.in_one_side({a, b}))
                 edges.push_back(int64_t{a} << 32 | b);
         }
     }
@@ -160,8 +159,8 @@ Tally find_open_edges(const Subject& s, const FacesPart& faces)
 
 }  // namespace
 
-FaceChecks check_faces(const RegionMesh& mesh, const BoundingBox& box, const std::vector<Sign>& sign,
-                       const Placement& world, const Run& run)
+FaceChecks check_faces(const RegionMesh& mesh, const BoundingBox& box, const Array<Sign>& sign, const Placement& world,
+                       const Run& run)
 {
     const Subject subject{mesh, box, sign, world, kSideTolerance * box.longest()};
     const FacesPart faces = check_all_faces(subject, run);

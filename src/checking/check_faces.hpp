@@ -1,6 +1,7 @@
 // What is wrong with the faces of a mesh, and where first.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/placement.hpp"
 #include "checking/check_tets.hpp"
 #include "mesh/bounding_box.hpp"
@@ -17,7 +18,7 @@ struct FaceChecks {
 };
 
 // The area is that in the world.
-FaceChecks check_faces(const RegionMesh& mesh, const BoundingBox& box, const std::vector<Sign>& sign,
-                       const Placement& world, const Run& run);
+FaceChecks check_faces(const RegionMesh& mesh, const BoundingBox& box, const Array<Sign>& sign, const Placement& world,
+                       const Run& run);
 
 }  // namespace cleft

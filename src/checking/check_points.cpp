@@ -21,21 +21,21 @@ struct PlaceInBox {
     bool operator<(const PlaceInBox& o) const { return xy != o.xy ? xy < o.xy : z != o.z ? z < o.z : point < o.point; }
 };
 
-PlaceInBox place_in_box(const std::vector<Vec3>& points, size_t p, const BoundingBox& box)
+PlaceInBox place_in_box(const Array<Vec3>& points, size_t p, const BoundingBox& box)
 {
     // Halves, because the difference of two finite numbers may overflow.
     const double longest = (box.hi / 2 - box.lo / 2).maxCoeff();
-    std::array<uint32_t, 3> cell{};
+    FixedArray<uint32_t, 3> cell{};
     for (int axis = 0; axis < 3; ++axis)
         if (longest > 0)
-            cell[static_cast<size_t>(axis)] =
+            cell[axis] =
                 static_cast<uint32_t>(std::nearbyint((points[p][axis] / 2 - box.lo[axis] / 2) / longest * kCells));
     return {uint64_t{cell[0]} << 32 | cell[1], cell[2], static_cast<int32_t>(p)};
 }
 
-void check_repeated(const std::vector<Vec3>& points, const std::vector<char>& used, PointChecks& out)
+void check_repeated(const Array<Vec3>& points, const Array<char>& used, PointChecks& out)
 {
-    std::vector<PlaceInBox> places;
+    Array<PlaceInBox> places;
     places.reserve(points.size());
     for (size_t p = 0; p < points.size(); ++p)
         if (used[p] && points[p].allFinite())
@@ -53,12 +53,12 @@ void check_repeated(const std::vector<Vec3>& points, const std::vector<char>& us
 
 PointChecks check_points(const RegionMesh& mesh)
 {
-    const auto point_count = static_cast<int64_t>(mesh.points.size());
-    std::vector<char> used(mesh.points.size(), 0);
+    const auto point_count = mesh.points.count();
+    Array<char> used(mesh.points.size(), 0);
     for (const Tet& tet : mesh.tets)
         if (!has_bad_index(tet, point_count))
             for (const int32_t p : tet)
-                used[static_cast<size_t>(p)] = 1;
+                used[p] = 1;
 
     PointChecks out;
     for (size_t p = 0; p < mesh.points.size(); ++p) {

@@ -14,19 +14,19 @@ namespace
 constexpr int64_t kTetsChecked = 4096;
 constexpr double kFlatVolume = 1e-12;  // of the cube of its mean edge
 
-std::array<Vec3, 4> corners_of(const RegionMesh& mesh, size_t t)
+FixedArray<Vec3, 4> corners_of(const RegionMesh& mesh, int64_t t)
 {
-    std::array<Vec3, 4> x;
+    FixedArray<Vec3, 4> x;
     for (size_t i = 0; i < 4; ++i)
-        x[i] = mesh.points[static_cast<size_t>(mesh.tets[t][i])];
+        x[i] = mesh.points[mesh.tets[t][i]];
     return x;
 }
 
-double sum_of_edges(const std::array<Vec3, 4>& x)
+double sum_of_edges(const FixedArray<Vec3, 4>& x)
 {
     double sum = 0;
     for (const auto& e : kEdgeCorners)
-        sum += (x[static_cast<size_t>(e[1])] - x[static_cast<size_t>(e[0])]).norm();
+        sum += (x[e[1]] - x[e[0]]).norm();
     return sum;
 }
 
@@ -34,11 +34,11 @@ double sum_of_edges(const std::array<Vec3, 4>& x)
 template <class Measure>
 TetChecks over_tets(const RegionMesh& mesh, const Run& run, const Measure& measure)
 {
-    const auto count = static_cast<int64_t>(mesh.tets.size());
-    std::vector<TetChecks> parts(static_cast<size_t>(chunk_count(count, kTetsChecked)));
+    const auto count = mesh.tets.count();
+    Array<TetChecks> parts(chunk_count(count, kTetsChecked));
     parallel_chunks(run, count, kTetsChecked, [&](int64_t chunk, int64_t begin, int64_t end) {
         for (int64_t t = begin; t < end; ++t)
-            measure(static_cast<size_t>(t), parts[static_cast<size_t>(chunk)]);
+            measure(t, parts[chunk]);
     });
     TetChecks whole;
     for (const TetChecks& part : parts) {
@@ -51,14 +51,14 @@ TetChecks over_tets(const RegionMesh& mesh, const Run& run, const Measure& measu
     return whole;
 }
 
-void check_tet(const RegionMesh& mesh, size_t t, Sign& sign, TetChecks& part)
+void check_tet(const RegionMesh& mesh, int64_t t, Sign& sign, TetChecks& part)
 {
     const auto place = static_cast<int64_t>(t);
-    if (has_bad_index(mesh.tets[t], static_cast<int64_t>(mesh.points.size())))
+    if (has_bad_index(mesh.tets[t], mesh.points.count()))
         return part.bad_index.add(place);
     if (has_repeated_corner(mesh.tets[t]))
         part.repeated_corner.add(place);
-    const std::array<Vec3, 4> x = corners_of(mesh, t);
+    const FixedArray<Vec3, 4> x = corners_of(mesh, t);
     if (!std::all_of(x.begin(), x.end(), [](const Vec3& v) { return v.allFinite(); }))
         return;
     sign = static_cast<Sign>(orient_sign(x[0], x[1], x[2], x[3]));
@@ -74,8 +74,8 @@ void check_tet(const RegionMesh& mesh, size_t t, Sign& sign, TetChecks& part)
 
 TetChecks check_tets(const RegionMesh& mesh, const Run& run)
 {
-    std::vector<Sign> sign(mesh.tets.size(), Sign::unknown);
-    TetChecks out = over_tets(mesh, run, [&](size_t t, TetChecks& part) { check_tet(mesh, t, sign[t], part); });
+    Array<Sign> sign(mesh.tets.size(), Sign::unknown);
+    TetChecks out = over_tets(mesh, run, [&](int64_t t, TetChecks& part) { check_tet(mesh, t, sign[t], part); });
     out.sign = std::move(sign);
     return out;
 }

@@ -1,6 +1,7 @@
 // What is wrong with the tetrahedra of a mesh, and where first.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/run.hpp"
 #include "checking/tally.hpp"
 #include "mesh/tet_mesh.hpp"
@@ -12,7 +13,7 @@ namespace cleft
 enum class Sign : int8_t { negative = -1, flat = 0, positive = 1, unknown = 2 };
 
 struct TetChecks {
-    std::vector<Sign> sign;  // of each tetrahedron
+    Array<Sign> sign;  // of each tetrahedron
     Tally bad_index, repeated_corner, negative, flat;
     double volume = 0;  // sum of signed volumes
 };

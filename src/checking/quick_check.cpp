@@ -20,11 +20,11 @@ constexpr int64_t kQuickGrain = 4096;
 template <class IsFault>
 int64_t first_that(int64_t count, const Run& run, const IsFault& is_fault)
 {
-    std::vector<int64_t> first(static_cast<size_t>(chunk_count(count, kQuickGrain)), -1);
+    Array<int64_t> first(chunk_count(count, kQuickGrain), -1);
     parallel_chunks(run, count, kQuickGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
-        for (int64_t i = begin; i < end && first[static_cast<size_t>(chunk)] < 0; ++i)
-            if (is_fault(static_cast<size_t>(i)))
-                first[static_cast<size_t>(chunk)] = i;
+        for (int64_t i = begin; i < end && first[chunk] < 0; ++i)
+            if (is_fault(i))
+                first[chunk] = i;
     });
     const auto found = std::find_if(first.begin(), first.end(), [](int64_t i) { return i >= 0; });
     return found == first.end() ? -1 : *found;
@@ -56,14 +56,14 @@ bool before(const Vec3& a, const Vec3& b)
 
 // The later of two points at one place, or -1. Points of different hashes are at different places; where hashes are
 // equal, which is next to never for different points, all are sorted.
-int64_t repeated_point(const std::vector<Vec3>& points)
+int64_t repeated_point(const Array<Vec3>& points)
 {
-    std::vector<uint64_t> hashes(points.size());
+    Array<uint64_t> hashes(points.size());
     std::transform(points.begin(), points.end(), hashes.begin(), hash_of);
     std::sort(hashes.begin(), hashes.end());
     if (std::adjacent_find(hashes.begin(), hashes.end()) == hashes.end())
         return -1;
-    std::vector<size_t> order(points.size());
+    Array<size_t> order(points.size());
     for (size_t i = 0; i < order.size(); ++i)
         order[i] = i;
     std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return before(points[a], points[b]); });
@@ -74,17 +74,16 @@ int64_t repeated_point(const std::vector<Vec3>& points)
 
 }  // namespace
 
-std::string quick_fault(const std::vector<Vec3>& points, const std::vector<Tet>& tets, const Run& run)
+std::string quick_fault(const Array<Vec3>& points, const Array<Tet>& tets, const Run& run)
 {
-    const int64_t wild =
-        first_that(static_cast<int64_t>(points.size()), run, [&](size_t i) { return !points[i].allFinite(); });
+    const int64_t wild = first_that(points.count(), run, [&](int64_t i) { return !points[i].allFinite(); });
     if (wild >= 0)
         return "the " + ordinal(wild) + " point is not finite";
     const int64_t twice = repeated_point(points);
     if (twice >= 0)
         return "the " + ordinal(twice) + " point is at the place of another";
-    const int64_t turned = first_that(static_cast<int64_t>(tets.size()), run, [&](size_t t) {
-        const auto corner = [&](size_t i) -> const Vec3& { return points[static_cast<size_t>(tets[t][i])]; };
+    const int64_t turned = first_that(tets.count(), run, [&](int64_t t) {
+        const auto corner = [&](size_t i) -> const Vec3& { return points[tets[t][i]]; };
         return orient_sign(corner(0), corner(1), corner(2), corner(3)) <= 0;
     });
     return turned < 0 ? "" : "the " + ordinal(turned) + " tetrahedron is flat or inverted";

@@ -2,6 +2,7 @@
 // hull and interfaces too, is validate().
 #pragma once
 
+#include "base/array.hpp"
 #include "base/run.hpp"
 #include "mesh/tet_mesh.hpp"
 
@@ -12,6 +13,6 @@ namespace cleft
 
 // "" if all coordinates are finite, no two points are at one place, and every tetrahedron is positively oriented by the
 // exact predicate; else the first fault in words. All point numbers must be in range.
-std::string quick_fault(const std::vector<Vec3>& points, const std::vector<Tet>& tets, const Run& run);
+std::string quick_fault(const Array<Vec3>& points, const Array<Tet>& tets, const Run& run);
 
 }  // namespace cleft

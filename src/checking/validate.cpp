@@ -34,7 +34,7 @@ public:
 
     std::string tet(int64_t t) const
     {
-        const Tet& c = mesh_.tets[static_cast<size_t>(t)];
+        const Tet& c = mesh_.tets[t];
         return "the " + ordinal(t) + " tetrahedron at " +
                text(at(c[0]) / 4 + at(c[1]) / 4 + at(c[2]) / 4 + at(c[3]) / 4);
     }
@@ -53,7 +53,7 @@ public:
     std::string point(int64_t p) const { return "the " + ordinal(p) + " point at " + text(at(p)); }
 
 private:
-    Vec3 at(int64_t p) const { return world_.to_world(mesh_.points[static_cast<size_t>(p)]); }
+    Vec3 at(int64_t p) const { return world_.to_world(mesh_.points[p]); }
     const RegionMesh& mesh_;
     const Placement& world_;
 };

@@ -4,6 +4,7 @@
 #include "base/parallel.hpp"
 #include "cleaving/choose_material.hpp"
 #include "cleaving/split_tet.hpp"
+#include "mesh/predicates.hpp"
 #include "mesh/quality.hpp"
 
 #include <limits>
@@ -16,24 +17,24 @@ namespace
 
 constexpr int64_t kTetsWritten = 2048;
 
-std::vector<uint8_t> vertices_in_use(const Centres& c)
+Array<uint8_t> vertices_in_use(const Centres& c)
 {
-    std::vector<uint8_t> in_use(c.points.size(), 0);
+    Array<uint8_t> in_use(c.points.size(), 0);
     for (const Tet& t : c.tets)
         for (const int32_t v : t)
-            in_use[static_cast<size_t>(v)] = 1;
+            in_use[v] = 1;
     return in_use;
 }
 
 // Numbers in the output of the points that are in use, in the order vertices, cuts, triple and quadruple points.
 struct Numbering {
-    std::vector<int32_t> vertex, cut, triple, quadruple;
-    std::vector<Vec3> points;
+    Array<int32_t> vertex, cut, triple, quadruple;
+    Array<Vec3> points;
 
     explicit Numbering(const Centres& c)
     {
         reserve_large(points, c.points.size() + c.edges.size() + c.faces.size());
-        const std::vector<uint8_t> in_use = vertices_in_use(c);
+        const Array<uint8_t> in_use = vertices_in_use(c);
         number(
             vertex, c.points, [&](size_t i) { return in_use[i] != 0; }, [&](size_t i) { return c.points[i]; });
         number(
@@ -48,31 +49,29 @@ struct Numbering {
     }
 
     // Output points of a mixed tetrahedron; those that are not there are never asked for.
-    std::array<int32_t, kStencilPoints> of(const Centres& c, const MixedTet& m) const
+    FixedArray<int32_t, kStencilPoints> of(const Centres& c, const MixedTet& m) const
     {
-        std::array<int32_t, kStencilPoints> id;
-        const auto take = [](const std::vector<int32_t>& from, int32_t i) {
-            return i < 0 ? -1 : from[static_cast<size_t>(i)];
-        };
+        FixedArray<int32_t, kStencilPoints> id;
+        const auto take = [](const Array<int32_t>& from, int32_t i) { return i < 0 ? -1 : from[i]; };
         for (size_t i = 0; i < 4; ++i) {
             id[i] = take(vertex, c.corners(m.tet)[i]);
             id[kTriplePoint + i] = take(triple, m.faces[i]);
         }
         for (size_t e = 0; e < 6; ++e)
             id[kCutPoint + e] = take(cut, m.edges[e]);
-        id[kQuadruplePoint] = take(quadruple, c.mixed_of[static_cast<size_t>(m.tet)]);
+        id[kQuadruplePoint] = take(quadruple, c.mixed_of[m.tet]);
         return id;
     }
 
 private:
     template <class Items, class InUse, class Position>
-    void number(std::vector<int32_t>& numbers, const Items& items, const InUse& in_use, const Position& position)
+    void number(Array<int32_t>& numbers, const Items& items, const InUse& in_use, const Position& position)
     {
         numbers.assign(items.size(), -1);
         for (size_t i = 0; i < items.size(); ++i) {
             if (!in_use(i))
                 continue;
-            if (points.size() >= static_cast<size_t>(std::numeric_limits<int32_t>::max()))
+            if (points.count() >= std::numeric_limits<int32_t>::max())
                 throw Error(CLEFT_ERROR_TOO_LARGE, "the mesh would have more points than 32-bit numbers can name");
             numbers[i] = static_cast<int32_t>(points.size());
             points.push_back(position(i));
@@ -82,7 +81,7 @@ private:
 
 void note_points(const Numbering& numbering, const Run& run)
 {
-    const auto note = [&](const char* name, const std::vector<int32_t>& numbers) {
+    const auto note = [&](const char* name, const Array<int32_t>& numbers) {
         const auto unused = std::count(numbers.begin(), numbers.end(), -1);
         run.note(name, static_cast<double>(numbers.size()) - static_cast<double>(unused));
     };
@@ -94,22 +93,22 @@ void note_points(const Numbering& numbering, const Run& run)
 
 // Where the output tetrahedra of each chunk of background tetrahedra go.
 struct Plan {
-    std::vector<int64_t> begin;
+    Array<int64_t> begin;
     int64_t tets = 0;
 };
 
 Plan plan_output(const Centres& c, const Run& run)
 {
-    const auto n = static_cast<int64_t>(c.tets.size());
+    const auto n = c.tets.count();
     Plan plan;
-    plan.begin.resize(static_cast<size_t>(chunk_count(n, kTetsWritten)));
+    plan.begin.resize(chunk_count(n, kTetsWritten));
     parallel_chunks(run, n, kTetsWritten, [&](int64_t chunk, int64_t begin, int64_t end) {
         int64_t count = 0;
-        for (auto t = static_cast<size_t>(begin); t < static_cast<size_t>(end); ++t) {
+        for (int64_t t = begin; t < end; ++t) {
             const int32_t m = c.mixed_of[t];
-            count += m < 0 ? 1 : static_cast<int64_t>(c.stencils.tets(c.fans[static_cast<size_t>(m)].stencil).size());
+            count += m < 0 ? 1 : c.stencils.tets(c.fans[m].stencil).size();
         }
-        plan.begin[static_cast<size_t>(chunk)] = count;
+        plan.begin[chunk] = count;
     });
     for (int64_t& begin : plan.begin) {
         const int64_t count = begin;
@@ -130,31 +129,30 @@ public:
     {
     }
 
-    size_t write_whole(size_t tet, size_t out)
+    int64_t write_whole(int64_t tet, int64_t out)
     {
         const Tet& corners = c_.tets[tet];
-        std::array<Vec3, 4> x;
+        FixedArray<Vec3, 4> x;
         for (size_t i = 0; i < 4; ++i) {
-            mesh_.tets[out][i] = numbering_.vertex[static_cast<size_t>(corners[i])];
+            mesh_.tets[out][i] = numbering_.vertex[corners[i]];
             x[i] = c_.point(corners[i]);
         }
         mesh_.material[out] = MaterialChooser(c_, corners).choose_whole(c_.kept[tet], x, scratch_);
         return 1;
     }
 
-    size_t write_fan(const MixedTet& m, const StencilTable::Tets& tets, size_t out)
+    int64_t write_fan(const MixedTet& m, const StencilTable::Tets& tets, int64_t out)
     {
         const MaterialChooser chooser(c_, c_.corners(m.tet));
         const auto id = numbering_.of(c_, m);
         for (const StencilTet& t : tets) {
-            std::array<Vec3, 4> x;
+            FixedArray<Vec3, 4> x;
             for (size_t k = 0; k < 4; ++k) {
                 mesh_.tets[out][k] = id[t[k]];
-                x[k] = mesh_.points[static_cast<size_t>(id[t[k]])];
+                x[k] = mesh_.points[id[t[k]]];
             }
-            mesh_.material[out++] = tets.size() == 1
-                                        ? chooser.choose_whole(c_.kept[static_cast<size_t>(m.tet)], x, scratch_)
-                                        : chooser.choose(t, x, scratch_);
+            mesh_.material[out++] =
+                tets.size() == 1 ? chooser.choose_whole(c_.kept[m.tet], x, scratch_) : chooser.choose(t, x, scratch_);
         }
         return tets.size();
     }
@@ -175,34 +173,32 @@ LabelledMesh assemble(const Centres& c, const Run& run)
     note_points(numbering, run);
     LabelledMesh mesh;
     mesh.points = std::move(numbering.points);
-    mesh.tets = large_vector<Tet>(static_cast<size_t>(plan.tets));
-    mesh.material = large_vector<Material>(mesh.tets.size());
-    parallel_chunks(
-        run, static_cast<int64_t>(c.tets.size()), kTetsWritten, [&](int64_t chunk, int64_t begin, int64_t end) {
-            TetWriter writer(c, numbering, mesh);
-            auto out = static_cast<size_t>(plan.begin[static_cast<size_t>(chunk)]);
-            for (auto t = static_cast<size_t>(begin); t < static_cast<size_t>(end); ++t) {
-                const int32_t m = c.mixed_of[t];
-                out += m < 0 ? writer.write_whole(t, out)
-                             : writer.write_fan(c.mixed[static_cast<size_t>(m)],
-                                                c.stencils.tets(c.fans[static_cast<size_t>(m)].stencil), out);
-            }
-        });
+    mesh.tets = large_array<Tet>(plan.tets);
+    mesh.material = large_array<Material>(mesh.tets.size());
+    parallel_chunks(run, c.tets.count(), kTetsWritten, [&](int64_t chunk, int64_t begin, int64_t end) {
+        TetWriter writer(c, numbering, mesh);
+        int64_t out = plan.begin[chunk];
+        for (int64_t t = begin; t < end; ++t) {
+            const int32_t m = c.mixed_of[t];
+            out += m < 0 ? writer.write_whole(t, out)
+                         : writer.write_fan(c.mixed[m], c.stencils.tets(c.fans[m].stencil), out);
+        }
+    });
     return mesh;
 }
 
-std::vector<int32_t> points_in_doubt(const Centres& c)
+Array<int32_t> points_in_doubt(const Centres& c)
 {
     constexpr uint8_t kUsed = 1, kInDoubt = 2;
-    std::vector<uint8_t> state = vertices_in_use(c);
+    Array<uint8_t> state = vertices_in_use(c);
     for (size_t v = 0; v < state.size(); ++v)
         if (c.doubtful[v] && c.materials[v].size() > 1)
             state[v] |= kInDoubt;
     for (const CutEdge& e : c.edges)
         if (!e.is_cut && c.materials_of(e.lower).size() == 1 && c.materials_of(e.upper).size() == 1)
             for (const int32_t v : {e.lower, e.upper})
-                state[static_cast<size_t>(v)] |= kInDoubt;
-    std::vector<int32_t> points;
+                state[v] |= kInDoubt;
+    Array<int32_t> points;
     int32_t number = 0;
     for (const uint8_t s : state) {
         if (s == (kUsed | kInDoubt))

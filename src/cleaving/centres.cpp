@@ -19,7 +19,7 @@ bool Centres::has_quadruple(const MixedTet& m) const
 
 Vec3 Centres::triple_point(const TripleFace& f) const
 {
-    const auto cut = [&](size_t i) { return cut_point(edges[static_cast<size_t>(f.edges[i])]); };
+    const auto cut = [&](size_t i) { return cut_point(edges[f.edges[i]]); };
     const Vec3 a = cut(0);
     return a + ((cut(1) - a) + (cut(2) - a)) / 3;
 }
@@ -28,7 +28,7 @@ Vec3 Centres::quadruple_point(const MixedTet& m) const
 {
     Vec3 sum(0, 0, 0);
     for (const int32_t e : m.edges)
-        sum += cut_point(edges[static_cast<size_t>(e)]);
+        sum += cut_point(edges[e]);
     return sum / 6;
 }
 

@@ -5,6 +5,8 @@
 // tables made at the start hold all that can ever be.
 #pragma once
 
+#include "base/array.hpp"
+#include "base/fixed_array.hpp"
 #include "cleaving/sample_store.hpp"
 #include "cleaving/stencil_table.hpp"
 #include "volume/tie.hpp"
@@ -23,14 +25,14 @@ struct CutEdge {
 
 // A face whose three edges were cut at the start. It has a triple point while all three still are.
 struct TripleFace {
-    std::array<int32_t, 3> edges;
+    FixedArray<int32_t, 3> edges;
 };
 
 // A tetrahedron with at least one edge that was cut at the start; -1 where there is no entry.
 struct MixedTet {
     int32_t tet;
-    std::array<int32_t, 6> edges;  // in CutEdge, order of kEdgeCorners
-    std::array<int32_t, 4> faces;  // in TripleFace, opposite corner i
+    FixedArray<int32_t, 6> edges;  // in CutEdge, order of kEdgeCorners
+    FixedArray<int32_t, 4> faces;  // in TripleFace, opposite corner i
 };
 
 // How a mixed tetrahedron splits: the fan whose worst tetrahedron is best.
@@ -41,29 +43,29 @@ struct Fan {
 
 struct Centres {
     const Volume& volume;
-    const std::vector<Tet>& tets;
-    std::vector<Vec3> points;  // of the vertices; snapping moves them
-    std::vector<MaterialSet> materials;
+    const Array<Tet>& tets;
+    Array<Vec3> points;  // of the vertices; snapping moves them
+    Array<MaterialSet> materials;
     SampleStore samples;
 
-    std::vector<CutEdge> edges;
-    std::vector<TripleFace> faces;
-    std::vector<MixedTet> mixed;
-    std::vector<int32_t> mixed_of;  // by tetrahedron, or -1
+    Array<CutEdge> edges;
+    Array<TripleFace> faces;
+    Array<MixedTet> mixed;
+    Array<int32_t> mixed_of;  // by tetrahedron, or -1
     StencilTable stencils;
-    std::vector<Fan> fans;  // of the mixed tetrahedra, where all centres are as they were when it was chosen
+    Array<Fan> fans;  // of the mixed tetrahedra, where all centres are as they were when it was chosen
 
     // By tetrahedron whose corners all have the same two materials: the one that it had before; else kNoMaterial.
-    std::vector<uint16_t> kept;
+    Array<uint16_t> kept;
     static constexpr uint16_t kNoMaterial = 0xffff;
 
     // By vertex: the interfaces at it may be pinched, since it or one next to it snapped unseen by PinchCheck.
-    std::vector<uint8_t> doubtful{};
+    Array<uint8_t> doubtful{};
 
-    const Vec3& point(int32_t v) const { return points[static_cast<size_t>(v)]; }
-    const MaterialSet& materials_of(int32_t v) const { return materials[static_cast<size_t>(v)]; }
-    const Tet& corners(int32_t tet) const { return tets[static_cast<size_t>(tet)]; }
-    bool is_cut(int32_t edge) const { return edge >= 0 && edges[static_cast<size_t>(edge)].is_cut; }
+    const Vec3& point(int32_t v) const { return points[v]; }
+    const MaterialSet& materials_of(int32_t v) const { return materials[v]; }
+    const Tet& corners(int32_t tet) const { return tets[tet]; }
+    bool is_cut(int32_t edge) const { return edge >= 0 && edges[edge].is_cut; }
     bool has_triple(const TripleFace& f) const
     {
         return is_cut(f.edges[0]) && is_cut(f.edges[1]) && is_cut(f.edges[2]);

@@ -18,16 +18,15 @@ bool share_face(const Tet& a, const Tet& b)
 }
 
 // Groups of one material that hang together over faces.
-std::vector<std::vector<int32_t>> pieces(const LabelledMesh& mesh, std::vector<int32_t> tets)
+Array<Array<int32_t>> pieces(const LabelledMesh& mesh, Array<int32_t> tets)
 {
-    std::vector<std::vector<int32_t>> groups;
+    Array<Array<int32_t>> groups;
     while (!tets.empty()) {
-        std::vector<int32_t> group{tets.back()};
+        Array<int32_t> group{tets.back()};
         tets.pop_back();
         for (size_t i = 0; i < group.size(); ++i) {
             const auto joins = [&](int32_t t) {
-                return mesh.material[at(t)] == mesh.material[at(group[i])] &&
-                       share_face(mesh.tets[at(t)], mesh.tets[at(group[i])]);
+                return mesh.material[t] == mesh.material[group[i]] && share_face(mesh.tets[t], mesh.tets[group[i]]);
             };
             const auto rest = std::stable_partition(tets.begin(), tets.end(), std::not_fn(joins));
             group.insert(group.end(), rest, tets.end());
@@ -38,29 +37,29 @@ std::vector<std::vector<int32_t>> pieces(const LabelledMesh& mesh, std::vector<i
     return groups;
 }
 
-double volume(const LabelledMesh& mesh, const std::vector<int32_t>& tets)
+double volume(const LabelledMesh& mesh, const Array<int32_t>& tets)
 {
     double sum = 0;
     for (const int32_t t : tets) {
-        const auto x = [&](size_t i) { return mesh.points[at(mesh.tets[at(t)][i])]; };
+        const auto x = [&](size_t i) { return mesh.points[mesh.tets[t][i]]; };
         sum += orient(x(0), x(1), x(2), x(3)) / 6;
     }
     return sum;
 }
 
 // `tets`, of two materials: each piece of them, and each alone.
-void add_changes(const LabelledMesh& mesh, const std::vector<int32_t>& tets, std::vector<Change>& changes)
+void add_changes(const LabelledMesh& mesh, const Array<int32_t>& tets, Array<Change>& changes)
 {
-    const Material first = mesh.material[at(tets.front())];
+    const Material first = mesh.material[tets.front()];
     Material second = first;
     for (const int32_t t : tets)
-        if (mesh.material[at(t)] != first)
-            second = mesh.material[at(t)];
-    const auto add = [&](const std::vector<int32_t>& part) {
-        const Material from = mesh.material[at(part.front())];
+        if (mesh.material[t] != first)
+            second = mesh.material[t];
+    const auto add = [&](const Array<int32_t>& part) {
+        const Material from = mesh.material[part.front()];
         changes.push_back({part, from, from == first ? second : first, volume(mesh, part)});
     };
-    for (const std::vector<int32_t>& piece : pieces(mesh, tets)) {
+    for (const Array<int32_t>& piece : pieces(mesh, tets)) {
         add(piece);
         for (size_t i = 0; i < piece.size() && piece.size() > 1; ++i)
             add({piece[i]});
@@ -69,17 +68,17 @@ void add_changes(const LabelledMesh& mesh, const std::vector<int32_t>& tets, std
 
 }  // namespace
 
-std::vector<Change> changes_at(const LabelledMesh& mesh, const PointStars::Range& star, const Link& link)
+Array<Change> changes_at(const LabelledMesh& mesh, const PointStars::Range& star, const Link& link)
 {
-    std::vector<Change> changes;
-    std::vector<int32_t> tets(star.begin(), star.end());
+    Array<Change> changes;
+    Array<int32_t> tets(star.begin(), star.end());
     std::sort(tets.begin(), tets.end());
     if (link.is_pinched())
         add_changes(mesh, tets, changes);
     for (const int32_t other : link.pinched_edges()) {
-        std::vector<int32_t> ring;
+        Array<int32_t> ring;
         std::copy_if(tets.begin(), tets.end(), std::back_inserter(ring),
-                     [&](int32_t t) { return has_corner(mesh.tets[at(t)], other); });
+                     [&](int32_t t) { return has_corner(mesh.tets[t], other); });
         add_changes(mesh, ring, changes);
     }
     std::stable_sort(changes.begin(), changes.end(),
@@ -89,7 +88,7 @@ std::vector<Change> changes_at(const LabelledMesh& mesh, const PointStars::Range
 
 Harm HarmCheck::harm(const Change& change)
 {
-    const std::vector<int32_t> rest = touching(change, change.from), near = touching(change, change.to);
+    const Array<int32_t> rest = touching(change, change.from), near = touching(change, change.to);
     if (rest.empty() || near.empty())
         return Harm::adds_or_loses;
     const bool cuts = !are_connected(rest, change), joins = !are_connected(near, change);
@@ -97,13 +96,13 @@ Harm HarmCheck::harm(const Change& change)
 }
 
 // Tetrahedra of a material that share a face with the change.
-std::vector<int32_t> HarmCheck::touching(const Change& change, Material material) const
+Array<int32_t> HarmCheck::touching(const Change& change, Material material) const
 {
-    std::vector<int32_t> found;
+    Array<int32_t> found;
     for (const int32_t t : change.tets)
         for (size_t corner = 0; corner < 4; ++corner) {
             const int32_t n = neighbour(t, corner);
-            if (n >= 0 && mesh_.material[at(n)] == material &&
+            if (n >= 0 && mesh_.material[n] == material &&
                 std::find(change.tets.begin(), change.tets.end(), n) == change.tets.end())
                 found.push_back(n);
         }
@@ -113,22 +112,22 @@ std::vector<int32_t> HarmCheck::touching(const Change& change, Material material
 }
 
 // All in one piece of their material, the change left out.
-bool HarmCheck::are_connected(const std::vector<int32_t>& tets, const Change& change)
+bool HarmCheck::are_connected(const Array<int32_t>& tets, const Change& change)
 {
     if (tets.size() < 2)
         return true;
     ++search_;
     for (const int32_t t : change.tets)
-        met_[at(t)] = search_;
+        met_[t] = search_;
     queue_.assign(1, tets.front());
-    met_[at(tets.front())] = search_;
+    met_[tets.front()] = search_;
     size_t found = 1;
     for (size_t i = 0; i < queue_.size() && queue_.size() < kNear; ++i)
         for (size_t corner = 0; corner < 4; ++corner) {
             const int32_t n = neighbour(queue_[i], corner);
-            if (n < 0 || met_[at(n)] == search_ || mesh_.material[at(n)] != mesh_.material[at(tets.front())])
+            if (n < 0 || met_[n] == search_ || mesh_.material[n] != mesh_.material[tets.front()])
                 continue;
-            met_[at(n)] = search_;
+            met_[n] = search_;
             queue_.push_back(n);
             found += std::binary_search(tets.begin(), tets.end(), n);
         }
@@ -138,10 +137,10 @@ bool HarmCheck::are_connected(const std::vector<int32_t>& tets, const Change& ch
 // Behind the face opposite the corner; -1 on the hull.
 int32_t HarmCheck::neighbour(int32_t tet, size_t corner) const
 {
-    const Tet& c = mesh_.tets[at(tet)];
+    const Tet& c = mesh_.tets[tet];
     const int32_t x = c[(corner + 1) % 4], y = c[(corner + 2) % 4], z = c[(corner + 3) % 4];
     for (const int32_t t : stars_.at(x))
-        if (t != tet && has_corner(mesh_.tets[at(t)], y) && has_corner(mesh_.tets[at(t)], z))
+        if (t != tet && has_corner(mesh_.tets[t], y) && has_corner(mesh_.tets[t], z))
             return t;
     return -1;
 }

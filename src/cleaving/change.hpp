@@ -1,6 +1,7 @@
 // Changes of the materials of a few tetrahedra, which may mend a pinched interface.
 #pragma once
 
+#include "base/array.hpp"
 #include "cleaving/link.hpp"
 #include "mesh/point_stars.hpp"
 
@@ -9,14 +10,14 @@ namespace cleft
 
 // Tetrahedra of one material, and the one that they may get.
 struct Change {
-    std::vector<int32_t> tets;
+    Array<int32_t> tets;
     Material from, to;
     double volume;
 };
 
 // At a point with defects, whose link this is: single tetrahedra, sectors around pinched edges, and pieces at a pinched
 // point. The least volume first.
-std::vector<Change> changes_at(const LabelledMesh& mesh, const PointStars::Range& star, const Link& link);
+Array<Change> changes_at(const LabelledMesh& mesh, const PointStars::Range& star, const Link& link);
 
 // What a change breaks, the worse the greater: it cuts the one material or joins the other, does both, or takes a whole
 // piece of the one or makes one of the other.
@@ -33,15 +34,15 @@ public:
     Harm harm(const Change& change);
 
 private:
-    std::vector<int32_t> touching(const Change& change, Material material) const;
-    bool are_connected(const std::vector<int32_t>& tets, const Change& change);
+    Array<int32_t> touching(const Change& change, Material material) const;
+    bool are_connected(const Array<int32_t>& tets, const Change& change);
     int32_t neighbour(int32_t tet, size_t corner) const;
 
     const LabelledMesh& mesh_;
     const PointStars& stars_;
-    std::vector<int32_t> met_;  // by tetrahedron: in which search
+    Array<int32_t> met_;  // by tetrahedron: in which search
     int32_t search_ = 0;
-    std::vector<int32_t> queue_;
+    Array<int32_t> queue_;
 };
 
 }  // namespace cleft

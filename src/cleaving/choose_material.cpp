@@ -10,12 +10,12 @@ MaterialChooser::MaterialChooser(const Centres& c, const Tet& corners) : volume_
     const MaterialSet& first = c.materials_of(corners[0]);
     if (first.size() == 1 &&
         std::all_of(corners.begin(), corners.end(), [&](int32_t v) { return c.materials_of(v) == first; })) {
-        material_[static_cast<size_t>(count_++)] = first[0];
+        material_[count_++] = first[0];
         return;
     }
     for (const int32_t v : corners)
         for (const Material m : c.materials_of(v))
-            material_[static_cast<size_t>(count_++)] = m;
+            material_[count_++] = m;
     std::sort(material_.begin(), material_.begin() + count_);
     count_ = static_cast<int>(std::unique(material_.begin(), material_.begin() + count_) - material_.begin());
     for (size_t i = 0; i < 4; ++i)
@@ -33,11 +33,11 @@ uint64_t MaterialChooser::of_point(uint8_t p) const
     return materials;
 }
 
-Material MaterialChooser::choose(const StencilTet& t, const std::array<Vec3, 4>& x, Samples& scratch) const
+Material MaterialChooser::choose(const StencilTet& t, const FixedArray<Vec3, 4>& x, Samples& scratch) const
 {
     if (count_ == 1)
         return material_[0];
-    const std::array<uint64_t, 4> of = {of_point(t[0]), of_point(t[1]), of_point(t[2]), of_point(t[3])};
+    const FixedArray<uint64_t, 4> of = {of_point(t[0]), of_point(t[1]), of_point(t[2]), of_point(t[3])};
     uint64_t candidates = of[0] & of[1] & of[2] & of[3];
     const bool is_single = candidates && !(candidates & (candidates - 1));
     if (!candidates)
@@ -46,13 +46,13 @@ Material MaterialChooser::choose(const StencilTet& t, const std::array<Vec3, 4>&
         volume_.sample((x[0] + x[1] + x[2] + x[3]) / 4, scratch);
     Material best = -1;
     double greatest = -std::numeric_limits<double>::infinity();
-    for (size_t i = 0; i < static_cast<size_t>(count_); ++i) {
+    for (int i = 0; i < count_; ++i) {
         if (!(candidates >> i & 1u))
             continue;
         if (is_single)
             return material_[i];
         const int entry = scratch.find(material_[i]);
-        const double value = entry < 0 ? 0.0 : scratch.value[static_cast<size_t>(entry)];
+        const double value = entry < 0 ? 0.0 : scratch.value[entry];
         if (best < 0 || value > greatest) {
             best = material_[i];
             greatest = value;
@@ -61,10 +61,10 @@ Material MaterialChooser::choose(const StencilTet& t, const std::array<Vec3, 4>&
     return best;
 }
 
-Material MaterialChooser::choose_whole(uint16_t kept, const std::array<Vec3, 4>& x, Samples& scratch) const
+Material MaterialChooser::choose_whole(uint16_t kept, const FixedArray<Vec3, 4>& x, Samples& scratch) const
 {
     const uint64_t shared = of_corner_[0] & of_corner_[1] & of_corner_[2] & of_corner_[3];
-    for (size_t i = 0; i < static_cast<size_t>(count_); ++i)
+    for (int i = 0; i < count_; ++i)
         if (material_[i] == kept && (shared >> i & 1u))
             return kept;
     return choose({0, 1, 2, 3}, x, scratch);

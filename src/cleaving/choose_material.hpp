@@ -1,6 +1,7 @@
 // The material of an output tetrahedron.
 #pragma once
 
+#include "base/fixed_array.hpp"
 #include "cleaving/split_tet.hpp"
 
 namespace cleft
@@ -16,19 +17,19 @@ public:
     MaterialChooser(const Centres& c, const Tet& corners);
 
     // x: of the four points of t.
-    Material choose(const StencilTet& t, const std::array<Vec3, 4>& x, Samples& scratch) const;
+    Material choose(const StencilTet& t, const FixedArray<Vec3, 4>& x, Samples& scratch) const;
 
     // Of the tetrahedron itself, which has no cuts: `kept`, of Centres, comes first among those shared.
-    Material choose_whole(uint16_t kept, const std::array<Vec3, 4>& x, Samples& scratch) const;
+    Material choose_whole(uint16_t kept, const FixedArray<Vec3, 4>& x, Samples& scratch) const;
 
 private:
     uint64_t of_point(uint8_t p) const;
 
     const Volume& volume_;
     // Materials of the four corners, ascending, and which of them each corner has.
-    std::array<Material, 4 * MaterialSet::kCapacity> material_;
+    FixedArray<Material, 4 * MaterialSet::kCapacity> material_;
     int count_ = 0;
-    std::array<uint64_t, 4> of_corner_{};
+    FixedArray<uint64_t, 4> of_corner_{};
 };
 
 static_assert(4 * MaterialSet::kCapacity <= 64, "the materials of four corners are bits of one word");

@@ -14,8 +14,8 @@ namespace
 {
 
 // Also says which points may need mending.
-LabelledMesh split_background(const Volume& volume, const TetMesh& background, Snap rule,
-                              std::vector<int32_t>& in_doubt, Steps& steps)
+LabelledMesh split_background(const Volume& volume, const TetMesh& background, Snap rule, Array<int32_t>& in_doubt,
+                              Steps& steps)
 {
     Centres centres = find_centres(volume, background, steps);
     const SnapCounts counts = snap_vertices(centres, rule, steps.next());
@@ -38,7 +38,7 @@ LabelledMesh cleave(const Volume& volume, const TetMesh& background, const Cleav
                  {"cleaving: snapping", 51},
                  {"cleaving: tetrahedra", 11},
                  {"cleaving: mending", 13}});
-    std::vector<int32_t> in_doubt;
+    Array<int32_t> in_doubt;
     LabelledMesh mesh = split_background(volume, background, options.snap, in_doubt, stage);
     mend_interfaces(mesh, in_doubt, stage.next());
     run.note("cleaving.tets", static_cast<double>(mesh.tets.size()));

@@ -16,25 +16,25 @@ constexpr int64_t kVerticesSampled = 4096;
 constexpr int64_t kCutsPlaced = 512;
 
 struct SampledVertices {
-    std::vector<MaterialSet> materials;
-    std::vector<uint16_t> count;
-    std::vector<MaterialValue> values;
+    Array<MaterialSet> materials;
+    Array<uint16_t> count;
+    Array<MaterialValue> values;
 };
 
-SampledVertices sample_vertices(const Volume& volume, const std::vector<Vec3>& points, const Run& run)
+SampledVertices sample_vertices(const Volume& volume, const Array<Vec3>& points, const Run& run)
 {
-    const auto n = static_cast<int64_t>(points.size());
+    const auto n = points.count();
     SampledVertices out;
-    out.materials = large_vector<MaterialSet>(points.size());
+    out.materials = large_array<MaterialSet>(points.size());
     out.count.resize(points.size());
-    std::vector<std::vector<MaterialValue>> chunks(static_cast<size_t>(chunk_count(n, kVerticesSampled)));
+    Array<Array<MaterialValue>> chunks(chunk_count(n, kVerticesSampled));
     parallel_chunks(run, n, kVerticesSampled, [&](int64_t chunk, int64_t begin, int64_t end) {
         Samples samples;
-        for (auto v = static_cast<size_t>(begin); v < static_cast<size_t>(end); ++v) {
+        for (int64_t v = begin; v < end; ++v) {
             volume.sample(points[v], samples);
             out.materials[v] = MaterialSet(samples.material[samples.best()]);
             out.count[v] = static_cast<uint16_t>(samples.size());
-            SampleStore::append(samples, chunks[static_cast<size_t>(chunk)]);
+            SampleStore::append(samples, chunks[chunk]);
         }
     });
     for (auto& chunk : chunks) {
@@ -44,9 +44,9 @@ SampledVertices sample_vertices(const Volume& volume, const std::vector<Vec3>& p
     return out;
 }
 
-std::vector<Vec3> copy_of(const std::vector<Vec3>& points)
+Array<Vec3> copy_of(const Array<Vec3>& points)
 {
-    std::vector<Vec3> copy;
+    Array<Vec3> copy;
     reserve_large(copy, points.size());
     copy.assign(points.begin(), points.end());
     return copy;
@@ -68,12 +68,12 @@ public:
         list_mixed();
         list_faces();
         c_.fans.resize(c_.mixed.size());
-        c_.kept = large_vector<uint16_t>(c_.tets.size(), Centres::kNoMaterial);
+        c_.kept = large_array<uint16_t>(c_.tets.size(), Centres::kNoMaterial);
         c_.doubtful.assign(c_.points.size(), 0);
     }
 
 private:
-    Material material(int32_t v) const { return material_[static_cast<size_t>(v)]; }
+    Material material(int32_t v) const { return material_[v]; }
 
     bool has_one_material(const Tet& t) const
     {
@@ -86,9 +86,9 @@ private:
     {
         if (has_one_material(t))
             return;
-        const std::array<Material, 4> m = {material(t[0]), material(t[1]), material(t[2]), material(t[3])};
+        const FixedArray<Material, 4> m = {material(t[0]), material(t[1]), material(t[2]), material(t[3])};
         for (size_t e = 0; e < 6; ++e) {
-            const auto i = static_cast<size_t>(kEdgeCorners[e][0]), j = static_cast<size_t>(kEdgeCorners[e][1]);
+            const int i = kEdgeCorners[e][0], j = kEdgeCorners[e][1];
             if (m[i] != m[j])
                 visit(e, std::min(t[i], t[j]), std::max(t[i], t[j]));
         }
@@ -98,19 +98,17 @@ private:
     void list_edges()
     {
         const size_t n = c_.points.size();
-        std::vector<int64_t> slot(n + 1, 0);
+        Array<int64_t> slot(n + 1, 0);
         for (size_t t = 0; t < c_.tets.size(); ++t) {
             run_.check_at(t);
-            for_each_cut(c_.tets[t], [&](size_t, int32_t lower, int32_t) { ++slot[static_cast<size_t>(lower) + 1]; });
+            for_each_cut(c_.tets[t], [&](size_t, int32_t lower, int32_t) { ++slot[int64_t{lower} + 1]; });
         }
         for (size_t v = 0; v < n; ++v)
             slot[v + 1] += slot[v];
-        std::vector<int32_t> upper = large_vector<int32_t>(static_cast<size_t>(slot[n]));
+        Array<int32_t> upper = large_array<int32_t>(slot[n]);
         for (size_t t = 0; t < c_.tets.size(); ++t) {
             run_.check_at(t);
-            for_each_cut(c_.tets[t], [&](size_t, int32_t lower, int32_t high) {
-                upper[static_cast<size_t>(slot[static_cast<size_t>(lower)]++)] = high;
-            });
+            for_each_cut(c_.tets[t], [&](size_t, int32_t lower, int32_t high) { upper[slot[lower]++] = high; });
         }
         // Each slot is now where the next one began.
         first_edge_.resize(n + 1, 0);
@@ -128,17 +126,17 @@ private:
 
     int32_t edge_between(int32_t lower, int32_t upper) const
     {
-        int32_t e = first_edge_[static_cast<size_t>(lower)];
-        while (c_.edges[static_cast<size_t>(e)].upper != upper)
+        int32_t e = first_edge_[lower];
+        while (c_.edges[e].upper != upper)
             ++e;
         return e;
     }
 
     void list_mixed()
     {
-        c_.mixed_of = large_vector(c_.tets.size(), -1);
-        reserve_large(c_.mixed, static_cast<size_t>(std::count_if(c_.tets.begin(), c_.tets.end(),
-                                                                  [&](const Tet& t) { return !has_one_material(t); })));
+        c_.mixed_of = large_array(c_.tets.size(), -1);
+        reserve_large(c_.mixed, std::count_if(c_.tets.begin(), c_.tets.end(),
+                                              [&](const Tet& t) { return !has_one_material(t); }));
         for (size_t t = 0; t < c_.tets.size(); ++t) {
             run_.check_at(t);
             MixedTet m{static_cast<int32_t>(t), {-1, -1, -1, -1, -1, -1}, {-1, -1, -1, -1}};
@@ -158,7 +156,7 @@ private:
     // the same lowest edge; two edges determine a face.
     void list_faces()
     {
-        std::vector<int32_t> newest(c_.edges.size(), -1), older;
+        Array<int32_t> newest(c_.edges.size(), -1), older;
         for (size_t k = 0; k < c_.mixed.size(); ++k) {
             run_.check_at(k);
             MixedTet& m = c_.mixed[k];
@@ -169,10 +167,10 @@ private:
                 if ((cuts & kFaceCuts[i]) != kFaceCuts[i])
                     continue;
                 const TripleFace face = triple_face(m, i);
-                int32_t& chain = newest[static_cast<size_t>(face.edges[0])];
+                int32_t& chain = newest[face.edges[0]];
                 int32_t f = chain;
-                while (f >= 0 && c_.faces[static_cast<size_t>(f)].edges != face.edges)
-                    f = older[static_cast<size_t>(f)];
+                while (f >= 0 && c_.faces[f].edges != face.edges)
+                    f = older[f];
                 if (f < 0) {
                     f = static_cast<int32_t>(c_.faces.size());
                     c_.faces.push_back(face);
@@ -187,7 +185,7 @@ private:
     static TripleFace triple_face(const MixedTet& m, size_t opposite)
     {
         const int* corner = kFaceCorners[opposite];
-        const auto edge = [&](int i, int j) { return m.edges[static_cast<size_t>(kEdgeBetween[i][j])]; };
+        const auto edge = [&](int i, int j) { return m.edges[kEdgeBetween[i][j]]; };
         TripleFace face{{edge(corner[0], corner[1]), edge(corner[1], corner[2]), edge(corner[2], corner[0])}};
         std::sort(face.edges.begin(), face.edges.end());
         return face;
@@ -195,8 +193,8 @@ private:
 
     Centres& c_;
     const Run& run_;
-    std::vector<uint16_t> material_;   // of each vertex
-    std::vector<int32_t> first_edge_;  // of each lower vertex
+    Array<uint16_t> material_;   // of each vertex
+    Array<int32_t> first_edge_;  // of each lower vertex
 };
 
 }  // namespace
@@ -220,10 +218,10 @@ Centres find_centres(const Volume& volume, const TetMesh& background, Steps& ste
               {}};
     const Run of_cuts = steps.next();
     list_centres(c, of_cuts);
-    parallel_for(of_cuts, static_cast<int64_t>(c.edges.size()), kCutsPlaced, [&](int64_t begin, int64_t end) {
+    parallel_for(of_cuts, c.edges.count(), kCutsPlaced, [&](int64_t begin, int64_t end) {
         Samples scratch;
         for (int64_t e = begin; e < end; ++e)
-            c.place_cut(c.edges[static_cast<size_t>(e)], scratch);
+            c.place_cut(c.edges[e], scratch);
     });
     choose_fans(c, steps.next());
     return c;

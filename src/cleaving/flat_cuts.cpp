@@ -15,14 +15,12 @@ constexpr int64_t kTetsLookedAt = 2048;
 
 double mean_edge(const Centres& c, const Run& run)
 {
-    const auto n = static_cast<int64_t>(c.tets.size());
-    std::vector<double> sums(static_cast<size_t>(chunk_count(n, kTetsLookedAt)), 0.0);
+    const auto n = c.tets.count();
+    Array<double> sums(chunk_count(n, kTetsLookedAt), 0.0);
     parallel_chunks(run, n, kTetsLookedAt, [&](int64_t chunk, int64_t begin, int64_t end) {
-        for (auto t = static_cast<size_t>(begin); t < static_cast<size_t>(end); ++t)
+        for (int64_t t = begin; t < end; ++t)
             for (const auto& e : kEdgeCorners)
-                sums[static_cast<size_t>(chunk)] +=
-                    (c.point(c.tets[t][static_cast<size_t>(e[0])]) - c.point(c.tets[t][static_cast<size_t>(e[1])]))
-                        .norm();
+                sums[chunk] += (c.point(c.tets[t][e[0]]) - c.point(c.tets[t][e[1]])).norm();
     });
     double sum = 0;
     for (const double s : sums)
@@ -31,24 +29,24 @@ double mean_edge(const Centres& c, const Run& run)
 }
 
 // Mixed tetrahedra with a piece whose sixfold volume is not above the threshold.
-std::vector<int32_t> find_flat(const Centres& c, double threshold, const Run& run)
+Array<int32_t> find_flat(const Centres& c, double threshold, const Run& run)
 {
     // A piece is a product of few shares of edges, and cuts keep away from the ends of their edges: the least is a
     // corner of a triple point seen from a quadruple point, 0.02 * 0.04 / 3 * 0.06 / 6.
     constexpr double kLeastShare = 1e-6;
-    const auto n = static_cast<int64_t>(c.mixed.size());
-    std::vector<std::vector<int32_t>> found(static_cast<size_t>(chunk_count(n, kTetsLookedAt)));
+    const auto n = c.mixed.count();
+    Array<Array<int32_t>> found(chunk_count(n, kTetsLookedAt));
     parallel_chunks(run, n, kTetsLookedAt, [&](int64_t chunk, int64_t begin, int64_t end) {
-        for (auto m = static_cast<size_t>(begin); m < static_cast<size_t>(end); ++m) {
+        for (int64_t m = begin; m < end; ++m) {
             const Tet& t = c.corners(c.mixed[m].tet);
             if (orient(c.point(t[0]), c.point(t[1]), c.point(t[2]), c.point(t[3])) * kLeastShare > threshold)
                 continue;
             const SplitTet split = split_tet(c, c.mixed[m]);
             if (split.cuts && !(least_volume(c.stencils.tets(c.fans[m].stencil), split) > threshold))
-                found[static_cast<size_t>(chunk)].push_back(static_cast<int32_t>(m));
+                found[chunk].push_back(static_cast<int32_t>(m));
         }
     });
-    std::vector<int32_t> all;
+    Array<int32_t> all;
     for (const auto& f : found)
         all.insert(all.end(), f.begin(), f.end());
     return all;
@@ -60,7 +58,7 @@ bool drop_least_central_cut(Centres& c, const MixedTet& m)
     CutEdge* least = nullptr;
     for (const int32_t e : m.edges)
         if (c.is_cut(e)) {
-            CutEdge& edge = c.edges[static_cast<size_t>(e)];
+            CutEdge& edge = c.edges[e];
             if (!least || edge.t * (1 - edge.t) < least->t * (1 - least->t))
                 least = &edge;
         }
@@ -77,9 +75,9 @@ int64_t give_up_flat_cuts(Centres& c, const Run& run)
     const double edge = mean_edge(c, run);
     const double threshold = 2 * 6e-12 * edge * edge * edge;
     int64_t dropped = 0;
-    for (std::vector<int32_t> flat; !(flat = find_flat(c, threshold, run)).empty();) {
+    for (Array<int32_t> flat; !(flat = find_flat(c, threshold, run)).empty();) {
         for (const int32_t m : flat)
-            dropped += drop_least_central_cut(c, c.mixed[static_cast<size_t>(m)]);
+            dropped += drop_least_central_cut(c, c.mixed[m]);
         choose_fans(c, run);  // an edge has many tetrahedra; slivers are few
     }
     return dropped;

@@ -30,8 +30,8 @@ void Link::load(const LabelledMesh& mesh, int32_t point, const int32_t* first, c
     pattern_edges_ = pinched_edges_ = extra_pieces_ = 0;
     Vertex all{point, 0};
     for (const int32_t* t = first; t != last; ++t) {
-        all.see(mesh.material[at(*t)]);
-        add(mesh.tets[at(*t)], point, mesh.material[at(*t)]);
+        all.see(mesh.material[*t]);
+        add(mesh.tets[*t], point, mesh.material[*t]);
     }
     if (!all.is_mixed())
         return;
@@ -40,7 +40,7 @@ void Link::load(const LabelledMesh& mesh, int32_t point, const int32_t* first, c
     for (const Triangle& t : triangles_)
         for (size_t side = 0; side < 3; ++side)
             if (!is_sphere ||
-                (vertices_[at(t.corners[side])].is_mixed() && vertices_[at(t.corners[(side + 1) % 3])].is_mixed()))
+                (vertices_[t.corners[side]].is_mixed() && vertices_[t.corners[(side + 1) % 3]].is_mixed()))
                 meet(t, side);
     find_defects(is_sphere, all.has_third);
 }
@@ -60,9 +60,9 @@ void Link::find_defects(bool is_sphere, bool has_third)
         extra_pieces_ = pieces() - 3 + !rim.is_mixed();
 }
 
-std::vector<int32_t> Link::pinched_edges() const
+Array<int32_t> Link::pinched_edges() const
 {
-    std::vector<int32_t> others;
+    Array<int32_t> others;
     for (const Vertex& v : vertices_)
         if (v.is_pinched())
             others.push_back(v.point);
@@ -71,7 +71,7 @@ std::vector<int32_t> Link::pinched_edges() const
 
 int32_t Link::number(int32_t point)
 {
-    int32_t& place = place_[at(point)];
+    int32_t& place = place_[point];
     if (place < base_) {
         const auto next = static_cast<int32_t>(vertices_.size());
         place = base_ + next;
@@ -87,7 +87,7 @@ void Link::add(const Tet& tet, int32_t point, Material material)
     for (const int32_t w : tet)
         if (w != point) {
             triangle.corners[i] = number(w);
-            vertices_[at(triangle.corners[i++])].see(material);
+            vertices_[triangle.corners[i++]].see(material);
         }
     triangles_.push_back(triangle);
 }
@@ -96,27 +96,27 @@ void Link::add(const Tet& tet, int32_t point, Material material)
 void Link::meet(const Triangle& triangle, size_t side)
 {
     const auto [a, b] = std::minmax(triangle.corners[side], triangle.corners[(side + 1) % 3]);
-    int32_t e = vertices_[at(a)].edges;
-    while (e >= 0 && edges_[at(e)].high != b)
-        e = edges_[at(e)].next;
+    int32_t e = vertices_[a].edges;
+    while (e >= 0 && edges_[e].high != b)
+        e = edges_[e].next;
     if (e < 0) {
-        edges_.push_back({a, b, triangle.material, vertices_[at(a)].edges});
-        vertices_[at(a)].edges = static_cast<int32_t>(edges_.size()) - 1;
+        edges_.push_back({a, b, triangle.material, vertices_[a].edges});
+        vertices_[a].edges = static_cast<int32_t>(edges_.size()) - 1;
         return;
     }
-    const Material other = std::exchange(edges_[at(e)].material, kMet);
+    const Material other = std::exchange(edges_[e].material, kMet);
     if (other == triangle.material || other == kMet)
         return;
-    ++vertices_[at(a)].changes;
-    ++vertices_[at(b)].changes;
+    ++vertices_[a].changes;
+    ++vertices_[b].changes;
     add_to_pattern(a, b);
 }
 
 void Link::add_to_pattern(int32_t a, int32_t b)
 {
     ++pattern_edges_;
-    vertices_[at(root(b))].parent = root(a);
-    vertices_[at(a)].is_in_pattern = vertices_[at(b)].is_in_pattern = true;
+    vertices_[root(b)].parent = root(a);
+    vertices_[a].is_in_pattern = vertices_[b].is_in_pattern = true;
 }
 
 void Link::find_rim(Vertex& rim)
@@ -124,7 +124,7 @@ void Link::find_rim(Vertex& rim)
     for (const auto& [low, high, material, next] : edges_)
         if (material != kMet) {
             rim.see(material);
-            vertices_[at(low)].is_on_rim = vertices_[at(high)].is_on_rim = true;
+            vertices_[low].is_on_rim = vertices_[high].is_on_rim = true;
             add_to_pattern(low, high);
         }
 }
@@ -141,8 +141,8 @@ int Link::pieces() const
 
 int32_t Link::root(int32_t vertex)
 {
-    while (vertices_[at(vertex)].parent != vertex)
-        vertex = vertices_[at(vertex)].parent = vertices_[at(vertices_[at(vertex)].parent)].parent;
+    while (vertices_[vertex].parent != vertex)
+        vertex = vertices_[vertex].parent = vertices_[vertices_[vertex].parent].parent;
     return vertex;
 }
 

@@ -1,9 +1,8 @@
 // How the materials around a point hang together.
 #pragma once
 
+#include "base/array.hpp"
 #include "mesh/tet_mesh.hpp"
-
-#include <vector>
 
 namespace cleft
 {
@@ -25,7 +24,7 @@ public:
     // At the point are two materials alone, and it is pinched.
     bool is_pinched() const { return extra_pieces_ > 0; }
     // The other ends of the pinched edges.
-    std::vector<int32_t> pinched_edges() const;
+    Array<int32_t> pinched_edges() const;
 
 private:
     struct Vertex {
@@ -60,11 +59,11 @@ private:
     int pieces() const;
     int32_t root(int32_t vertex);
 
-    std::vector<int32_t> place_;  // of a point in the link that it was met in last: below base_, an earlier one
+    Array<int32_t> place_;  // of a point in the link that it was met in last: below base_, an earlier one
     int32_t base_ = 0;
-    std::vector<Vertex> vertices_;
-    std::vector<Triangle> triangles_;
-    std::vector<Edge> edges_;
+    Array<Vertex> vertices_;
+    Array<Triangle> triangles_;
+    Array<Edge> edges_;
     // The pattern: edges where the colour changes, and those of the rim.
     int pattern_edges_ = 0;
     int pinched_edges_ = 0, extra_pieces_ = 0;

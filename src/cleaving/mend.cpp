@@ -20,11 +20,11 @@ int count_defects(Link& link, const LabelledMesh& mesh, const PointStars& stars,
     return link.defects();
 }
 
-std::vector<int32_t> points_of(const LabelledMesh& mesh, const Change& change)
+Array<int32_t> points_of(const LabelledMesh& mesh, const Change& change)
 {
-    std::vector<int32_t> points;
+    Array<int32_t> points;
     for (const int32_t t : change.tets)
-        points.insert(points.end(), mesh.tets[at(t)].begin(), mesh.tets[at(t)].end());
+        points.insert(points.end(), mesh.tets[t].begin(), mesh.tets[t].end());
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
     return points;
@@ -42,13 +42,13 @@ public:
           defects_(mesh.points.size(), kUnknown)
     {
         for (const Material m : mesh.material) {
-            tets_of_.resize(std::max(tets_of_.size(), at(m) + 1), 0);
-            ++tets_of_[at(m)];
+            tets_of_.resize(std::max(tets_of_.count(), int64_t{m} + 1), 0);
+            ++tets_of_[m];
         }
     }
 
     // Returns the points that are still pinched.
-    std::vector<int32_t> mend(std::vector<int32_t> pinched)
+    Array<int32_t> mend(Array<int32_t> pinched)
     {
         for (int round = 0; round < kMendRounds && !pinched.empty(); ++round) {
             touched_.clear();
@@ -75,13 +75,13 @@ private:
 
     int defects(int32_t point)
     {
-        int& known = defects_[at(point)];
+        int& known = defects_[point];
         if (known == kUnknown)
             known = count_defects(link_, mesh_, stars_, point);
         return known;
     }
 
-    std::vector<Change> changes(int32_t point)
+    Array<Change> changes(int32_t point)
     {
         count_defects(link_, mesh_, stars_, point);
         return changes_at(mesh_, stars_.at(point), link_);
@@ -93,11 +93,11 @@ private:
     {
         Harm least = Harm::adds_or_loses;
         const Change* best = nullptr;
-        const std::vector<Change> all = changes(point);
+        const Array<Change> all = changes(point);
         for (const Change& change : all) {
             if (best && least == Harm::none)
                 break;
-            if (gain(change) <= debt || tets_of_[at(change.from)] == static_cast<int64_t>(change.tets.size()))
+            if (gain(change) <= debt || tets_of_[change.from] == change.tets.count())
                 continue;
             const Harm harm = harm_.harm(change);
             if (!best || harm < least) {
@@ -114,7 +114,7 @@ private:
     {
         for (const Change& first : changes(point)) {
             const int debt = -gain(first);
-            if (debt > kMostDebt || tets_of_[at(first.from)] == static_cast<int64_t>(first.tets.size()))
+            if (debt > kMostDebt || tets_of_[first.from] == first.tets.count())
                 continue;
             make(first);
             for (const int32_t v : points_of(mesh_, first))
@@ -128,7 +128,7 @@ private:
     // How many defects fewer the change would leave.
     int gain(const Change& change)
     {
-        const std::vector<int32_t> points = points_of(mesh_, change);
+        const Array<int32_t> points = points_of(mesh_, change);
         int gain = 0;
         for (const int32_t v : points)
             gain += defects(v);
@@ -142,20 +142,20 @@ private:
     void make(const Change& change)
     {
         give(change.tets, change.to);
-        const auto count = static_cast<int64_t>(change.tets.size());
-        tets_of_[at(change.from)] -= count;
-        tets_of_[at(change.to)] += count;
+        const auto count = change.tets.count();
+        tets_of_[change.from] -= count;
+        tets_of_[change.to] += count;
         changed_ += count;
         for (const int32_t v : points_of(mesh_, change)) {
-            defects_[at(v)] = kUnknown;
+            defects_[v] = kUnknown;
             touched_.push_back(v);
         }
     }
 
-    void give(const std::vector<int32_t>& tets, Material to)
+    void give(const Array<int32_t>& tets, Material to)
     {
         for (const int32_t t : tets)
-            mesh_.material[at(t)] = to;
+            mesh_.material[t] = to;
     }
 
     LabelledMesh& mesh_;
@@ -163,17 +163,17 @@ private:
     const Run& run_;
     Link link_;
     HarmCheck harm_;
-    std::vector<int> defects_;      // by point, as they are known
-    std::vector<int64_t> tets_of_;  // by material
-    std::vector<int32_t> touched_;
+    Array<int> defects_;      // by point, as they are known
+    Array<int64_t> tets_of_;  // by material
+    Array<int32_t> touched_;
     int64_t changed_ = 0;
 };
 
-std::vector<int32_t> find_pinched(const LabelledMesh& mesh, const PointStars& stars, const std::vector<int32_t>& points,
-                                  const Run& run)
+Array<int32_t> find_pinched(const LabelledMesh& mesh, const PointStars& stars, const Array<int32_t>& points,
+                            const Run& run)
 {
     Link link(mesh.points.size());
-    std::vector<int32_t> pinched;
+    Array<int32_t> pinched;
     for (size_t i = 0; i < points.size(); ++i) {
         run.check_at(i, 4096);
         if (count_defects(link, mesh, stars, points[i]) > 0)
@@ -184,14 +184,14 @@ std::vector<int32_t> find_pinched(const LabelledMesh& mesh, const PointStars& st
 
 }  // namespace
 
-void mend_interfaces(LabelledMesh& mesh, const std::vector<int32_t>& points, const Run& run)
+void mend_interfaces(LabelledMesh& mesh, const Array<int32_t>& points, const Run& run)
 {
-    std::vector<int32_t> pinched;
+    Array<int32_t> pinched;
     int64_t found = 0, changed = 0;
     if (!points.empty()) {
         const PointStars stars(mesh.tets, mesh.points.size(), run);
         pinched = find_pinched(mesh, stars, points, run);
-        found = static_cast<int64_t>(pinched.size());
+        found = pinched.count();
         if (found > 0) {
             Mender mender(mesh, stars, run);
             pinched = mender.mend(std::move(pinched));

@@ -10,6 +10,7 @@
 // alone does not help, two.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/run.hpp"
 #include "mesh/tet_mesh.hpp"
 
@@ -19,6 +20,6 @@ namespace cleft
 // `points`: all where interfaces can be pinched; of each pinched edge one end does. No label loses its last
 // tetrahedron. Notes cleaving.pinched (points that were), cleaving.mended (tetrahedra changed) and
 // cleaving.left_pinched.
-void mend_interfaces(LabelledMesh& mesh, const std::vector<int32_t>& points, const Run& run);
+void mend_interfaces(LabelledMesh& mesh, const Array<int32_t>& points, const Run& run);
 
 }  // namespace cleft

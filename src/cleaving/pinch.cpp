@@ -25,7 +25,7 @@ bool PinchCheck::load(const CutStar& star, const MaterialSet& before)
         const MaterialSet& materials = c_.materials_of(w);
         if (!(materials == before) && !(materials == second) && !(materials == both))
             return false;
-        place_[at(w)] = static_cast<int32_t>(side_.size());
+        place_[w] = static_cast<int32_t>(side_.size());
         side_.push_back(materials == before ? Side::first : materials == second ? Side::second : Side::interface);
     }
     triangles_.clear();
@@ -34,7 +34,7 @@ bool PinchCheck::load(const CutStar& star, const MaterialSet& before)
         size_t i = 0;
         for (const int32_t w : c_.corners(part.tet))
             if (w != star.vertex())
-                triangle[i++] = place_[at(w)];
+                triangle[i++] = place_[w];
         triangles_.push_back(triangle);
     }
     return true;
@@ -54,11 +54,11 @@ void PinchCheck::join_sides()
 void PinchCheck::join_triangle(size_t triangle)
 {
     const Triangle& t = triangles_[triangle];
-    const auto side = [&](size_t i) { return side_[at(t[i])]; };
+    const auto side = [&](size_t i) { return side_[t[i]]; };
     const auto node = static_cast<int32_t>(side_.size() - triangles_.size() + triangle);
     const bool is_flat = side(0) == Side::interface && side(1) == side(0) && side(2) == side(0);
     if (is_flat)  // the tetrahedron keeps the material that its vertex had
-        side_[at(node)] = Side::first;
+        side_[node] = Side::first;
     for (size_t i = 0; i < 3; ++i) {
         const size_t j = (i + 1) % 3, k = (i + 2) % 3;
         if (side(i) != side(j))
@@ -78,7 +78,7 @@ void PinchCheck::join_along_interface()
     });
     for (size_t i = 1; i < along_.size(); ++i) {
         const InterfaceEdge &a = along_[i - 1], &b = along_[i];
-        if (a.low == b.low && a.high == b.high && side_[at(a.node)] == side_[at(b.node)])
+        if (a.low == b.low && a.high == b.high && side_[a.node] == side_[b.node])
             join(a.node, b.node);
     }
 }
@@ -99,8 +99,8 @@ bool PinchCheck::reach_the_rim()
         return true;
     bool first = false, second = false;
     const auto see = [&](int32_t node) {
-        first = first || side_[at(node)] == Side::first;
-        second = second || side_[at(node)] == Side::second;
+        first = first || side_[node] == Side::first;
+        second = second || side_[node] == Side::second;
     };
     for (const auto& edge : rim_) {
         see(edge[0]);
@@ -135,8 +135,8 @@ void PinchCheck::find_rim()
 
 int32_t PinchCheck::root(int32_t node)
 {
-    while (parent_[at(node)] != node)
-        node = parent_[at(node)] = parent_[at(parent_[at(node)])];
+    while (parent_[node] != node)
+        node = parent_[node] = parent_[parent_[node]];
     return node;
 }
 
@@ -144,7 +144,7 @@ void PinchCheck::join(int32_t a, int32_t b)
 {
     a = root(a);
     b = root(b);
-    parent_[at(std::max(a, b))] = std::min(a, b);
+    parent_[std::max(a, b)] = std::min(a, b);
 }
 
 }  // namespace cleft

@@ -10,6 +10,7 @@
 // it.
 #pragma once
 
+#include "base/array.hpp"
 #include "cleaving/star.hpp"
 
 namespace cleft
@@ -45,15 +46,15 @@ private:
     void join(int32_t a, int32_t b);
 
     const Centres& c_;
-    std::vector<int32_t> place_;  // of a vertex in the link it was seen in last
+    Array<int32_t> place_;  // of a vertex in the link it was seen in last
 
     // The surface of the star. Nodes: vertices of the link, then triangles, which count where all corners are at the
     // interface.
-    std::vector<Triangle> triangles_;
-    std::vector<Side> side_;
-    std::vector<int32_t> parent_;
-    std::vector<InterfaceEdge> along_;
-    std::vector<std::array<int32_t, 2>> rim_;
+    Array<Triangle> triangles_;
+    Array<Side> side_;
+    Array<int32_t> parent_;
+    Array<InterfaceEdge> along_;
+    Array<std::array<int32_t, 2>> rim_;
 };
 
 }  // namespace cleft

@@ -1,11 +1,11 @@
 // What the volume says at the vertices of the background, kept short: root searches start from both ends of an edge.
 #pragma once
 
+#include "base/array.hpp"
 #include "volume/material_set.hpp"
 #include "volume/volume.hpp"
 
 #include <limits>
-#include <vector>
 
 namespace cleft
 {
@@ -19,7 +19,7 @@ class SampleStore
 {
 public:
     // The values of vertices 0 .. n-1 one after the other, `count` of each.
-    SampleStore(std::vector<MaterialValue> values, const std::vector<uint16_t>& count) : values_(std::move(values))
+    SampleStore(Array<MaterialValue> values, const Array<uint16_t>& count) : values_(std::move(values))
     {
         spans_.reserve(count.size());
         size_t begin = 0;
@@ -29,7 +29,7 @@ public:
         }
     }
 
-    static void append(const Samples& samples, std::vector<MaterialValue>& values)
+    static void append(const Samples& samples, Array<MaterialValue>& values)
     {
         for (size_t i = 0; i < samples.size(); ++i)
             values.push_back({static_cast<float>(samples.value[i]), static_cast<uint16_t>(samples.material[i])});
@@ -48,10 +48,13 @@ public:
         return span;
     }
     // Forgets everything added from a span on.
-    void drop(const Span& span) { values_.resize(span.begin); }
+    void drop(const Span& span)
+    {
+        values_.resize(span.begin);
+    }
 
-    Span of(int32_t vertex) const { return spans_[static_cast<size_t>(vertex)]; }
-    void set(int32_t vertex, const Span& span) { spans_[static_cast<size_t>(vertex)] = span; }
+    Span of(int32_t vertex) const { return spans_[vertex]; }
+    void set(int32_t vertex, const Span& span) { spans_[vertex] = span; }
 
     // Greatest value over A minus greatest value over B; a material without an entry has the value 0.
     double difference(int32_t vertex, const MaterialSet& a, const MaterialSet& b) const
@@ -76,8 +79,8 @@ private:
         return 0;
     }
 
-    std::vector<MaterialValue> values_;
-    std::vector<Span> spans_;
+    Array<MaterialValue> values_;
+    Array<Span> spans_;
 };
 
 }  // namespace cleft

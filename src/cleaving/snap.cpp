@@ -44,10 +44,10 @@ public:
           star_(c, run),
           pinch_(c),
           touched_(c.points.size(), 1),
-          vertices_of_(static_cast<size_t>(c.volume.material_count()), 0)
+          vertices_of_(c.volume.material_count(), 0)
     {
         for (const MaterialSet& m : c.materials)
-            ++vertices_of_[static_cast<size_t>(m[0])];
+            ++vertices_of_[m[0]];
         if (rule == Snap::safe)
             find_safe_reach();
     }
@@ -55,11 +55,10 @@ public:
     SnapCounts run()
     {
         const int passes = rule_ == Snap::quality ? kPasses : 1;
-        Steps steps(run_, std::vector<Step>(static_cast<size_t>(passes), {nullptr, 1}));
+        Steps steps(run_, Array<Step>(passes, {nullptr, 1}));
         for (int pass = 0; pass < passes; ++pass) {
-            const std::vector<int32_t> order = vertices_to_visit(c_, kSnapReach, touched_, run_);
-            steps.next().for_each(static_cast<int64_t>(order.size()),
-                                  [&](int64_t i) { visit(order[static_cast<size_t>(i)]); });
+            const Array<int32_t> order = vertices_to_visit(c_, kSnapReach, touched_, run_);
+            steps.next().for_each(order.count(), [&](int64_t i) { visit(order[i]); });
         }
         return counts_;
     }
@@ -70,7 +69,7 @@ private:
         star_.gather(v);
         near_.clear();
         for (const int32_t e : star_.edges()) {
-            const CutEdge& edge = c_.edges[static_cast<size_t>(e)];
+            const CutEdge& edge = c_.edges[e];
             const Vec3 x = c_.cut_point(edge);
             const double distance = (x - c_.point(v)).norm();
             if (distance <= reach(e))
@@ -88,8 +87,7 @@ private:
     {
         if (rule_ != Snap::safe)
             return kSnapReach * star_.shortest_edge();
-        const auto e = static_cast<size_t>(edge);
-        return safe_reach_[e][c_.edges[e].upper == star_.vertex()];
+        return safe_reach_[edge][c_.edges[edge].upper == star_.vertex()];
     }
 
     // The paper's alpha, half of the shortest edge or altitude, does not see two opposite edges whose four ends move
@@ -105,17 +103,16 @@ private:
                 continue;
             const double alpha = std::min(star_.shortest_edge(), star_.least_altitude());
             for (const int32_t e : star_.edges()) {
-                const CutEdge& edge = c_.edges[static_cast<size_t>(e)];
+                const CutEdge& edge = c_.edges[e];
                 const Vec3 direction = (c_.point(edge.upper) - c_.point(edge.lower)).normalized();
-                safe_reach_[static_cast<size_t>(e)][edge.upper == v] =
-                    kSnapReach * std::min(alpha, star_.width_along(direction));
+                safe_reach_[e][edge.upper == v] = kSnapReach * std::min(alpha, star_.width_along(direction));
             }
         }
     }
 
     void visit(int32_t v)
     {
-        touched_[static_cast<size_t>(v)] = 0;
+        touched_[v] = 0;
         gather(v);
         if (near_.empty() || is_last_of_material())
             return;
@@ -144,25 +141,26 @@ private:
     bool is_last_of_material() const
     {
         const MaterialSet& own = c_.materials_of(star_.vertex());
-        return own.size() == 1 && vertices_of_[static_cast<size_t>(own[0])] == 1;
+        return own.size() == 1 && vertices_of_[own[0]] == 1;
     }
 
     void take_best()
     {
-        if (before_.materials.size() == 1)
-            --vertices_of_[static_cast<size_t>(before_.materials[0])];
+        if (before_.materials.size() == 1) {
+            --vertices_of_[before_.materials[0]];
+        }
         keep_materials();
         best_.restore(c_, star_);
         ++(best_.x == before_.x ? counts_.stayed : counts_.moved);
         for (size_t i = 0; i < star_.parts().size(); ++i)
             if (star_.parts()[i].mixed >= 0)
-                c_.fans[static_cast<size_t>(star_.parts()[i].mixed)] = best_shape_.fans[i];
+                c_.fans[star_.parts()[i].mixed] = best_shape_.fans[i];
         for (const int32_t w : star_.link()) {
-            touched_[static_cast<size_t>(w)] = 1;
-            c_.doubtful[static_cast<size_t>(w)] |= !best_is_sound_;
+            touched_[w] = 1;
+            c_.doubtful[w] |= !best_is_sound_;
         }
-        touched_[static_cast<size_t>(star_.vertex())] = 1;
-        c_.doubtful[static_cast<size_t>(star_.vertex())] = !best_is_sound_;
+        touched_[star_.vertex()] = 1;
+        c_.doubtful[star_.vertex()] = !best_is_sound_;
     }
 
     // Between two materials, a tetrahedron whose corners come to share both keeps the one that they shared before.
@@ -176,7 +174,7 @@ private:
                 return v == star_.vertex() || c_.materials_of(v) == best_.materials;
             };
             if (std::all_of(corners.begin(), corners.end(), will_have_both))
-                c_.kept[static_cast<size_t>(part.tet)] = static_cast<uint16_t>(before_.materials[0]);
+                c_.kept[part.tet] = static_cast<uint16_t>(before_.materials[0]);
         }
     }
 
@@ -254,15 +252,15 @@ private:
     const Run& run_;
     CutStar star_;
     PinchCheck pinch_;
-    std::vector<uint8_t> touched_;                   // by vertex: something in its star changed since its last visit
-    std::vector<int64_t> vertices_of_;               // by material: how many carry it alone
-    std::vector<std::array<double, 2>> safe_reach_;  // by edge: from its lower and its upper end; of Snap::safe
+    Array<uint8_t> touched_;                   // by vertex: something in its star changed since its last visit
+    Array<int64_t> vertices_of_;               // by material: how many carry it alone
+    Array<FixedArray<double, 2>> safe_reach_;  // by edge: from its lower and its upper end; of Snap::safe
     SnapCounts counts_;
 
     // Of the vertex being visited.
     unsigned frozen_ = 0;
-    std::vector<NearCut> near_;
-    std::vector<MaterialSet> tried_;
+    Array<NearCut> near_;
+    Array<MaterialSet> tried_;
     StarState before_, best_;
     StarShape shape_before_, best_shape_, shape_;
     bool best_is_sound_ = false;

@@ -16,10 +16,10 @@ namespace
 // number.
 CutRanks rank_cuts(const Centres& c, const MixedTet& m, CutMask cuts)
 {
-    std::array<double, 6> pieces{};
+    FixedArray<double, 6> pieces{};
     for (size_t e = 0; e < 6; ++e)
         if (cuts >> e & 1u) {
-            const CutEdge& edge = c.edges[static_cast<size_t>(m.edges[e])];
+            const CutEdge& edge = c.edges[m.edges[e]];
             pieces[e] = edge.t * (1 - edge.t) * (c.point(edge.upper) - c.point(edge.lower)).squaredNorm();
         }
     CutRanks ranks{};
@@ -43,12 +43,12 @@ SplitTet split_tet(const Centres& c, const MixedTet& mixed)
         x[i] = c.point(corners[i]);
     for (size_t e = 0; e < 6; ++e)
         if (split.cuts >> e & 1u)
-            x[kCutPoint + e] = c.cut_point(c.edges[static_cast<size_t>(mixed.edges[e])]);
+            x[kCutPoint + e] = c.cut_point(c.edges[mixed.edges[e]]);
     for (size_t i = 0; i < 4; ++i)
         if ((split.cuts & kFaceCuts[i]) == kFaceCuts[i]) {
             const auto cut = [&](int a, int b) {
                 const int e = kEdgeBetween[kFaceCorners[i][a]][kFaceCorners[i][b]];
-                return x[static_cast<size_t>(kCutPoint + e)];
+                return x[kCutPoint + e];
             };
             x[kTriplePoint + i] = (cut(0, 1) + cut(1, 2) + cut(2, 0)) / 3;
         }
@@ -90,8 +90,8 @@ Fan best_fan(const StencilTable& stencils, const SplitTet& split)
 
 void choose_fans(Centres& c, const Run& run)
 {
-    parallel_for(run, static_cast<int64_t>(c.mixed.size()), 512, [&](int64_t begin, int64_t end) {
-        for (auto m = static_cast<size_t>(begin); m < static_cast<size_t>(end); ++m)
+    parallel_for(run, c.mixed.count(), 512, [&](int64_t begin, int64_t end) {
+        for (int64_t m = begin; m < end; ++m)
             c.fans[m] = best_fan(c.stencils, split_tet(c, c.mixed[m]));
     });
 }

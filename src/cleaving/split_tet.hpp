@@ -1,6 +1,7 @@
 // One background tetrahedron with its centres in place: what it splits into, and how well shaped that is.
 #pragma once
 
+#include "base/fixed_array.hpp"
 #include "cleaving/centres.hpp"
 
 namespace cleft
@@ -9,7 +10,7 @@ namespace cleft
 struct SplitTet {
     CutMask cuts = 0;
     StencilTable::Range stencils{};
-    std::array<Vec3, kStencilPoints> x;  // of the points that are there
+    FixedArray<Vec3, kStencilPoints> x;  // of the points that are there
 };
 
 // `mixed` is the tetrahedron's entry in Centres::mixed.

@@ -12,32 +12,33 @@ namespace cleft
 namespace
 {
 
-size_t place_in(const Tet& corners, int32_t v)
+int64_t place_in(const Tet& corners, int32_t v)
 {
-    return static_cast<size_t>(std::find(corners.begin(), corners.end(), v) - corners.begin());
+    const auto place = std::find(corners.begin(), corners.end(), v) - corners.begin();
+    return place;
 }
 
 }  // namespace
 
-VertexTets::VertexTets(const Centres& c, const Run& run) : first_(large_vector(c.points.size() + 1, int64_t{0}))
+VertexTets::VertexTets(const Centres& c, const Run& run) : first_(large_array(c.points.size() + 1, int64_t{0}))
 {
-    std::vector<uint8_t> is_at_cut(c.points.size(), 0);
+    Array<uint8_t> is_at_cut(c.points.size(), 0);
     for (const CutEdge& e : c.edges)
-        is_at_cut[static_cast<size_t>(e.lower)] = is_at_cut[static_cast<size_t>(e.upper)] = 1;
+        is_at_cut[e.lower] = is_at_cut[e.upper] = 1;
     for (size_t t = 0; t < c.tets.size(); ++t) {
         run.check_at(t);
         for (const int32_t v : c.tets[t])
-            first_[static_cast<size_t>(v) + 1] += is_at_cut[static_cast<size_t>(v)];
+            first_[int64_t{v} + 1] += is_at_cut[v];
     }
     for (size_t v = 0; v + 1 < first_.size(); ++v)
         first_[v + 1] += first_[v];
-    tets_ = large_vector<int32_t>(static_cast<size_t>(first_.back()));
-    std::vector<int64_t> next(first_.begin(), first_.end() - 1);
+    tets_ = large_array<int32_t>(first_.back());
+    Array<int64_t> next(first_.begin(), first_.end() - 1);
     for (size_t t = 0; t < c.tets.size(); ++t) {
         run.check_at(t);
         for (const int32_t v : c.tets[t])
-            if (is_at_cut[static_cast<size_t>(v)])
-                tets_[static_cast<size_t>(next[static_cast<size_t>(v)]++)] = static_cast<int32_t>(t);
+            if (is_at_cut[v])
+                tets_[next[v]++] = static_cast<int32_t>(t);
     }
 }
 
@@ -51,28 +52,27 @@ void CutStar::gather(int32_t v)
     double shortest = std::numeric_limits<double>::infinity();
     for (const int32_t* tet = tets_of_.begin(v); tet != tets_of_.end(v); ++tet) {
         const Tet& corners = c_.corners(*tet);
-        const int32_t mixed = c_.mixed_of[static_cast<size_t>(*tet)];
+        const int32_t mixed = c_.mixed_of[*tet];
         parts_.push_back({*tet, mixed});
         for (size_t i = 0; i < 4; ++i) {
             const int32_t w = corners[i];
-            if (w == v || seen_[static_cast<size_t>(w)] == v)
+            if (w == v || seen_[w] == v)
                 continue;
-            seen_[static_cast<size_t>(w)] = v;
+            seen_[w] = v;
             link_.push_back(w);
             shortest = std::min(shortest, (c_.point(w) - x).squaredNorm());
             // All tetrahedra around an edge that was ever cut are mixed, so the first one is enough.
             if (mixed < 0)
                 continue;
-            const size_t local = place_in(corners, v);
-            const int32_t edge =
-                c_.mixed[static_cast<size_t>(mixed)].edges[static_cast<size_t>(kEdgeBetween[local][i])];
+            const int64_t local = place_in(corners, v);
+            const int32_t edge = c_.mixed[mixed].edges[kEdgeBetween[local][i]];
             if (c_.is_cut(edge))
                 edges_.push_back(edge);
         }
     }
     // Another visit of the same vertex must find its link anew.
     for (const int32_t w : link_)
-        seen_[static_cast<size_t>(w)] = -1;
+        seen_[w] = -1;
     shortest_edge_ = std::sqrt(shortest);
 }
 
@@ -82,10 +82,8 @@ double CutStar::least_altitude() const
     for (const Part& part : parts_) {
         const Tet& t = c_.corners(part.tet);
         const int* face = kFaceCorners[place_in(t, vertex_)];
-        const Vec3& a = c_.point(t[static_cast<size_t>(face[0])]);
-        const Vec3 normal = (c_.point(t[static_cast<size_t>(face[1])]) - a)
-                                .cross(c_.point(t[static_cast<size_t>(face[2])]) - a)
-                                .normalized();
+        const Vec3& a = c_.point(t[face[0]]);
+        const Vec3 normal = (c_.point(t[face[1]]) - a).cross(c_.point(t[face[2]]) - a).normalized();
         least = std::min(least, std::abs(normal.dot(c_.point(vertex_) - a)));
     }
     return least;
@@ -99,7 +97,7 @@ double CutStar::width_along(const Vec3& direction) const
         const Tet& t = c_.corners(part.tet);
         const int* others = kFaceCorners[place_in(t, vertex_)];
         for (int i = 0; i < 3; ++i) {
-            const auto corner = [&](int k) { return c_.point(t[static_cast<size_t>(others[(i + k) % 3])]); };
+            const auto corner = [&](int k) { return c_.point(t[others[(i + k) % 3]]); };
             const Vec3 across = (corner(0) - x).cross(corner(2) - corner(1));
             const double distance = std::abs((corner(1) - x).dot(across)), along = std::abs(direction.dot(across));
             if (distance < least * along)
@@ -119,12 +117,12 @@ unsigned CutStar::frozen_axes() const
     if (is_inside())
         return 0;
     // The faces at the vertex, by their two other points; those of one tetrahedron are on the hull.
-    std::vector<std::array<int32_t, 2>> faces;
+    Array<std::array<int32_t, 2>> faces;
     for (const Part& part : parts_) {
         const Tet& t = c_.corners(part.tet);
         const int* others = kFaceCorners[place_in(t, vertex_)];
         for (int i = 0; i < 3; ++i) {
-            const int32_t a = t[static_cast<size_t>(others[i])], b = t[static_cast<size_t>(others[(i + 1) % 3])];
+            const int32_t a = t[others[i]], b = t[others[(i + 1) % 3]];
             faces.push_back({std::min(a, b), std::max(a, b)});
         }
     }
@@ -146,7 +144,7 @@ void StarState::save(const Centres& c, const CutStar& star)
     samples = c.samples.of(star.vertex());
     edges.clear();
     for (const int32_t e : star.edges())
-        edges.push_back(c.edges[static_cast<size_t>(e)]);
+        edges.push_back(c.edges[e]);
 }
 
 void StarState::restore(Centres& c, const CutStar& star) const
@@ -154,19 +152,19 @@ void StarState::restore(Centres& c, const CutStar& star) const
     change_vertex(c, star, x, materials);
     c.samples.set(star.vertex(), samples);
     for (size_t i = 0; i < edges.size(); ++i)
-        c.edges[static_cast<size_t>(star.edges()[i])] = edges[i];
+        c.edges[star.edges()[i]] = edges[i];
 }
 
 void change_vertex(Centres& c, const CutStar& star, const Vec3& x, const MaterialSet& materials)
 {
-    c.points[static_cast<size_t>(star.vertex())] = x;
-    c.materials[static_cast<size_t>(star.vertex())] = materials;
+    c.points[star.vertex()] = x;
+    c.materials[star.vertex()] = materials;
 }
 
 void place_cuts(Centres& c, const CutStar& star, Samples& scratch)
 {
     for (const int32_t e : star.edges()) {
-        CutEdge& edge = c.edges[static_cast<size_t>(e)];
+        CutEdge& edge = c.edges[e];
         edge.is_cut = disjoint(c.materials_of(edge.lower), c.materials_of(edge.upper));
         if (edge.is_cut)
             c.place_cut(edge, scratch);
@@ -178,7 +176,7 @@ void measure_star(const Centres& c, const CutStar& star, StarShape& shape)
     measure_background(c, star, shape);
     for (size_t i = 0; i < star.parts().size(); ++i)
         if (star.parts()[i].mixed >= 0) {
-            shape.fans[i] = c.fans[static_cast<size_t>(star.parts()[i].mixed)];
+            shape.fans[i] = c.fans[star.parts()[i].mixed];
             shape.cost += shape.fans[i].cost;
         }
 }
@@ -203,7 +201,7 @@ void measure_fans(const Centres& c, const CutStar& star, double limit, StarShape
         const int32_t mixed = star.parts()[i].mixed;
         if (mixed < 0)
             continue;
-        shape.fans[i] = best_fan(c.stencils, split_tet(c, c.mixed[static_cast<size_t>(mixed)]));
+        shape.fans[i] = best_fan(c.stencils, split_tet(c, c.mixed[mixed]));
         shape.cost += shape.fans[i].cost;
     }
 }

@@ -1,6 +1,7 @@
 // Everything around a vertex that moves with it.
 #pragma once
 
+#include "base/array.hpp"
 #include "cleaving/centres.hpp"
 
 namespace cleft
@@ -12,12 +13,12 @@ class VertexTets
 public:
     VertexTets(const Centres& c, const Run& run);
 
-    const int32_t* begin(int32_t v) const { return tets_.data() + first_[static_cast<size_t>(v)]; }
-    const int32_t* end(int32_t v) const { return tets_.data() + first_[static_cast<size_t>(v) + 1]; }
+    const int32_t* begin(int32_t v) const { return tets_.data() + first_[v]; }
+    const int32_t* end(int32_t v) const { return tets_.data() + first_[int64_t{v} + 1]; }
 
 private:
-    std::vector<int64_t> first_;
-    std::vector<int32_t> tets_;
+    Array<int64_t> first_;
+    Array<int32_t> tets_;
 };
 
 // The tetrahedra around a vertex and its edges with a cut: all other centres around it follow from these.
@@ -35,9 +36,9 @@ public:
     };
 
     int32_t vertex() const { return vertex_; }
-    const std::vector<Part>& parts() const { return parts_; }
-    const std::vector<int32_t>& link() const { return link_; }    // the other vertices
-    const std::vector<int32_t>& edges() const { return edges_; }  // still cut
+    const Array<Part>& parts() const { return parts_; }
+    const Array<int32_t>& link() const { return link_; }    // the other vertices
+    const Array<int32_t>& edges() const { return edges_; }  // still cut
     double shortest_edge() const { return shortest_edge_; }
 
     // The altitude of the vertex in one of its tetrahedra that is least.
@@ -55,17 +56,17 @@ private:
     const Centres& c_;
     const VertexTets tets_of_;
     int32_t vertex_ = -1;
-    std::vector<Part> parts_;
-    std::vector<int32_t> link_, edges_;
+    Array<Part> parts_;
+    Array<int32_t> link_, edges_;
     double shortest_edge_ = 0;
-    std::vector<int32_t> seen_;  // by vertex: the last one whose link it was found in
+    Array<int32_t> seen_;  // by vertex: the last one whose link it was found in
 };
 
 // How well shaped the star is, and how its mixed tetrahedra split.
 struct StarShape {
     double cost = 0;              // of the tetrahedra that it splits into, see shape_cost
     double least_background = 1;  // least angle_quality of the background tetrahedra themselves
-    std::vector<Fan> fans;        // by part; of mixed ones only
+    Array<Fan> fans;              // by part; of mixed ones only
 };
 
 // The part of the state that a change of the vertex touches, to go back to.
@@ -73,7 +74,7 @@ struct StarState {
     Vec3 x;
     MaterialSet materials;
     SampleStore::Span samples{};
-    std::vector<CutEdge> edges;
+    Array<CutEdge> edges;
 
     void save(const Centres& c, const CutStar& star);
     void restore(Centres& c, const CutStar& star) const;

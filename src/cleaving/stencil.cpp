@@ -6,7 +6,7 @@ namespace cleft
 namespace
 {
 
-bool in_face(int point, size_t face) { return !(kCarrier[static_cast<size_t>(point)] >> face & 1u); }
+bool in_face(int point, size_t face) { return !(kCarrier[point] >> face & 1u); }
 
 bool has_corner(const StencilTriangle& triangle, int point)
 {
@@ -99,7 +99,7 @@ bool is_there(int point, CutMask cuts)
         return true;
     if (point < kTriplePoint)
         return cuts >> (point - kCutPoint) & 1u;
-    const CutMask needed = kFaceCuts[static_cast<size_t>(point - kTriplePoint)];
+    const CutMask needed = kFaceCuts[point - kTriplePoint];
     return (cuts & needed) == needed;
 }
 
@@ -147,18 +147,18 @@ Apexes apexes(CutMask cuts, const SplitSurface& surface)
     }
     for (int point = 0; point < kQuadruplePoint; ++point)
         if (is_there(point, cuts) && is_apex(point, surface))
-            found.point[static_cast<size_t>(found.count++)] = static_cast<uint8_t>(point);
+            found.point[found.count++] = static_cast<uint8_t>(point);
     return found;
 }
 
-int fan(const SplitSurface& surface, int apex, std::array<StencilTet, 24>& out)
+int fan(const SplitSurface& surface, int apex, FixedArray<StencilTet, 24>& out)
 {
     int count = 0;
     for (size_t face = 0; face < 4; ++face)
         if (!in_face(apex, face))
             for (size_t i = surface.first[face]; i < surface.first[face + 1]; ++i) {
                 const StencilTriangle& t = surface.triangles[i];
-                out[static_cast<size_t>(count++)] = {t[0], t[2], t[1], static_cast<uint8_t>(apex)};
+                out[count++] = {t[0], t[2], t[1], static_cast<uint8_t>(apex)};
             }
     return count;
 }

@@ -23,9 +23,9 @@
 // tests/cleaving/test_stencil.cpp proves both lemmas by enumeration.
 #pragma once
 
+#include "base/fixed_array.hpp"
 #include "mesh/adjacency.hpp"
 
-#include <array>
 #include <cstdint>
 
 namespace cleft
@@ -39,7 +39,7 @@ inline constexpr int kQuadruplePoint = 14;
 inline constexpr int kStencilPoints = 15;
 
 // The corners that span the simplex in whose interior a point lies, as bits.
-inline constexpr std::array<uint8_t, kStencilPoints> kCarrier = {1, 2, 4, 8, 3, 5, 9, 6, 10, 12, 14, 13, 11, 7, 15};
+inline constexpr FixedArray<uint8_t, kStencilPoints> kCarrier = {1, 2, 4, 8, 3, 5, 9, 6, 10, 12, 14, 13, 11, 7, 15};
 
 // The edge between two corners.
 inline constexpr int kEdgeBetween[4][4] = {{-1, 0, 1, 2}, {0, -1, 3, 4}, {1, 3, -1, 5}, {2, 4, 5, -1}};
@@ -49,31 +49,31 @@ using CutMask = unsigned;
 inline constexpr CutMask kAllCuts = 63;
 
 // Bits of the three edges of the face opposite corner i.
-inline constexpr std::array<CutMask, 4> kFaceCuts = {0b111000, 0b100110, 0b010101, 0b001011};
+inline constexpr FixedArray<CutMask, 4> kFaceCuts = {0b111000, 0b100110, 0b010101, 0b001011};
 
 // Places of the six cuts in the total order: distinct for the edges that are cut.
-using CutRanks = std::array<uint8_t, 6>;
+using CutRanks = FixedArray<uint8_t, 6>;
 
 // Bit i: in the face opposite corner i, which has two cuts, the one on the edge of higher number is the greater.
 using Diagonals = unsigned;
 
 Diagonals diagonals(CutMask cuts, const CutRanks& ranks);
 
-using StencilTriangle = std::array<uint8_t, 3>;
-using StencilTet = std::array<uint8_t, 4>;
+using StencilTriangle = FixedArray<uint8_t, 3>;
+using StencilTet = FixedArray<uint8_t, 4>;
 
 // The split surface of a tetrahedron: the triangles of the face opposite corner i are first[i] .. first[i + 1],
 // wound to look outward.
 struct SplitSurface {
-    std::array<StencilTriangle, 24> triangles;
-    std::array<uint8_t, 5> first{};
+    FixedArray<StencilTriangle, 24> triangles;
+    FixedArray<uint8_t, 5> first{};
 };
 
 SplitSurface split_surface(CutMask cuts, Diagonals diagonals);
 
 // The points around which the tetrahedron may be fanned.
 struct Apexes {
-    std::array<uint8_t, kStencilPoints> point;
+    FixedArray<uint8_t, kStencilPoints> point;
     int count = 0;
 };
 
@@ -82,6 +82,6 @@ struct Apexes {
 Apexes apexes(CutMask cuts, const SplitSurface& surface);
 
 // The positively oriented tetrahedra of the fan; returns their number, at most 24.
-int fan(const SplitSurface& surface, int apex, std::array<StencilTet, 24>& out);
+int fan(const SplitSurface& surface, int apex, FixedArray<StencilTet, 24>& out);
 
 }  // namespace cleft

@@ -20,9 +20,9 @@ Diagonals faces_with_choice(CutMask cuts)
     return faces;
 }
 
-std::vector<StencilTet> in_order(const StencilTet* begin, const StencilTet* end)
+Array<StencilTet> in_order(const StencilTet* begin, const StencilTet* end)
 {
-    std::vector<StencilTet> tets(begin, end);
+    Array<StencilTet> tets(begin, end);
     for (StencilTet& t : tets)
         std::sort(t.begin(), t.end());
     std::sort(tets.begin(), tets.end());
@@ -45,8 +45,8 @@ void StencilTable::add_pattern(CutMask cuts, Diagonals diagonals)
     const Apexes found = apexes(cuts, surface);
     Range& range = of_pattern_[cuts << 4 | diagonals];
     range.begin = range.end = static_cast<uint16_t>(first_tet_.size() - 1);
-    for (size_t a = 0; a < static_cast<size_t>(found.count); ++a) {
-        std::array<StencilTet, 24> fanned;
+    for (int a = 0; a < found.count; ++a) {
+        FixedArray<StencilTet, 24> fanned;
         const int count = fan(surface, found.point[a], fanned);
         const auto same = [&, wanted = in_order(fanned.data(), fanned.data() + count)](uint16_t stencil) {
             return in_order(tets(stencil).begin(), tets(stencil).end()) == wanted;

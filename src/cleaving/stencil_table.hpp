@@ -1,9 +1,8 @@
 // All that a tetrahedron can split into, worked out once.
 #pragma once
 
+#include "base/array.hpp"
 #include "cleaving/stencil.hpp"
-
-#include <vector>
 
 namespace cleft
 {
@@ -25,7 +24,7 @@ public:
         const StencilTet *first, *last;
         const StencilTet* begin() const { return first; }
         const StencilTet* end() const { return last; }
-        size_t size() const { return static_cast<size_t>(last - first); }
+        int64_t size() const { return last - first; }
     };
 
     Tets tets(uint16_t stencil) const
@@ -37,8 +36,8 @@ private:
     void add_pattern(CutMask cuts, Diagonals diagonals);
 
     std::array<Range, 64 * 16> of_pattern_{};
-    std::vector<uint32_t> first_tet_;  // of each stencil, and the end of the last
-    std::vector<StencilTet> tets_;
+    Array<uint32_t> first_tet_;  // of each stencil, and the end of the last
+    Array<StencilTet> tets_;
 };
 
 }  // namespace cleft

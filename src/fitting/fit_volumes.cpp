@@ -22,15 +22,13 @@ constexpr int kMostRounds = 8;
 
 // Points of interfaces that are off the tie go back to it. Returns those that have none; only user-supplied fields,
 // which are exact, say that for sure.
-std::vector<int32_t> relocate(LocalMesh& mesh, const Volume& volume, double floor, const Meetings& meetings,
-                              const Run& run)
+Array<int32_t> relocate(LocalMesh& mesh, const Volume& volume, double floor, const Meetings& meetings, const Run& run)
 {
     const LinePoints lines = relocate_lines(mesh, volume, floor, meetings, run);
     run.note("fitting.off_lines", static_cast<double>(lines.off));
     if (volume.is_label_map())
         return {};
-    const std::vector<int32_t> in_gaps =
-        relocate_gaps(mesh, volume, volume.voxel_counts(), floor, lines.without_tie, run);
+    const Array<int32_t> in_gaps = relocate_gaps(mesh, volume, volume.voxel_counts(), floor, lines.without_tie, run);
     run.note("fitting.in_gaps", static_cast<double>(in_gaps.size()));
     return in_gaps;
 }
@@ -45,13 +43,13 @@ void fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, cons
     const Run of_places = stage.next();
     const double floor = sine_of(least_angle);
     const Meetings meetings = find_meetings(mesh, of_places);
-    const std::vector<int32_t> without_tie = relocate(mesh, volume, floor, meetings, of_places);
+    const Array<int32_t> without_tie = relocate(mesh, volume, floor, meetings, of_places);
     const Run of_heights = stage.next();
-    std::vector<InterfaceTriangle> triangles = find_triangles(mesh, meetings, of_heights);
+    Array<InterfaceTriangle> triangles = find_triangles(mesh, meetings, of_heights);
     find_heights(mesh, volume, without_tie, triangles, of_heights);
     const Run of_volumes = stage.next();
-    std::vector<FitPoint> points = find_points(mesh, without_tie, triangles);
-    const std::vector<Contact> contacts = find_contacts(triangles);
+    Array<FitPoint> points = find_points(mesh, without_tie, triangles);
+    const Array<Contact> contacts = find_contacts(triangles);
     VolumeCorrector corrector(mesh, floor);
     VolumeDeficits deficits(mesh, volume);
     for (int round = 0; round < kMostRounds; ++round) {

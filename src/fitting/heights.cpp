@@ -43,7 +43,7 @@ Lead side_at(const Volume& volume, const Vec3& x, const std::array<Material, 2>&
     const Material best = samples.material[samples.best()];
     const auto value = [&](Material m) {
         const int at = samples.find(m);
-        return at < 0 ? 0.0 : samples.value[static_cast<size_t>(at)];
+        return at < 0 ? 0.0 : samples.value[at];
     };
     return {value(pair[0]) - value(pair[1]), best == pair[0] || best == pair[1]};
 }
@@ -91,8 +91,7 @@ double squared_edges(const LocalMesh& mesh, const InterfaceTriangle& t)
 
 // Next to a gap a triangle may look at an interface that is not under it: none there is more than so much more curved
 // than all others are on the mean.
-void limit_heights(const LocalMesh& mesh, const std::vector<uint8_t>& is_limited,
-                   std::vector<InterfaceTriangle>& triangles)
+void limit_heights(const LocalMesh& mesh, const Array<uint8_t>& is_limited, Array<InterfaceTriangle>& triangles)
 {
     double heights = 0, squares = 0;
     for (size_t i = 0; i < triangles.size(); ++i)
@@ -110,17 +109,17 @@ void limit_heights(const LocalMesh& mesh, const std::vector<uint8_t>& is_limited
 }  // namespace
 
 // A quadratic function that is zero at the corners has 3/4 of its value at the centroid as its mean over the triangle.
-void find_heights(const LocalMesh& mesh, const Volume& volume, const std::vector<int32_t>& without_tie,
-                  std::vector<InterfaceTriangle>& triangles, const Run& run)
+void find_heights(const LocalMesh& mesh, const Volume& volume, const Array<int32_t>& without_tie,
+                  Array<InterfaceTriangle>& triangles, const Run& run)
 {
-    std::vector<uint8_t> is_without_tie(static_cast<size_t>(mesh.point_count()), 0);
+    Array<uint8_t> is_without_tie(mesh.point_count(), 0);
     for (const int32_t v : without_tie)
-        is_without_tie[static_cast<size_t>(v)] = 1;
-    std::vector<uint8_t> is_limited(triangles.size(), 0);
+        is_without_tie[v] = 1;
+    Array<uint8_t> is_limited(triangles.size(), 0);
     const double step = kStep * volume.grid().spacing.minCoeff();
-    parallel_for(run, static_cast<int64_t>(triangles.size()), kTrianglesFitted, [&](int64_t begin, int64_t end) {
+    parallel_for(run, triangles.count(), kTrianglesFitted, [&](int64_t begin, int64_t end) {
         Samples samples;
-        for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
+        for (int64_t i = begin; i < end; ++i) {
             InterfaceTriangle& t = triangles[i];
             const Vec3 &a = mesh.point(t.corners[0]), &b = mesh.point(t.corners[1]), &c = mesh.point(t.corners[2]);
             const Vec3 normal = (b - a).cross(c - a).normalized();
@@ -132,7 +131,7 @@ void find_heights(const LocalMesh& mesh, const Volume& volume, const std::vector
             };
             std::optional<double> height = height_at((a + b + c) / 3);
             for (const int32_t v : t.corners)
-                if (is_without_tie[static_cast<size_t>(v)]) {
+                if (is_without_tie[v]) {
                     is_limited[i] = 1;
                     const auto corner = height ? height_at(mesh.point(v)) : std::nullopt;
                     height = corner ? std::optional(*height - *corner / 3) : std::nullopt;

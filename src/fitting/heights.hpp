@@ -1,6 +1,7 @@
 // How far below the interface its triangles lie.
 #pragma once
 
+#include "base/array.hpp"
 #include "fitting/interface_triangles.hpp"
 #include "volume/volume.hpp"
 
@@ -9,7 +10,7 @@ namespace cleft
 
 // Sets the heights. Points in `without_tie` are not where their materials tie: there, heights are above the triangle
 // that the interface has under it.
-void find_heights(const LocalMesh& mesh, const Volume& volume, const std::vector<int32_t>& without_tie,
-                  std::vector<InterfaceTriangle>& triangles, const Run& run);
+void find_heights(const LocalMesh& mesh, const Volume& volume, const Array<int32_t>& without_tie,
+                  Array<InterfaceTriangle>& triangles, const Run& run);
 
 }  // namespace cleft

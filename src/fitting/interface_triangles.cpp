@@ -9,11 +9,11 @@ namespace cleft
 {
 
 // Only tetrahedra with three points of interfaces can have a triangle in one.
-std::vector<InterfaceTriangle> find_triangles(const LocalMesh& mesh, const Meetings& meetings, const Run& run)
+Array<InterfaceTriangle> find_triangles(const LocalMesh& mesh, const Meetings& meetings, const Run& run)
 {
-    const auto is_inside = [&](int32_t v) { return meetings[static_cast<size_t>(v)] < Meeting::interface; };
-    std::vector<InterfaceTriangle> triangles;
-    triangles.reserve(static_cast<size_t>(mesh.slot_count()) / 8);
+    const auto is_inside = [&](int32_t v) { return meetings[v] < Meeting::interface; };
+    Array<InterfaceTriangle> triangles;
+    triangles.reserve(mesh.slot_count() / 8);
     for (int32_t t = 0; t < mesh.slot_count(); ++t) {
         run.check_at(t);
         if (!mesh.alive(t))
@@ -21,8 +21,7 @@ std::vector<InterfaceTriangle> find_triangles(const LocalMesh& mesh, const Meeti
         const Tet& corners = mesh.tet(t);
         for (int face = 0; face < 4; ++face) {
             const auto& f = kFaceCorners[face];
-            const std::array<int32_t, 3> points{corners[static_cast<size_t>(f[0])], corners[static_cast<size_t>(f[1])],
-                                                corners[static_cast<size_t>(f[2])]};
+            const std::array<int32_t, 3> points{corners[f[0]], corners[f[1]], corners[f[2]]};
             if (std::any_of(points.begin(), points.end(), is_inside))
                 continue;
             const int32_t behind = mesh.neighbour(t, face);

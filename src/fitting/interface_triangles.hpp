@@ -1,6 +1,7 @@
 // The triangles between materials.
 #pragma once
 
+#include "base/array.hpp"
 #include "fitting/meetings.hpp"
 
 namespace cleft
@@ -14,6 +15,6 @@ struct InterfaceTriangle {
     double offset = 0;             // beyond the tie, for the volumes of the labels
 };
 
-std::vector<InterfaceTriangle> find_triangles(const LocalMesh& mesh, const Meetings& meetings, const Run& run);
+Array<InterfaceTriangle> find_triangles(const LocalMesh& mesh, const Meetings& meetings, const Run& run);
 
 }  // namespace cleft

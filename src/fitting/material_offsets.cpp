@@ -12,7 +12,7 @@ namespace
 {
 
 // By material: the same number for all that touch, directly or over others.
-std::vector<int32_t> groups_in_touch(const std::vector<Contact>& contacts, size_t materials)
+Array<int32_t> groups_in_touch(const Array<Contact>& contacts, size_t materials)
 {
     DisjointSets sets(materials);
     for (const Contact& c : contacts)
@@ -23,15 +23,15 @@ std::vector<int32_t> groups_in_touch(const std::vector<Contact>& contacts, size_
 // What one material wins another loses, so a group in touch cannot win together: what it misses in sum (the volume of a
 // label that is not in the mesh; rounding) is taken off, by areas. Without that the system has no solution, and
 // conjugate gradients run away.
-Eigen::VectorXd attainable(const std::vector<Contact>& contacts, const std::vector<double>& missing)
+Eigen::VectorXd attainable(const Array<Contact>& contacts, const Array<double>& missing)
 {
     const size_t n = missing.size();
-    const std::vector<int32_t> group = groups_in_touch(contacts, n);
-    const auto of = [&](size_t m) { return static_cast<size_t>(group[m]); };
-    std::vector<double> area(n, 0), group_area(n, 0), group_missing(n, 0);
+    const Array<int32_t> group = groups_in_touch(contacts, n);
+    const auto of = [&](size_t m) { return group[m]; };
+    Array<double> area(n, 0), group_area(n, 0), group_missing(n, 0);
     for (const Contact& c : contacts) {
-        area[static_cast<size_t>(c.first)] += c.area;
-        area[static_cast<size_t>(c.second)] += c.area;
+        area[c.first] += c.area;
+        area[c.second] += c.area;
     }
     for (size_t m = 0; m < n; ++m) {
         group_area[of(m)] += area[m];
@@ -47,12 +47,12 @@ Eigen::VectorXd attainable(const std::vector<Contact>& contacts, const std::vect
 
 }  // namespace
 
-std::vector<double> material_offsets(const std::vector<Contact>& contacts, const std::vector<double>& missing)
+Array<double> material_offsets(const Array<Contact>& contacts, const Array<double>& missing)
 {
     // Area-weighted graph Laplacian: singular, as offsets that are all equal move nothing. Conjugate gradients from
     // zero stay orthogonal to that.
     const auto n = static_cast<Eigen::Index>(missing.size());
-    std::vector<Eigen::Triplet<double>> entries;
+    Array<Eigen::Triplet<double>> entries;
     entries.reserve(4 * contacts.size());
     for (const Contact& c : contacts) {
         entries.emplace_back(c.first, c.first, c.area);

@@ -2,9 +2,8 @@
 // voxels.
 #pragma once
 
+#include "base/array.hpp"
 #include "volume/volume.hpp"
-
-#include <vector>
 
 namespace cleft
 {
@@ -18,6 +17,6 @@ struct Contact {
 // An offset for each material, such that each gains the volume it is missing when every interface moves towards its
 // second material by the offset of the first less that of the second: as pressures move the films of a foam. The least
 // such offsets. What materials that touch miss in sum, and what one misses that touches none, is left out.
-std::vector<double> material_offsets(const std::vector<Contact>& contacts, const std::vector<double>& missing);
+Array<double> material_offsets(const Array<Contact>& contacts, const Array<double>& missing);
 
 }  // namespace cleft

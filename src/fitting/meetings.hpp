@@ -1,6 +1,7 @@
 // How many materials meet at each point of a mesh.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/run.hpp"
 #include "remeshing/local_mesh.hpp"
 
@@ -14,7 +15,7 @@ enum class Meeting : uint8_t {
     line        // of three or more: on a line where interfaces meet, or a corner
 };
 
-using Meetings = std::vector<Meeting>;  // by point
+using Meetings = Array<Meeting>;  // by point
 
 Meetings find_meetings(const LocalMesh& mesh, const Run& run);
 

@@ -14,47 +14,49 @@ constexpr double kMostOffset = 0.2;
 // And than this at a small label that is still off after the first rounds.
 constexpr double kWideOffset = 0.45;
 
-Contact& contact_of(std::vector<Contact>& contacts, const std::array<Material, 2>& pair)
+Contact& contact_of(Array<Contact>& contacts, const std::array<Material, 2>& pair)
 {
-    return *std::lower_bound(contacts.begin(), contacts.end(), pair, [](const Contact& c, const auto& wanted) {
-        return c.first != wanted[0] ? c.first < wanted[0] : c.second < wanted[1];
-    });
+    const auto found =
+        std::lower_bound(contacts.begin(), contacts.end(), pair, [](const Contact& c, const auto& wanted) {
+            return c.first != wanted[0] ? c.first < wanted[0] : c.second < wanted[1];
+        });
+    return *found;
 }
 
 }  // namespace
 
-std::vector<Contact> find_contacts(const std::vector<InterfaceTriangle>& triangles)
+Array<Contact> find_contacts(const Array<InterfaceTriangle>& triangles)
 {
-    std::vector<std::array<Material, 2>> pairs;
+    Array<std::array<Material, 2>> pairs;
     for (const InterfaceTriangle& t : triangles)
         if (pairs.empty() || pairs.back() != t.pair)
             pairs.push_back(t.pair);
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    std::vector<Contact> contacts;
+    Array<Contact> contacts;
     for (const auto& pair : pairs)
         contacts.push_back({pair[0], pair[1], 0});
     return contacts;
 }
 
 void add_offsets(const LocalMesh& mesh, const VolumeDeficits& deficits, const Vec3& spacing,
-                 const std::vector<FitPoint>& points, bool first, std::vector<Contact> contacts,
-                 std::vector<InterfaceTriangle>& triangles)
+                 const Array<FitPoint>& points, bool first, Array<Contact> contacts,
+                 Array<InterfaceTriangle>& triangles)
 {
-    std::vector<double> missing = deficits.missing();
-    const auto place = [&](int32_t i) -> const Vec3& { return mesh.point(points[static_cast<size_t>(i)].number); };
+    Array<double> missing = deficits.missing();
+    const auto place = [&](int32_t i) -> const Vec3& { return mesh.point(points[i].number); };
     for (const InterfaceTriangle& t : triangles) {
         const Vec3& a = place(t.corners[0]);
         const double area = 0.5 * (place(t.corners[1]) - a).cross(place(t.corners[2]) - a).norm();
         contact_of(contacts, t.pair).area += area;
         if (first) {
-            missing[static_cast<size_t>(t.pair[0])] -= area * t.height;
-            missing[static_cast<size_t>(t.pair[1])] += area * t.height;
+            missing[t.pair[0]] -= area * t.height;
+            missing[t.pair[1]] += area * t.height;
         }
     }
-    const std::vector<double> offsets = material_offsets(contacts, missing);
+    const Array<double> offsets = material_offsets(contacts, missing);
     for (InterfaceTriangle& t : triangles) {
-        const double more = offsets[static_cast<size_t>(t.pair[0])] - offsets[static_cast<size_t>(t.pair[1])];
+        const double more = offsets[t.pair[0]] - offsets[t.pair[1]];
         const bool is_wide = deficits.is_wide(t.pair[0]) || deficits.is_wide(t.pair[1]);
         const double most = (is_wide ? kWideOffset : kMostOffset) * spacing.minCoeff();
         t.offset = std::clamp(t.offset + more, -most, most);

@@ -1,6 +1,7 @@
 // How far beyond its tie each interface of a label map moves, for the volumes of the labels.
 #pragma once
 
+#include "base/array.hpp"
 #include "fitting/material_offsets.hpp"
 #include "fitting/residuals.hpp"
 #include "fitting/volume_deficits.hpp"
@@ -9,12 +10,12 @@ namespace cleft
 {
 
 // The pairs of materials that touch, each once, without areas.
-std::vector<Contact> find_contacts(const std::vector<InterfaceTriangle>& triangles);
+Array<Contact> find_contacts(const Array<InterfaceTriangle>& triangles);
 
 // Adds to the offsets of the triangles what the labels miss. The first round counts the heights as applied; later, what
 // has not been applied will hardly be.
 void add_offsets(const LocalMesh& mesh, const VolumeDeficits& deficits, const Vec3& spacing,
-                 const std::vector<FitPoint>& points, bool first, std::vector<Contact> contacts,
-                 std::vector<InterfaceTriangle>& triangles);
+                 const Array<FitPoint>& points, bool first, Array<Contact> contacts,
+                 Array<InterfaceTriangle>& triangles);
 
 }  // namespace cleft

@@ -30,7 +30,7 @@ struct Interface {
 class GapRelocator
 {
 public:
-    GapRelocator(LocalMesh& mesh, const Volume& volume, const std::vector<int64_t>& voxels, double floor)
+    GapRelocator(LocalMesh& mesh, const Volume& volume, const Array<int64_t>& voxels, double floor)
         : mesh_(mesh), volume_(volume), voxels_(voxels), floor_(floor)
     {
     }
@@ -139,7 +139,7 @@ private:
                 continue;
             MaterialSet pair(first);
             pair.unite(MaterialSet(second));
-            const auto voxels = static_cast<double>(voxels_[static_cast<size_t>(second)]);
+            const auto voxels = static_cast<double>(voxels_[second]);
             Vec3 tie = x;
             if (project_to(pair, tie, frozen))
                 interfaces_.push_back({pair, tie, (tie - x).norm() * std::pow(voxels, kSizeCounts)});
@@ -150,40 +150,39 @@ private:
 
     LocalMesh& mesh_;
     const Volume& volume_;
-    const std::vector<int64_t>& voxels_;
+    const Array<int64_t>& voxels_;
     const double floor_;
     TetStar star_;
     Samples samples_;
     Smoother smoother_;
-    std::vector<Interface> interfaces_;
+    Array<Interface> interfaces_;
     int64_t moves_ = 0;
     double least_ = 0;  // quality that must be left around the point
 };
 
 // Adds the points of two materials next to them that lie inside another.
-void add_points_of_patch(const LocalMesh& mesh, GapRelocator& relocator, std::vector<int32_t>& without_tie,
-                         const Run& run)
+void add_points_of_patch(const LocalMesh& mesh, GapRelocator& relocator, Array<int32_t>& without_tie, const Run& run)
 {
-    std::vector<uint8_t> seen(static_cast<size_t>(mesh.point_count()), 0);
+    Array<uint8_t> seen(mesh.point_count(), 0);
     for (const int32_t v : without_tie)
-        seen[static_cast<size_t>(v)] = 1;
+        seen[v] = 1;
     for (size_t i = 0; i < without_tie.size(); ++i) {
         run.check_at(i, 1 << 8);
         for (const int32_t t : mesh.star(without_tie[i]))
             for (const int32_t w : mesh.tet(t))
-                if (!std::exchange(seen[static_cast<size_t>(w)], uint8_t{1}) && relocator.is_inside_another(w))
+                if (!std::exchange(seen[w], uint8_t{1}) && relocator.is_inside_another(w))
                     without_tie.push_back(w);
     }
 }
 
 }  // namespace
 
-std::vector<int32_t> relocate_gaps(LocalMesh& mesh, const Volume& volume, const std::vector<int64_t>& voxels,
-                                   double floor, std::vector<int32_t> without_tie, const Run& run)
+Array<int32_t> relocate_gaps(LocalMesh& mesh, const Volume& volume, const Array<int64_t>& voxels, double floor,
+                             Array<int32_t> without_tie, const Run& run)
 {
     GapRelocator relocator(mesh, volume, voxels, floor);
     add_points_of_patch(mesh, relocator, without_tie, run);
-    std::vector<int32_t> left = without_tie;
+    Array<int32_t> left = without_tie;
     int64_t moves = -1;
     for (int round = 0; round < kGapRounds && relocator.moves() != moves; ++round) {
         moves = relocator.moves();

@@ -1,6 +1,7 @@
 // Interfaces that bridge a gap too thin for the tetrahedra.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/run.hpp"
 #include "remeshing/local_mesh.hpp"
 #include "volume/volume.hpp"
@@ -13,7 +14,7 @@ namespace cleft
 // the tetrahedra around get no worse than `floor` (of angle_quality) or than the worst of them already is.
 // `voxels`: of each material. `without_tie`: points of three materials or more without a tie. Returns these and the
 // points of the patch, which it finds from them.
-std::vector<int32_t> relocate_gaps(LocalMesh& mesh, const Volume& volume, const std::vector<int64_t>& voxels,
-                                   double floor, std::vector<int32_t> without_tie, const Run& run);
+Array<int32_t> relocate_gaps(LocalMesh& mesh, const Volume& volume, const Array<int64_t>& voxels, double floor,
+                             Array<int32_t> without_tie, const Run& run);
 
 }  // namespace cleft

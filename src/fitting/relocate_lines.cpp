@@ -61,13 +61,13 @@ private:
 LinePoints relocate_lines(LocalMesh& mesh, const Volume& volume, double floor, const Meetings& meetings, const Run& run)
 {
     LinePoints out;
-    std::vector<int32_t> points;
+    Array<int32_t> points;
     for (int32_t v = 0; v < mesh.point_count(); ++v)
-        if (meetings[static_cast<size_t>(v)] == Meeting::line)
+        if (meetings[v] == Meeting::line)
             points.push_back(v);
     LineRelocator relocator(mesh, volume, floor);
     for (int round = 0; round < kLineRounds; ++round) {
-        std::vector<int32_t> left;
+        Array<int32_t> left;
         for (size_t i = 0; i < points.size(); ++i) {
             run.check_at(i, 1 << 8);
             const LineRelocator::Place place = relocator.relocate(points[i]);
@@ -78,7 +78,7 @@ LinePoints relocate_lines(LocalMesh& mesh, const Volume& volume, double floor, c
         }
         points.swap(left);
     }
-    out.off = static_cast<int64_t>(points.size());
+    out.off = points.count();
     return out;
 }
 

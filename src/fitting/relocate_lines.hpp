@@ -1,6 +1,7 @@
 // Points where three or four materials meet belong on the tie of all of them.
 #pragma once
 
+#include "base/array.hpp"
 #include "fitting/meetings.hpp"
 #include "volume/volume.hpp"
 
@@ -8,8 +9,8 @@ namespace cleft
 {
 
 struct LinePoints {
-    int64_t off = 0;                   // how many are not on their tie yet
-    std::vector<int32_t> without_tie;  // near enough
+    int64_t off = 0;             // how many are not on their tie yet
+    Array<int32_t> without_tie;  // near enough
 };
 
 // Cleaving leaves triple points at the mean of the cuts around them, and improving lets the points of bad tetrahedra

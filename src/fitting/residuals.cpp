@@ -6,34 +6,34 @@
 namespace cleft
 {
 
-std::vector<FitPoint> find_points(const LocalMesh& mesh, const std::vector<int32_t>& without_tie,
-                                  std::vector<InterfaceTriangle>& triangles)
+Array<FitPoint> find_points(const LocalMesh& mesh, const Array<int32_t>& without_tie,
+                            Array<InterfaceTriangle>& triangles)
 {
-    std::vector<int32_t> index(static_cast<size_t>(mesh.point_count()), 0);
+    Array<int32_t> index(mesh.point_count(), 0);
     for (const InterfaceTriangle& t : triangles)
         for (const int32_t v : t.corners)
-            index[static_cast<size_t>(v)] = 1;
-    std::vector<FitPoint> points;
+            index[v] = 1;
+    Array<FitPoint> points;
     for (int32_t v = 0; v < mesh.point_count(); ++v)
-        if (index[static_cast<size_t>(v)] == 1) {
-            index[static_cast<size_t>(v)] = static_cast<int32_t>(points.size());
+        if (index[v] == 1) {
+            index[v] = static_cast<int32_t>(points.size());
             points.push_back({v});
         }
     for (InterfaceTriangle& t : triangles)
         for (int32_t& v : t.corners)
-            v = index[static_cast<size_t>(v)];
-    std::vector<int32_t> fixed = without_tie;
+            v = index[v];
+    Array<int32_t> fixed = without_tie;
     std::sort(fixed.begin(), fixed.end());
     for (FitPoint& p : points)
         p.is_fixed = std::binary_search(fixed.begin(), fixed.end(), p.number);
     return points;
 }
 
-std::vector<Residual> find_residuals(const LocalMesh& mesh, const std::vector<InterfaceTriangle>& triangles,
-                                     const std::vector<FitPoint>& points)
+Array<Residual> find_residuals(const LocalMesh& mesh, const Array<InterfaceTriangle>& triangles,
+                               const Array<FitPoint>& points)
 {
-    std::vector<Residual> out(points.size());
-    const auto place = [&](int32_t i) -> const Vec3& { return mesh.point(points[static_cast<size_t>(i)].number); };
+    Array<Residual> out(points.size());
+    const auto place = [&](int32_t i) -> const Vec3& { return mesh.point(points[i].number); };
     for (const InterfaceTriangle& t : triangles) {
         const Vec3& a = place(t.corners[0]);
         const Vec3 twice = (place(t.corners[1]) - a).cross(place(t.corners[2]) - a);
@@ -41,9 +41,9 @@ std::vector<Residual> find_residuals(const LocalMesh& mesh, const std::vector<In
         const Vec3 normal = twice.normalized();
         double height = t.height + t.offset;
         for (const int32_t v : t.corners)
-            height -= points[static_cast<size_t>(v)].moved.dot(normal) / 3;
+            height -= points[v].moved.dot(normal) / 3;
         for (const int32_t v : t.corners) {
-            Residual& residual = out[static_cast<size_t>(v)];
+            Residual& residual = out[v];
             residual.normals += area * normal * normal.transpose();
             residual.heights += area * height * normal;
             residual.area += area;

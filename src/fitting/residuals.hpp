@@ -1,6 +1,7 @@
 // What is left to do at the points of interfaces: how far the triangles around each of them are from where they belong.
 #pragma once
 
+#include "base/array.hpp"
 #include "fitting/interface_triangles.hpp"
 
 namespace cleft
@@ -22,10 +23,10 @@ struct Residual {
 
 // Numbers the corners of the triangles among themselves. Those in `without_tie` are fixed, since there is no tie from
 // which to move them.
-std::vector<FitPoint> find_points(const LocalMesh& mesh, const std::vector<int32_t>& without_tie,
-                                  std::vector<InterfaceTriangle>& triangles);
+Array<FitPoint> find_points(const LocalMesh& mesh, const Array<int32_t>& without_tie,
+                            Array<InterfaceTriangle>& triangles);
 
-std::vector<Residual> find_residuals(const LocalMesh& mesh, const std::vector<InterfaceTriangle>& triangles,
-                                     const std::vector<FitPoint>& points);
+Array<Residual> find_residuals(const LocalMesh& mesh, const Array<InterfaceTriangle>& triangles,
+                               const Array<FitPoint>& points);
 
 }  // namespace cleft

@@ -43,8 +43,8 @@ FitMove move_of(const Residual& residual, uint8_t frozen)
 
 }  // namespace
 
-int64_t VolumeCorrector::apply(const std::vector<Residual>& residuals, std::vector<FitPoint>& points,
-                               VolumeDeficits& deficits, const Run& run)
+int64_t VolumeCorrector::apply(const Array<Residual>& residuals, Array<FitPoint>& points, VolumeDeficits& deficits,
+                               const Run& run)
 {
     int64_t held = 0;
     for (size_t i = 0; i < points.size(); ++i) {

@@ -1,6 +1,7 @@
 // Moves the points of interfaces by what is left of the heights around them.
 #pragma once
 
+#include "base/array.hpp"
 #include "fitting/residuals.hpp"
 #include "fitting/volume_deficits.hpp"
 #include "remeshing/smoothing.hpp"
@@ -21,8 +22,7 @@ public:
 
     // Moves points one after the other, as far as the shapes around allow. Returns the number that could not move.
     // What materials gain is taken off their deficits, if there are any.
-    int64_t apply(const std::vector<Residual>& residuals, std::vector<FitPoint>& points, VolumeDeficits& deficits,
-                  const Run& run);
+    int64_t apply(const Array<Residual>& residuals, Array<FitPoint>& points, VolumeDeficits& deficits, const Run& run);
 
 private:
     // A place for a point, and the share of its move that it has there.

@@ -1,6 +1,7 @@
 // What each label lacks of the volume of its voxels.
 #pragma once
 
+#include "base/array.hpp"
 #include "remeshing/local_mesh.hpp"
 #include "volume/volume.hpp"
 
@@ -14,23 +15,23 @@ public:
     VolumeDeficits(const LocalMesh& mesh, const Volume& volume);
 
     bool empty() const { return missing_.empty(); }
-    const std::vector<double>& missing() const { return missing_; }
-    void gain(Material m, double volume) { missing_[static_cast<size_t>(m)] -= volume; }
+    const Array<double>& missing() const { return missing_; }
+    void gain(Material m, double volume) { missing_[m] -= volume; }
 
     // Some label is off by so much that another round is worth its time.
     bool is_any_off() const;
     // From now on, interfaces of small labels that are still off may go further beyond the tie.
     void widen();
-    bool is_wide(Material m) const { return wide_[static_cast<size_t>(m)] != 0; }
+    bool is_wide(Material m) const { return wide_[m] != 0; }
 
 private:
     bool is_off(size_t m, int64_t least_voxels, double tolerance) const;
     bool is_far_off(size_t m) const;
 
-    std::vector<int64_t> voxels_;
+    Array<int64_t> voxels_;
     double voxel_;  // its volume
-    std::vector<double> missing_;
-    std::vector<char> wide_;
+    Array<double> missing_;
+    Array<char> wide_;
 };
 
 }  // namespace cleft

@@ -26,7 +26,7 @@ constexpr double kLeastGain = 1e-3;
 std::array<int32_t, 4> subject_of(int operation, const Tet& place)
 {
     const auto edge = [&](int kind, int number) {
-        const int32_t a = place[at(kEdgeCorners[number][0])], b = place[at(kEdgeCorners[number][1])];
+        const int32_t a = place[kEdgeCorners[number][0]], b = place[kEdgeCorners[number][1]];
         return std::array<int32_t, 4>{kind, std::min(a, b), std::max(a, b), -1};
     };
     if (operation < 6)
@@ -36,11 +36,11 @@ std::array<int32_t, 4> subject_of(int operation, const Tet& place)
     if (operation >= 10) {
         const auto& ends = kEdgeCorners[(operation - 10) / 2];
         const int gone = operation % 2;
-        return {2, place[at(ends[gone])], place[at(ends[1 - gone])], -1};
+        return {2, place[ends[gone]], place[ends[1 - gone]], -1};
     }
     std::array<int32_t, 4> face{3, 0, 0, 0};
     for (size_t k = 0; k < 3; ++k)
-        face[k + 1] = place[at(kFaceCorners[operation - 6][k])];
+        face[k + 1] = place[kFaceCorners[operation - 6][k]];
     std::sort(face.begin() + 1, face.end());
     return face;
 }
@@ -58,7 +58,7 @@ bool CompoundOperations::improve(int32_t t, const Search& search, double target)
         return true;
     if (!search_.wide)
         return false;
-    const std::vector<Tet> around = tets_around(bad);
+    const Array<Tet> around = tets_around(bad);
     return std::any_of(around.begin(), around.end(), [&](const Tet& place) { return improve_at(place, bad, before); });
 }
 
@@ -95,12 +95,12 @@ int32_t CompoundOperations::find(const Tet& corners) const
     return found == star.end() ? -1 : *found;
 }
 
-std::vector<Tet> CompoundOperations::tets_around(const Tet& corners) const
+Array<Tet> CompoundOperations::tets_around(const Tet& corners) const
 {
-    std::vector<int32_t> numbers;
+    Array<int32_t> numbers;
     for (const int32_t v : corners)
         numbers.insert(numbers.end(), mesh_.star(v).begin(), mesh_.star(v).end());
-    std::vector<Tet> around;
+    Array<Tet> around;
     for (const int32_t t : numbers)
         if (mesh_.tet(t) != corners)
             around.push_back(mesh_.tet(t));
@@ -175,7 +175,7 @@ void CompoundOperations::smooth_and_note(int32_t t)
             moves_.push_back({v, from});
             disturb_around(v);
         }
-        smoothed_[at(v)] = ++clock_;
+        smoothed_[v] = ++clock_;
     }
 }
 
@@ -184,7 +184,7 @@ bool CompoundOperations::is_smoothed(int32_t v)
 {
     smoothed_.resize(mesh_.points().size(), 0);
     disturbed_.resize(mesh_.points().size(), 0);
-    return smoothed_[at(v)] > std::max(disturbed_[at(v)], attempt_began_);
+    return smoothed_[v] > std::max(disturbed_[v], attempt_began_);
 }
 
 void CompoundOperations::disturb_around(int32_t v)
@@ -192,7 +192,7 @@ void CompoundOperations::disturb_around(int32_t v)
     ++clock_;
     for (const int32_t t : mesh_.star(v))
         for (const int32_t w : mesh_.tet(t))
-            disturbed_[at(w)] = clock_;
+            disturbed_[w] = clock_;
 }
 
 // Everything new or moved, and the bad tetrahedron if there still is one, is as good as wanted.

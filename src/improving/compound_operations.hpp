@@ -3,6 +3,7 @@
 // become better by it. That is expensive, so for the few that nothing else could help.
 #pragma once
 
+#include "base/array.hpp"
 #include "improving/constrained_smoother.hpp"
 #include "improving/search.hpp"
 #include "remeshing/contraction.hpp"
@@ -26,7 +27,7 @@ public:
     // Tries all of them for a tetrahedron, until one helps. `target`: of angle_quality.
     bool improve(int32_t t, const Search& search, double target);
     // By the one that helped.
-    int64_t points_moved() const { return static_cast<int64_t>(moves_.size()); }
+    int64_t points_moved() const { return moves_.count(); }
 
 private:
     struct Move {
@@ -37,7 +38,7 @@ private:
     bool improve_at(const Tet& place, const Tet& bad, double before);
     void accept();
     int32_t find(const Tet& corners) const;
-    std::vector<Tet> tets_around(const Tet& corners) const;
+    Array<Tet> tets_around(const Tet& corners) const;
     bool attempt(int32_t t, int operation);
     bool split_in_middle(int32_t t, int corner_a, int corner_b);
     bool smooth_all(const Tet& bad, double before);
@@ -55,8 +56,8 @@ private:
     Cavity cavity_;
     Contraction contraction_;
     TetStar star_;
-    std::vector<Move> moves_;                     // of the attempt
-    std::vector<uint64_t> smoothed_, disturbed_;  // by point: when it was smoothed, when something around it moved
+    Array<Move> moves_;                     // of the attempt
+    Array<uint64_t> smoothed_, disturbed_;  // by point: when it was smoothed, when something around it moved
     uint64_t clock_ = 0, attempt_began_ = 0;
     std::set<std::array<int32_t, 4>> tried_;  // for the bad tetrahedron, see subject_of
 };

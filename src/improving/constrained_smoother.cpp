@@ -35,7 +35,7 @@ bool ConstrainedSmoother::smooth(int32_t v, bool thorough)
 Place ConstrainedSmoother::better_place(int32_t v, bool thorough)
 {
     const Vec3 from = mesh_.point(v);
-    constrain(star_.tets(), from, home_[at(v)], mesh_.frozen(v));
+    constrain(star_.tets(), from, home_[v], mesh_.frozen(v));
     if (constraint_.fixed())
         return {from, -1};
     const Place place = climb(from);
@@ -46,7 +46,7 @@ Place ConstrainedSmoother::better_place(int32_t v, bool thorough)
     return start.x == place.x ? place : climb(start.x);
 }
 
-void ConstrainedSmoother::constrain(const std::vector<int32_t>& tets, const Vec3& x, const Vec3& home, uint8_t frozen)
+void ConstrainedSmoother::constrain(const Array<int32_t>& tets, const Vec3& x, const Vec3& home, uint8_t frozen)
 {
     const double reach = star_.reach(x);
     constraint_.set(mesh_, tets, x, home, frozen, reach, tolerance_ * std::min(reach, voxel_));

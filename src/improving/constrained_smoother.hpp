@@ -1,6 +1,7 @@
 // Finds better places for points of a multi-material mesh, where their ties and the box let them go.
 #pragma once
 
+#include "base/array.hpp"
 #include "improving/tie_constraint.hpp"
 #include "remeshing/cavity.hpp"
 
@@ -29,12 +30,12 @@ public:
 
 private:
     Place better_place(int32_t v, bool thorough);
-    void constrain(const std::vector<int32_t>& tets, const Vec3& x, const Vec3& home, uint8_t frozen);
+    void constrain(const Array<int32_t>& tets, const Vec3& x, const Vec3& home, uint8_t frozen);
 
     LocalMesh& mesh_;
     const double voxel_;
     double target_ = 0, tolerance_ = 0;
-    std::vector<Vec3> home_;  // of each point: where cleaving, or the split that made it, put it
+    Array<Vec3> home_;  // of each point: where cleaving, or the split that made it, put it
     TieConstraint constraint_;
     Smoother smoother_;
     TetStar star_;

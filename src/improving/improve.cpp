@@ -17,13 +17,13 @@ namespace
 
 // Most tetrahedra are helped at no price. For the few that are left, an interface may give way by a little, more and
 // more, and then expensive attempts are made, at last with the tetrahedra around as well.
-std::vector<Search> searches_of(Effort effort)
+Array<Search> searches_of(Effort effort)
 {
-    std::vector<Search> searches{{6, 0.0, 0.05, false, false},
-                                 {3, 0.05, 0.1, true, false},
-                                 {3, 0.1, 0.15, true, true},
-                                 {3, 0.2, 0.15, true, true},
-                                 {6, 0.4, 0.25, true, true, true}};
+    Array<Search> searches{{6, 0.0, 0.05, false, false},
+                           {3, 0.05, 0.1, true, false},
+                           {3, 0.1, 0.15, true, true},
+                           {3, 0.2, 0.15, true, true},
+                           {6, 0.4, 0.25, true, true, true}};
     if (effort == Effort::best)
         for (Search& search : searches)
             search.passes *= 2;
@@ -55,9 +55,9 @@ Shortfall shortfall(const LocalMesh& mesh, double target, const Run& run)
 
 // The searches, and as many again in each round that searches on. The first one takes nearly all of the time: the
 // others work on the few that are left.
-std::vector<Step> steps_of(size_t searches)
+Array<Step> steps_of(size_t searches)
 {
-    std::vector<Step> steps(searches * (1 + std::size(kHigherAims)), {"improving", 0});
+    Array<Step> steps(searches * (1 + std::size(kHigherAims)), {"improving", 0});
     for (size_t i = 0; i < searches; ++i)
         steps[i].share = i == 0 ? 20 : 1;
     return steps;
@@ -90,7 +90,7 @@ Shortfall improve(LocalMesh& mesh, const Volume& volume, const ImproveOptions& o
 {
     if (options.effort == Effort::off)
         return {};
-    const std::vector<Search> searches = searches_of(options.effort);
+    const Array<Search> searches = searches_of(options.effort);
     Stage stage(run, "improving", steps_of(searches.size()));
     Improver improver(mesh, volume, sine_of(options.target_angle + options.margin), run);
     note_angles(mesh, "improving", "before", run);

@@ -23,9 +23,9 @@ constexpr size_t kAttemptsOneIn = 10000, kAttemptsAtLeast = 5;
 constexpr size_t kWideOneIn = 100000, kWideAtLeast = 5;
 
 // The tetrahedra at the corners of some, these included, ascending.
-void add_around(const LocalMesh& mesh, std::vector<int32_t>& tets)
+void add_around(const LocalMesh& mesh, Array<int32_t>& tets)
 {
-    std::vector<int32_t> found;
+    Array<int32_t> found;
     for (const int32_t t : tets)
         for (const int32_t v : mesh.tet(t))
             found.insert(found.end(), mesh.star(v).begin(), mesh.star(v).end());
@@ -58,7 +58,7 @@ void Improver::work(const Search& search, const Run& run)
     else
         bad_.collect_all(mesh_, target_, run);
     started_ = true;
-    const auto tets = static_cast<size_t>(mesh_.slot_count());
+    const size_t tets = to_size(mesh_.slot_count());
     const size_t most = search.thorough ? tets / kThoroughOneIn + kThoroughAtLeast : tets;
     bool changed = true;
     for (int pass = 0; pass < search.passes && changed; ++pass) {
@@ -80,7 +80,7 @@ void Improver::aim_higher(double target)
 {
     constexpr int kRings = 3;
     target_ = target;
-    std::vector<int32_t> near;
+    Array<int32_t> near;
     for (size_t i = 0; i < bad_.size(); ++i)
         near.push_back(bad_[i]);
     for (int ring = 0; ring < kRings; ++ring)

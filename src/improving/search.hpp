@@ -25,7 +25,7 @@ struct SearchCounts {
 inline double bend_at(const LocalMesh& mesh, const Search& search, int32_t t, int corner_a, int corner_b)
 {
     const Tet& v = mesh.tet(t);
-    return search.bend * (mesh.point(v[at(corner_a)]) - mesh.point(v[at(corner_b)])).norm();
+    return search.bend * (mesh.point(v[corner_a]) - mesh.point(v[corner_b])).norm();
 }
 
 }  // namespace cleft

@@ -5,7 +5,7 @@
 namespace cleft
 {
 
-void TieConstraint::set(const LocalMesh& mesh, const std::vector<int32_t>& tets, const Vec3& x, const Vec3& home,
+void TieConstraint::set(const LocalMesh& mesh, const Array<int32_t>& tets, const Vec3& x, const Vec3& home,
                         uint8_t frozen, double reach, double tolerance)
 {
     materials_ = MaterialSet();
@@ -31,7 +31,7 @@ void TieConstraint::find_tangent(const Vec3& x)
     volume_.sample_gradient(x, samples_);
     const auto gradient = [&](Material m) {
         const int i = samples_.find(m);
-        return i < 0 ? Vec3(0, 0, 0) : samples_.gradient[static_cast<size_t>(i)];
+        return i < 0 ? Vec3(0, 0, 0) : samples_.gradient[i];
     };
     for (int i = 1; i < materials_.size(); ++i) {
         const Vec3 difference = gradient(materials_[i]) - gradient(materials_[0]);

@@ -2,6 +2,7 @@
 // triple line, a quadruple point), points of the hull within its planes.
 #pragma once
 
+#include "base/array.hpp"
 #include "remeshing/smoothing.hpp"
 #include "volume/material_set.hpp"
 #include "volume/volume.hpp"
@@ -17,7 +18,7 @@ public:
     // For a point at x where the materials of `tets` meet. `reach` is the length of its edges; trial positions up to
     // `tolerance` off the tie are taken as they are. Where there is no tie (more materials meet than equations can be
     // met, or the walls leave too few free axes), `home` stands for it: the place that cleaving gave the point.
-    void set(const LocalMesh& mesh, const std::vector<int32_t>& tets, const Vec3& x, const Vec3& home, uint8_t frozen,
+    void set(const LocalMesh& mesh, const Array<int32_t>& tets, const Vec3& x, const Vec3& home, uint8_t frozen,
              double reach, double tolerance);
 
     // The point has nowhere to go.

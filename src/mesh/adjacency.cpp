@@ -20,16 +20,16 @@ namespace
 
 }  // namespace
 
-std::vector<std::array<int32_t, 4>> tet_neighbours(const std::vector<Tet>& tets, int64_t point_count, const Run& run)
+Array<FixedArray<int32_t, 4>> tet_neighbours(const Array<Tet>& tets, int64_t point_count, const Run& run)
 {
     for (size_t t = 0; t < tets.size(); ++t)
         if (has_bad_index(tets[t], point_count) || has_repeated_corner(tets[t]))
             throw Error(CLEFT_ERROR_INVALID_MESH, "the " + ordinal(static_cast<int64_t>(t)) +
                                                       " tetrahedron does not have four different points of the mesh");
     const FaceBuckets buckets(tets, point_count, run);
-    std::vector<std::array<int32_t, 4>> neighbours(tets.size(), {-1, -1, -1, -1});
+    Array<FixedArray<int32_t, 4>> neighbours(tets.size(), {-1, -1, -1, -1});
     const auto link = [&](const HalfFace& from, const HalfFace& to) {
-        neighbours[static_cast<size_t>(from.tet())][static_cast<size_t>(from.corner())] = to.tet();
+        neighbours[from.tet()][from.corner()] = to.tet();
     };
     parallel_for(run, point_count, FaceBuckets::kPointsAtOnce, [&](int64_t begin, int64_t end) {
         buckets.for_each_face(begin, end, [&](const HalfFace* faces, size_t count) {
@@ -44,19 +44,18 @@ std::vector<std::array<int32_t, 4>> tet_neighbours(const std::vector<Tet>& tets,
     return neighbours;
 }
 
-std::vector<uint8_t> frozen_axes(const std::vector<Vec3>& points, const std::vector<Tet>& tets,
-                                 const std::vector<std::array<int32_t, 4>>& neighbours)
+Array<uint8_t> frozen_axes(const Array<Vec3>& points, const Array<Tet>& tets,
+                           const Array<FixedArray<int32_t, 4>>& neighbours)
 {
-    std::vector<uint8_t> frozen(points.size(), 0);
+    Array<uint8_t> frozen(points.size(), 0);
     for (size_t t = 0; t < tets.size(); ++t)
         for (size_t i = 0; i < 4; ++i) {
             if (neighbours[t][i] >= 0)
                 continue;
-            std::array<size_t, 3> face{};
-            for (size_t k = 0; k < 3; ++k)
-                face[k] = static_cast<size_t>(tets[t][static_cast<size_t>(kFaceCorners[i][k])]);
+            const int* corner = kFaceCorners[i];
+            const FixedArray<int32_t, 3> face{tets[t][corner[0]], tets[t][corner[1]], tets[t][corner[2]]};
             const unsigned axes = hull_axes(points[face[0]], points[face[1]], points[face[2]]);
-            for (const size_t p : face)
+            for (const int32_t p : face)
                 frozen[p] = static_cast<uint8_t>(frozen[p] | axes);
         }
     return frozen;

@@ -1,6 +1,7 @@
 // Which tetrahedra share a face.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/run.hpp"
 #include "mesh/tet_mesh.hpp"
 
@@ -15,13 +16,12 @@ inline constexpr int kEdgeOpposite[6][2] = {{2, 3}, {1, 3}, {1, 2}, {0, 3}, {0, 
 
 // neighbour[t][i]: the tetrahedron behind the face opposite corner i of t; -1 on the hull.
 // Linear time, threaded. A face of more than two tetrahedra is an Error (CLEFT_ERROR_INVALID_MESH).
-std::vector<std::array<int32_t, 4>> tet_neighbours(const std::vector<Tet>& tets, int64_t point_count,
-                                                   const Run& run = Run());
+Array<FixedArray<int32_t, 4>> tet_neighbours(const Array<Tet>& tets, int64_t point_count, const Run& run = Run());
 
 // Bits 0, 1, 2 of a point: its x, y, z must not change if the hull is to stay as it is. A hull face across an axis
 // (all three points have exactly the same coordinate) freezes that coordinate; any other hull face freezes all.
-std::vector<uint8_t> frozen_axes(const std::vector<Vec3>& points, const std::vector<Tet>& tets,
-                                 const std::vector<std::array<int32_t, 4>>& neighbours);
+Array<uint8_t> frozen_axes(const Array<Vec3>& points, const Array<Tet>& tets,
+                           const Array<FixedArray<int32_t, 4>>& neighbours);
 
 // The axes that one hull face freezes.
 unsigned hull_axes(const Vec3& a, const Vec3& b, const Vec3& c);

@@ -1,6 +1,7 @@
 // The box of a mesh and its sides.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/placement.hpp"
 #include "mesh/tet_mesh.hpp"
 
@@ -19,7 +20,7 @@ struct BoundingBox {
         lo = lo.cwiseMin(x);
         hi = hi.cwiseMax(x);
     }
-    void add(const std::vector<Vec3>& points)
+    void add(const Array<Vec3>& points)
     {
         for (const Vec3& x : points)
             add(x);

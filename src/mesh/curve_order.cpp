@@ -64,14 +64,14 @@ uint64_t hilbert_index(const Vec3& x, const BoundingBox& box)
 }
 
 // Stable, eleven bits a pass.
-void radix_sort(std::vector<Key>& keys)
+void radix_sort(Array<Key>& keys)
 {
     constexpr int kDigit = 11;
     constexpr size_t kValues = size_t{1} << kDigit;
-    std::vector<Key> sorted(keys.size());
+    Array<Key> sorted(keys.size());
     for (int shift = 0; shift < 3 * kBits; shift += kDigit) {
         std::array<size_t, kValues + 1> start{};
-        const auto digit = [&](const Key& key) { return static_cast<size_t>(key.value >> shift) & (kValues - 1); };
+        const auto digit = [&](const Key& key) { return (key.value >> shift) & (kValues - 1); };
         for (const Key& key : keys)
             ++start[digit(key) + 1];
         std::partial_sum(start.begin(), start.end(), start.begin());
@@ -82,11 +82,11 @@ void radix_sort(std::vector<Key>& keys)
 }
 
 // Points of one cell of the curve: by their coordinates, so that the order is that of the places alone.
-void sort_ties(const std::vector<Vec3>& points, std::vector<Key>& keys)
+void sort_ties(const Array<Vec3>& points, Array<Key>& keys)
 {
     const auto less = [&](const Key& a, const Key& b) {
-        const Vec3& x = points[static_cast<size_t>(a.index)];
-        const Vec3& y = points[static_cast<size_t>(b.index)];
+        const Vec3& x = points[a.index];
+        const Vec3& y = points[b.index];
         return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end());
     };
     for (auto first = keys.begin(), last = first; first != keys.end(); first = last) {
@@ -98,15 +98,15 @@ void sort_ties(const std::vector<Vec3>& points, std::vector<Key>& keys)
 
 }  // namespace
 
-void order_along_curve(const std::vector<Vec3>& points, std::vector<int32_t>& indices, const Run& run)
+void order_along_curve(const Array<Vec3>& points, Array<int32_t>& indices, const Run& run)
 {
-    const auto point = [&](int32_t index) -> const Vec3& { return points[static_cast<size_t>(index)]; };
+    const auto point = [&](int32_t index) -> const Vec3& { return points[index]; };
     BoundingBox box;
     for (const int32_t index : indices)
         box.add(point(index));
-    std::vector<Key> keys(indices.size());
-    parallel_for(run, static_cast<int64_t>(keys.size()), kPointsKeyed, [&](int64_t begin, int64_t end) {
-        for (auto k = static_cast<size_t>(begin); k < static_cast<size_t>(end); ++k)
+    Array<Key> keys(indices.size());
+    parallel_for(run, keys.count(), kPointsKeyed, [&](int64_t begin, int64_t end) {
+        for (int64_t k = begin; k < end; ++k)
             keys[k] = {hilbert_index(point(indices[k]), box), indices[k]};
     });
     radix_sort(keys);

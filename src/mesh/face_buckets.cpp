@@ -20,7 +20,7 @@ std::array<int32_t, 4> least_points(const Tet& t)
 }
 
 // The middle and the greatest point of a face.
-uint64_t other_points(const std::vector<Tet>& tets, uint32_t id)
+uint64_t other_points(const Array<Tet>& tets, uint32_t id)
 {
     const auto [a, b, c] = face_points(tets, id);
     const int32_t middle = std::max(std::min(a, b), std::min(std::max(a, b), c));
@@ -39,49 +39,48 @@ void FaceBuckets::for_faces_of(size_t tet, int64_t point_count, const Visit& vis
     unsigned marked = 15;
     if (among_ != nullptr)
         for (unsigned i = 0; i < 4; ++i)
-            if ((*among_)[static_cast<size_t>(corners[i])] == 0)
+            if ((*among_)[corners[i]] == 0)
                 marked &= ~(1U << i);
     const std::array<int32_t, 4> least = least_points(corners);
     for (uint32_t i = 4; i-- > 0;)
         if ((marked | 1U << i) == 15)
-            visit(static_cast<uint32_t>(tet) * 4 + i, static_cast<size_t>(least[i]));
+            visit(static_cast<uint32_t>(tet) * 4 + i, least[i]);
 }
 
-FaceBuckets::FaceBuckets(const std::vector<Tet>& tets, int64_t point_count, const Run& run,
-                         const std::vector<uint8_t>* among)
-    : tets_(tets), among_(among), start_(large_vector(static_cast<size_t>(point_count) + 1, uint32_t{0}))
+FaceBuckets::FaceBuckets(const Array<Tet>& tets, int64_t point_count, const Run& run, const Array<uint8_t>* among)
+    : tets_(tets), among_(among), start_(large_array(point_count + 1, uint32_t{0}))
 {
     if (tets.size() >= kMostTets)
         throw Error(CLEFT_ERROR_TOO_LARGE, "a mesh of 2^30 or more tetrahedra is too large for 32-bit face numbers");
     for (size_t t = 0; t < tets.size(); ++t) {
         run.check_at(t);
-        for_faces_of(t, point_count, [&](uint32_t, size_t least) { ++start_[least]; });
+        for_faces_of(t, point_count, [&](uint32_t, int32_t least) { ++start_[least]; });
     }
     // Counts become ends; the filling below, from the last face to the first, turns the ends into starts.
     uint32_t end = 0;
     for (uint32_t& s : start_)
         s = end += s;
-    ids_ = large_vector<uint32_t>(end);
+    ids_ = large_array<uint32_t>(end);
     for (size_t t = tets.size(); t-- > 0;) {
         run.check_at(t);
-        for_faces_of(t, point_count, [&](uint32_t face, size_t least) { ids_[--start_[least]] = face; });
+        for_faces_of(t, point_count, [&](uint32_t face, int32_t least) { ids_[--start_[least]] = face; });
     }
 }
 
 void FaceBuckets::load(int64_t point, Bucket& bucket) const
 {
-    const uint32_t begin = start_[static_cast<size_t>(point)], end = start_[static_cast<size_t>(point) + 1];
+    const uint32_t begin = start_[point], end = start_[point + 1];
     int bits = 1;
     while ((uint64_t{1} << bits) < 2 * uint64_t{end - begin})
         ++bits;
-    const size_t mask = (size_t{1} << bits) - 1;
+    const uint64_t mask = (uint64_t{1} << bits) - 1;
     bucket.entries.clear();
     bucket.first_of_face.clear();
     bucket.last_of_face.assign(mask + 1, -1);
     for (uint32_t k = begin; k < end; ++k) {
         const uint64_t key = other_points(tets_, ids_[k]);
-        const auto entry = [&](int32_t i) -> Bucket::Entry& { return bucket.entries[static_cast<size_t>(i)]; };
-        auto slot = static_cast<size_t>(key * 0x9e3779b97f4a7c15u >> (64 - bits));
+        const auto entry = [&](int32_t i) -> Bucket::Entry& { return bucket.entries[i]; };
+        uint64_t slot = key * 0x9e3779b97f4a7c15u >> (64 - bits);
         while (bucket.last_of_face[slot] >= 0 && entry(bucket.last_of_face[slot]).other_points != key)
             slot = (slot + 1) & mask;
         int32_t& last = bucket.last_of_face[slot];

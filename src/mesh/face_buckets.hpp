@@ -1,11 +1,11 @@
 // Every face of every tetrahedron, grouped by its three points.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/run.hpp"
 #include "mesh/adjacency.hpp"
 
 #include <algorithm>
-#include <vector>
 
 namespace cleft
 {
@@ -29,11 +29,11 @@ inline bool has_repeated_corner(const Tet& t)
 }
 
 // The points of the face of a half-face, in the order of kFaceCorners.
-inline std::array<int32_t, 3> face_points(const std::vector<Tet>& tets, uint32_t id)
+inline std::array<int32_t, 3> face_points(const Array<Tet>& tets, uint32_t id)
 {
     const Tet& tet = tets[id >> 2];
     const int* f = kFaceCorners[id & 3];
-    return {tet[static_cast<size_t>(f[0])], tet[static_cast<size_t>(f[1])], tet[static_cast<size_t>(f[2])]};
+    return {tet[f[0]], tet[f[1]], tet[f[2]]};
 }
 
 // Half-faces in buckets by their least point (a counting sort), and in each bucket by their other points (a small hash
@@ -46,8 +46,7 @@ public:
 
     // Throws CLEFT_ERROR_TOO_LARGE from 2^30 tetrahedra on: four times their number must fit 32 bits.
     // With `among`, by point, only faces all of whose points are marked there; these then are found much sooner.
-    FaceBuckets(const std::vector<Tet>& tets, int64_t point_count, const Run& run,
-                const std::vector<uint8_t>* among = nullptr);
+    FaceBuckets(const Array<Tet>& tets, int64_t point_count, const Run& run, const Array<uint8_t>* among = nullptr);
 
     // visit(const HalfFace* faces, size_t count) for each different face whose least point is in [begin, end), in an
     // order that depends on the mesh alone: least points ascend, and so do the tetrahedra of one face.
@@ -55,13 +54,13 @@ public:
     void for_each_face(int64_t begin, int64_t end, const Visit& visit) const
     {
         Bucket bucket;
-        std::vector<HalfFace> face;
+        Array<HalfFace> face;
         for (int64_t point = begin; point < end; ++point) {
             load(point, bucket);
             for (int32_t i : bucket.first_of_face) {
                 face.clear();
-                for (; i >= 0; i = bucket.entries[static_cast<size_t>(i)].next)
-                    face.push_back(bucket.entries[static_cast<size_t>(i)].face);
+                for (; i >= 0; i = bucket.entries[i].next)
+                    face.push_back(bucket.entries[i].face);
                 visit(face.data(), face.size());
             }
         }
@@ -75,9 +74,9 @@ private:
             HalfFace face;
             int32_t next;
         };
-        std::vector<Entry> entries;
-        std::vector<int32_t> first_of_face;
-        std::vector<int32_t> last_of_face;  // the hash table, by other_points
+        Array<Entry> entries;
+        Array<int32_t> first_of_face;
+        Array<int32_t> last_of_face;  // the hash table, by other_points
     };
 
     // visit(face, least point) for the faces of a tetrahedron that take part.
@@ -85,10 +84,10 @@ private:
     void for_faces_of(size_t tet, int64_t point_count, const Visit& visit) const;
     void load(int64_t point, Bucket& bucket) const;
 
-    const std::vector<Tet>& tets_;
-    const std::vector<uint8_t>* among_;
-    std::vector<uint32_t> start_;
-    std::vector<uint32_t> ids_;
+    const Array<Tet>& tets_;
+    const Array<uint8_t>* among_;
+    Array<uint32_t> start_;
+    Array<uint32_t> ids_;
 };
 
 }  // namespace cleft

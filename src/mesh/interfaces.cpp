@@ -32,8 +32,8 @@ struct HullFace {
 };
 
 struct Faces {
-    std::vector<InterfaceFace> interfaces;
-    std::vector<HullFace> hull;
+    Array<InterfaceFace> interfaces;
+    Array<HullFace> hull;
 };
 
 // The corners of a face, wound outward from its tetrahedron, the least corner first.
@@ -49,7 +49,7 @@ Side side_of(const RegionMesh& mesh, const Triangle& t, const BoundingBox& box)
 {
     unsigned sides = 63;
     for (const int32_t p : t)
-        sides &= box.sides(mesh.points[static_cast<size_t>(p)], 0);
+        sides &= box.sides(mesh.points[p], 0);
     int side = 0;
     while (side < static_cast<int>(Side::other) && !(sides >> side & 1))
         ++side;
@@ -58,7 +58,7 @@ Side side_of(const RegionMesh& mesh, const Triangle& t, const BoundingBox& box)
 
 void add_face(const RegionMesh& mesh, const HalfFace* face, size_t count, const BoundingBox& box, Faces& out)
 {
-    const auto region = [&](const HalfFace& f) { return mesh.region[static_cast<size_t>(f.tet())]; };
+    const auto region = [&](const HalfFace& f) { return mesh.region[f.tet()]; };
     if (count > 2)
         throw Error(CLEFT_ERROR_INVALID_MESH, std::to_string(count) +
                                                   " tetrahedra share one face, the first of them the " +
@@ -76,15 +76,15 @@ void add_face(const RegionMesh& mesh, const HalfFace* face, size_t count, const 
 
 // Empties the parts while it joins them, so that no face is held twice for long.
 template <class Face>
-std::vector<Face> sorted_union(std::vector<Faces>& parts, std::vector<Face> Faces::*member)
+Array<Face> sorted_union(Array<Faces>& parts, Array<Face> Faces::*member)
 {
     size_t total = 0;
     for (const Faces& part : parts)
         total += (part.*member).size();
-    std::vector<Face> all;
+    Array<Face> all;
     all.reserve(total);
     for (Faces& part : parts) {
-        const std::vector<Face> faces = std::move(part.*member);
+        const Array<Face> faces = std::move(part.*member);
         all.insert(all.end(), faces.begin(), faces.end());
     }
     std::sort(all.begin(), all.end());
@@ -97,28 +97,28 @@ Interfaces extract_interfaces(const RegionMesh& mesh, const Vec3& lo, const Vec3
 {
     Steps steps(run, {{"extracting interfaces", 3}, {nullptr, 4}, {nullptr, 3}});
     const Run of_points = steps.next();
-    const auto point_count = static_cast<int64_t>(mesh.points.size());
+    const auto point_count = mesh.points.count();
     const BoundingBox box{lo, hi};
-    const std::vector<uint8_t> surface = surface_points(mesh, of_points);
+    const Array<uint8_t> surface = surface_points(mesh, of_points);
     const FaceBuckets buckets(mesh.tets, point_count, of_points, &surface);
-    std::vector<Faces> parts(static_cast<size_t>(chunk_count(point_count, FaceBuckets::kPointsAtOnce)));
+    Array<Faces> parts(chunk_count(point_count, FaceBuckets::kPointsAtOnce));
     parallel_chunks(
         steps.next(), point_count, FaceBuckets::kPointsAtOnce, [&](int64_t chunk, int64_t begin, int64_t end) {
-            Faces& part = parts[static_cast<size_t>(chunk)];
+            Faces& part = parts[chunk];
             buckets.for_each_face(begin, end,
                                   [&](const HalfFace* face, size_t count) { add_face(mesh, face, count, box, part); });
         });
     steps.next();
 
     Interfaces out;
-    const std::vector<InterfaceFace> interfaces = sorted_union(parts, &Faces::interfaces);
+    const Array<InterfaceFace> interfaces = sorted_union(parts, &Faces::interfaces);
     out.triangles.reserve(interfaces.size());
     out.pairs.reserve(interfaces.size());
     for (const InterfaceFace& face : interfaces) {
         out.triangles.push_back(face.corners);
         out.pairs.push_back(face.pair);
     }
-    const std::vector<HullFace> hull = sorted_union(parts, &Faces::hull);
+    const Array<HullFace> hull = sorted_union(parts, &Faces::hull);
     out.hull.reserve(hull.size());
     out.hull_region.reserve(hull.size());
     out.hull_side.reserve(hull.size());

@@ -1,6 +1,7 @@
 // The triangles where regions meet and where the mesh ends.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/run.hpp"
 #include "mesh/tet_mesh.hpp"
 
@@ -15,12 +16,12 @@ enum class Side : int32_t { x_min = 0, x_max = 1, y_min = 2, y_max = 3, z_min = 
 struct Interfaces {
     // Between two regions: corners wound so that the normal points from the first region to the second; first <
     // second. Sorted by pair, then by corners.
-    std::vector<Triangle> triangles;
-    std::vector<std::array<int32_t, 2>> pairs;
+    Array<Triangle> triangles;
+    Array<std::array<int32_t, 2>> pairs;
     // Hull: wound outward, with the region inside. Sorted by side, then region, then corners.
-    std::vector<Triangle> hull;
-    std::vector<int32_t> hull_region;
-    std::vector<Side> hull_side;
+    Array<Triangle> hull;
+    Array<int32_t> hull_region;
+    Array<Side> hull_side;
 };
 
 // lo, hi: the box against which sides are decided, by exact coordinates.

@@ -15,9 +15,9 @@ namespace cleft
 namespace
 {
 
-double tet_volume(const std::vector<Vec3>& points, const Tet& t)
+double tet_volume(const Array<Vec3>& points, const Tet& t)
 {
-    const auto corner = [&](size_t i) { return points[static_cast<size_t>(t[i])]; };
+    const auto corner = [&](size_t i) { return points[t[i]]; };
     return orient(corner(0), corner(1), corner(2), corner(3)) / 6;
 }
 
@@ -33,9 +33,9 @@ public:
         ++last_->second;
     }
 
-    std::vector<Border> ascending() const
+    Array<Border> ascending() const
     {
-        std::vector<Border> all;
+        Array<Border> all;
         for (const auto& [both, triangles] : counts_)
             all.push_back({both.first, both.second, triangles});
         return all;
@@ -48,17 +48,17 @@ private:
 
 }  // namespace
 
-std::vector<double> material_volumes(const std::vector<Vec3>& points, const std::vector<Tet>& tets,
-                                     const std::vector<Material>& material, Material material_count)
+Array<double> material_volumes(const Array<Vec3>& points, const Array<Tet>& tets, const Array<Material>& material,
+                               Material material_count)
 {
-    std::vector<double> volumes(static_cast<size_t>(material_count), 0.0);
+    Array<double> volumes(material_count, 0.0);
     for (size_t t = 0; t < tets.size(); ++t)
         if (tets[t][0] >= 0)
-            volumes[static_cast<size_t>(material[t])] += tet_volume(points, tets[t]);
+            volumes[material[t]] += tet_volume(points, tets[t]);
     return volumes;
 }
 
-std::vector<double> material_volumes(const LabelledMesh& mesh, Material material_count)
+Array<double> material_volumes(const LabelledMesh& mesh, Material material_count)
 {
     return material_volumes(mesh.points, mesh.tets, mesh.material, material_count);
 }
@@ -67,18 +67,18 @@ std::vector<double> material_volumes(const LabelledMesh& mesh, Material material
 // the point, and only faces with all corners on the surface have to be looked for.
 MeshParts mesh_parts(const LabelledMesh& mesh, const Run& run)
 {
-    const auto material = [&](int32_t t) { return mesh.material[static_cast<size_t>(t)]; };
-    const auto point_count = static_cast<int64_t>(mesh.points.size());
+    const auto material = [&](int32_t t) { return mesh.material[t]; };
+    const auto point_count = mesh.points.count();
     Steps steps(run, {{nullptr, 1}, {nullptr, 1}});
-    const std::vector<uint8_t> surface = surface_points(mesh, steps.next());
+    const Array<uint8_t> surface = surface_points(mesh, steps.next());
     DisjointSets sets(mesh.tets.size());
-    std::vector<int32_t> first(mesh.points.size(), -1);  // tetrahedron at a point
+    Array<int32_t> first(mesh.points.size(), -1);  // tetrahedron at a point
     for (size_t t = 0; t < mesh.tets.size(); ++t)
         for (const int32_t p : mesh.tets[t]) {
-            int32_t& before = first[static_cast<size_t>(p)];
+            int32_t& before = first[p];
             if (before < 0)
                 before = static_cast<int32_t>(t);
-            else if (surface[static_cast<size_t>(p)] == 0)
+            else if (surface[p] == 0)
                 sets.join(before, static_cast<int32_t>(t));
         }
     Borders borders;

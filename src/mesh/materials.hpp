@@ -1,6 +1,7 @@
 // What is in a mesh by material: volumes, connected parts and common borders.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/run.hpp"
 #include "mesh/tet_mesh.hpp"
 
@@ -14,17 +15,17 @@ struct Border {
 };
 
 struct MeshParts {
-    std::vector<int32_t> of_tet;  // the connected part, over shared faces: named by its least tetrahedron
-    std::vector<Border> borders;  // of all materials that share triangles, ascending
+    Array<int32_t> of_tet;  // the connected part, over shared faces: named by its least tetrahedron
+    Array<Border> borders;  // of all materials that share triangles, ascending
 };
 
 // Both from one look at the faces.
 MeshParts mesh_parts(const LabelledMesh& mesh, const Run& run);
 
 // Volume of each material.
-std::vector<double> material_volumes(const LabelledMesh& mesh, Material material_count);
+Array<double> material_volumes(const LabelledMesh& mesh, Material material_count);
 // The same; dead tetrahedra, whose first corner is -1, are passed over.
-std::vector<double> material_volumes(const std::vector<Vec3>& points, const std::vector<Tet>& tets,
-                                     const std::vector<Material>& material, Material material_count);
+Array<double> material_volumes(const Array<Vec3>& points, const Array<Tet>& tets, const Array<Material>& material,
+                               Material material_count);
 
 }  // namespace cleft

@@ -17,13 +17,13 @@ namespace
 
 constexpr int64_t kItemsOrdered = 8192;
 
-std::vector<int32_t> used_points(const LabelledMesh& mesh)
+Array<int32_t> used_points(const LabelledMesh& mesh)
 {
-    std::vector<char> used(mesh.points.size(), 0);
+    Array<char> used(mesh.points.size(), 0);
     for (const Tet& tet : mesh.tets)
         for (const int32_t p : tet)
-            used[static_cast<size_t>(p)] = 1;
-    std::vector<int32_t> points;
+            used[p] = 1;
+    Array<int32_t> points;
     points.reserve(mesh.points.size());
     for (size_t p = 0; p < mesh.points.size(); ++p)
         if (used[p])
@@ -34,11 +34,11 @@ std::vector<int32_t> used_points(const LabelledMesh& mesh)
 // The even permutation that puts the least corner first and the next one second.
 Tet least_corners_first(Tet t)
 {
-    const auto swap_two_pairs = [&](size_t a, size_t b, size_t c, size_t d) {
+    const auto swap_two_pairs = [&](int64_t a, int64_t b, int64_t c, int64_t d) {
         std::swap(t[a], t[b]);
         std::swap(t[c], t[d]);
     };
-    const auto least = static_cast<size_t>(std::min_element(t.begin(), t.end()) - t.begin());
+    const auto least = std::min_element(t.begin(), t.end()) - t.begin();
     if (least > 0)
         swap_two_pairs(0, least, least == 1 ? 2 : 1, least == 3 ? 2 : 3);
     std::rotate(t.begin() + 1, std::min_element(t.begin() + 1, t.end()), t.end());
@@ -48,29 +48,27 @@ Tet least_corners_first(Tet t)
 // Points of a curve are near each other, so the order of the corners is a spatial order of tetrahedra too.
 void order_tets(LabelledMesh& mesh, const Run& run)
 {
-    std::vector<uint32_t> start(mesh.points.size() + 1, 0);
+    Array<uint32_t> start(mesh.points.size() + 1, 0);
     for (const Tet& tet : mesh.tets)
-        ++start[static_cast<size_t>(tet[0]) + 1];
+        ++start[int64_t{tet[0]} + 1];
     std::partial_sum(start.begin(), start.end(), start.begin());
-    std::vector<int32_t> order(mesh.tets.size());
+    Array<int32_t> order(mesh.tets.size());
     {
-        std::vector<uint32_t> next(start.begin(), start.end() - 1);
+        Array<uint32_t> next(start.begin(), start.end() - 1);
         for (size_t t = 0; t < mesh.tets.size(); ++t)
-            order[next[static_cast<size_t>(mesh.tets[t][0])]++] = static_cast<int32_t>(t);
+            order[next[mesh.tets[t][0]]++] = static_cast<int32_t>(t);
     }
-    const auto less = [&](int32_t a, int32_t b) {
-        return mesh.tets[static_cast<size_t>(a)] < mesh.tets[static_cast<size_t>(b)];
-    };
-    parallel_for(run, static_cast<int64_t>(mesh.points.size()), kItemsOrdered, [&](int64_t begin, int64_t end) {
-        for (auto p = static_cast<size_t>(begin); p < static_cast<size_t>(end); ++p)
+    const auto less = [&](int32_t a, int32_t b) { return mesh.tets[a] < mesh.tets[b]; };
+    parallel_for(run, mesh.points.count(), kItemsOrdered, [&](int64_t begin, int64_t end) {
+        for (int64_t p = begin; p < end; ++p)
             std::sort(order.begin() + start[p], order.begin() + start[p + 1], less);
     });
 
-    std::vector<Tet> tets = large_vector<Tet>(mesh.tets.size());
-    std::vector<Material> material = large_vector<Material>(mesh.material.size());
+    Array<Tet> tets = large_array<Tet>(mesh.tets.size());
+    Array<Material> material = large_array<Material>(mesh.material.size());
     for (size_t t = 0; t < order.size(); ++t) {
-        tets[t] = mesh.tets[static_cast<size_t>(order[t])];
-        material[t] = mesh.material[static_cast<size_t>(order[t])];
+        tets[t] = mesh.tets[order[t]];
+        material[t] = mesh.material[order[t]];
     }
     mesh.tets.swap(tets);
     mesh.material.swap(material);
@@ -81,21 +79,21 @@ void order_tets(LabelledMesh& mesh, const Run& run)
 void order_spatially(LabelledMesh& mesh, const Run& run)
 {
     Steps steps(run, {{"ordering", 4}, {nullptr, 2}, {nullptr, 4}});
-    std::vector<int32_t> order = used_points(mesh);
+    Array<int32_t> order = used_points(mesh);
     order_along_curve(mesh.points, order, steps.next());
-    std::vector<int32_t> new_number(mesh.points.size(), -1);
-    std::vector<Vec3> points;
+    Array<int32_t> new_number(mesh.points.size(), -1);
+    Array<Vec3> points;
     reserve_large(points, order.size());
     for (const int32_t p : order) {
-        new_number[static_cast<size_t>(p)] = static_cast<int32_t>(points.size());
-        points.push_back(mesh.points[static_cast<size_t>(p)]);
+        new_number[p] = static_cast<int32_t>(points.size());
+        points.push_back(mesh.points[p]);
     }
     mesh.points.swap(points);
-    parallel_for(steps.next(), static_cast<int64_t>(mesh.tets.size()), kItemsOrdered, [&](int64_t begin, int64_t end) {
-        for (auto t = static_cast<size_t>(begin); t < static_cast<size_t>(end); ++t) {
+    parallel_for(steps.next(), mesh.tets.count(), kItemsOrdered, [&](int64_t begin, int64_t end) {
+        for (int64_t t = begin; t < end; ++t) {
             Tet& tet = mesh.tets[t];
             for (int32_t& p : tet)
-                p = new_number[static_cast<size_t>(p)];
+                p = new_number[p];
             tet = least_corners_first(tet);
         }
     });

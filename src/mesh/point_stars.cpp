@@ -15,8 +15,8 @@ namespace
 
 }  // namespace
 
-PointStars::PointStars(const std::vector<Tet>& tets, size_t point_count, const Run& run)
-    : lists_(large_vector(point_count, List{0, 0, 0})), pool_(large_vector<int32_t>(4 * tets.size()))
+PointStars::PointStars(const Array<Tet>& tets, size_t point_count, const Run& run)
+    : lists_(large_array(point_count, List{0, 0, 0})), pool_(large_array<int32_t>(4 * tets.size()))
 {
     for (size_t t = 0; t < tets.size(); ++t) {
         run.check_at(t);
@@ -24,7 +24,7 @@ PointStars::PointStars(const std::vector<Tet>& tets, size_t point_count, const R
             throw Error(CLEFT_ERROR_INVALID_MESH, "the " + ordinal(static_cast<int64_t>(t)) +
                                                       " tetrahedron does not have four different points of the mesh");
         for (const int32_t v : tets[t])
-            ++lists_[static_cast<size_t>(v)].capacity;
+            ++lists_[v].capacity;
     }
     size_t begin = 0;
     for (List& list : lists_) {
@@ -34,7 +34,7 @@ PointStars::PointStars(const std::vector<Tet>& tets, size_t point_count, const R
     for (size_t t = 0; t < tets.size(); ++t) {
         run.check_at(t);
         for (const int32_t v : tets[t]) {
-            List& list = lists_[static_cast<size_t>(v)];
+            List& list = lists_[v];
             pool_[list.begin + list.size++] = static_cast<int32_t>(t);
         }
     }
@@ -43,7 +43,7 @@ PointStars::PointStars(const std::vector<Tet>& tets, size_t point_count, const R
 // A list that is full moves to the end of the pool, with room to grow.
 void PointStars::add(int32_t v, int32_t t)
 {
-    List& list = lists_[static_cast<size_t>(v)];
+    List& list = lists_[v];
     if (list.size == list.capacity) {
         const size_t end = pool_.size();
         list.capacity += std::max<uint32_t>(8, list.capacity / 2);
@@ -57,7 +57,7 @@ void PointStars::add(int32_t v, int32_t t)
 
 void PointStars::remove(int32_t v, int32_t t)
 {
-    List& list = lists_[static_cast<size_t>(v)];
+    List& list = lists_[v];
     int32_t* first = pool_.data() + list.begin;
     int32_t* last = first + list.size;
     int32_t* found = std::find(first, last, t);

@@ -1,6 +1,7 @@
 // Which tetrahedra are at each point, in lists that may change.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/run.hpp"
 #include "mesh/tet_mesh.hpp"
 
@@ -15,17 +16,17 @@ public:
         const int32_t *first, *last;
         const int32_t* begin() const { return first; }
         const int32_t* end() const { return last; }
-        size_t size() const { return static_cast<size_t>(last - first); }
+        int64_t size() const { return last - first; }
         bool empty() const { return first == last; }
     };
 
     // Corners that are not points, or repeated, are an Error (CLEFT_ERROR_INVALID_MESH).
-    PointStars(const std::vector<Tet>& tets, size_t point_count, const Run& run);
+    PointStars(const Array<Tet>& tets, size_t point_count, const Run& run);
 
     // The tetrahedra at a point. Valid until the next change.
     Range at(int32_t v) const
     {
-        const List& list = lists_[static_cast<size_t>(v)];
+        const List& list = lists_[v];
         const int32_t* first = pool_.data() + list.begin;
         return {first, first + list.size};
     }
@@ -40,8 +41,8 @@ private:
         uint32_t size, capacity;
     };
 
-    std::vector<List> lists_;
-    std::vector<int32_t> pool_;
+    Array<List> lists_;
+    Array<int32_t> pool_;
 };
 
 }  // namespace cleft

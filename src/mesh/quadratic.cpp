@@ -19,7 +19,7 @@ uint64_t edge_of(const Tet& tet, size_t edge)
 
 }  // namespace
 
-MiddleNodes::MiddleNodes(const std::vector<Tet>& tets)
+MiddleNodes::MiddleNodes(const Array<Tet>& tets)
 {
     edges_.reserve(6 * tets.size());
     for (const Tet& tet : tets)
@@ -29,7 +29,7 @@ MiddleNodes::MiddleNodes(const std::vector<Tet>& tets)
     edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
 }
 
-Vec3 MiddleNodes::place(size_t middle, const std::vector<Vec3>& points) const
+Vec3 MiddleNodes::place(size_t middle, const Array<Vec3>& points) const
 {
     const uint64_t edge = edges_[middle];
     return 0.5 * (points[edge >> 32] + points[edge & 0xffffffffU]);
@@ -41,7 +41,7 @@ QuadraticTet MiddleNodes::nodes(const Tet& tet, size_t point_count) const
     std::copy(tet.begin(), tet.end(), out.begin());
     for (size_t edge = 0; edge < 6; ++edge) {
         const auto found = std::lower_bound(edges_.begin(), edges_.end(), edge_of(tet, edge)) - edges_.begin();
-        out[4 + edge] = static_cast<int32_t>(point_count + static_cast<size_t>(found));
+        out[4 + edge] = static_cast<int32_t>(int64_t(point_count) + found);
     }
     return out;
 }

@@ -1,6 +1,7 @@
 // Ten-node tetrahedra: a node in the middle of each edge.
 #pragma once
 
+#include "base/array.hpp"
 #include "mesh/tet_mesh.hpp"
 
 namespace cleft
@@ -13,14 +14,14 @@ using QuadraticTet = std::array<int32_t, 10>;
 class MiddleNodes
 {
 public:
-    explicit MiddleNodes(const std::vector<Tet>& tets);
+    explicit MiddleNodes(const Array<Tet>& tets);
 
     size_t count() const { return edges_.size(); }
-    Vec3 place(size_t middle, const std::vector<Vec3>& points) const;
+    Vec3 place(size_t middle, const Array<Vec3>& points) const;
     QuadraticTet nodes(const Tet& tet, size_t point_count) const;
 
 private:
-    std::vector<uint64_t> edges_;  // two points each, the lesser one in the upper half; ascending
+    Array<uint64_t> edges_;  // two points each, the lesser one in the upper half; ascending
 };
 
 }  // namespace cleft

@@ -18,33 +18,33 @@ namespace
 
 constexpr int64_t kTetsMeasured = 4096;
 
-using FourPoints = std::array<Vec3, 4>;
+using FourPoints = FixedArray<Vec3, 4>;
 
 // Outward normals of the faces of a positive tetrahedron, twice their areas long; face i is opposite corner i.
-std::array<Vec3, 4> face_normals(const FourPoints& x)
+FixedArray<Vec3, 4> face_normals(const FourPoints& x)
 {
-    std::array<Vec3, 4> normals;
+    FixedArray<Vec3, 4> normals;
     for (size_t i = 0; i < 4; ++i) {
         const int* f = kFaceCorners[i];
-        const Vec3& a = x[static_cast<size_t>(f[0])];
-        normals[i] = (x[static_cast<size_t>(f[1])] - a).cross(x[static_cast<size_t>(f[2])] - a);
+        const Vec3& a = x[f[0]];
+        normals[i] = (x[f[1]] - a).cross(x[f[2]] - a);
     }
     return normals;
 }
 
 double squared_edge(const FourPoints& x, size_t e)
 {
-    return (x[static_cast<size_t>(kEdgeCorners[e][1])] - x[static_cast<size_t>(kEdgeCorners[e][0])]).squaredNorm();
+    return (x[kEdgeCorners[e][1]] - x[kEdgeCorners[e][0]]).squaredNorm();
 }
 
 // The angle between two faces is atan2 of its sine and cosine, each times the lengths of both normals.
-std::array<double, 6> angles_at_edges(const FourPoints& x, double six_volumes)
+FixedArray<double, 6> angles_at_edges(const FourPoints& x, double six_volumes)
 {
-    const std::array<Vec3, 4> normals = face_normals(x);
-    std::array<double, 6> angles;
+    const FixedArray<Vec3, 4> normals = face_normals(x);
+    FixedArray<double, 6> angles;
     for (size_t e = 0; e < 6; ++e) {
-        const Vec3& first = normals[static_cast<size_t>(kEdgeOpposite[e][0])];
-        const Vec3& second = normals[static_cast<size_t>(kEdgeOpposite[e][1])];
+        const Vec3& first = normals[kEdgeOpposite[e][0]];
+        const Vec3& second = normals[kEdgeOpposite[e][1]];
         // 0 - x, not -x: between faces of no area -x would be -0, and the angle 180 degrees.
         const double cosine = 0 - first.dot(second);
         angles[e] = kDegreesInRadian * std::atan2(std::abs(six_volumes) * std::sqrt(squared_edge(x, e)), cosine);
@@ -71,14 +71,14 @@ public:
     size_t bin(double cosine) const
     {
         const double inside = std::min(1.0, std::max(-1.0, cosine));
-        const size_t first = first_[static_cast<size_t>((1 - inside) * kCells)];
+        const size_t first = first_[static_cast<int>((1 - inside) * kCells)];
         return first + (first + 2 < cosine_.size() && inside <= cosine_[first + 1]);
     }
 
 private:
     static constexpr double kCells = 512;  // a unit of the cosine
-    std::array<double, 37> cosine_;        // where each bin begins
-    std::array<uint8_t, 1025> first_;
+    FixedArray<double, 37> cosine_;        // where each bin begins
+    FixedArray<uint8_t, 1025> first_;
 };
 
 // The summary of a run of tetrahedra; mean_edge holds the sum of the edges until the end. The extreme angles are kept
@@ -86,7 +86,7 @@ private:
 struct QualityPart {
     Quality q;
     double greatest_cosine = -2, least_cosine = 2;
-    size_t sharpest = 0, bluntest = 0;
+    int64_t sharpest = 0, bluntest = 0;
 };
 
 QualityPart empty_part()
@@ -96,7 +96,7 @@ QualityPart empty_part()
     return part;
 }
 
-void add_cosines(const std::array<double, 6>& cosines, size_t tet, const AngleBins& bins, QualityPart& part)
+void add_cosines(const FixedArray<double, 6>& cosines, int64_t tet, const AngleBins& bins, QualityPart& part)
 {
     double greatest = -2, least = 2;
     for (const double c : cosines) {
@@ -124,7 +124,7 @@ void add_cosines(const std::array<double, 6>& cosines, size_t tet, const AngleBi
     }
 }
 
-void add_edges(const std::array<double, 6>& lengths, Quality& q)
+void add_edges(const FixedArray<double, 6>& lengths, Quality& q)
 {
     double shortest = std::numeric_limits<double>::infinity(), longest = 0;
     for (const double length : lengths) {
@@ -138,7 +138,7 @@ void add_edges(const std::array<double, 6>& lengths, Quality& q)
 }
 
 // Circumradius |p| / (2 |6V|), inradius |6V| / (2 sum of areas).
-double radius_ratio(const FourPoints& x, const std::array<Vec3, 4>& normals, double six_volumes)
+double radius_ratio(const FourPoints& x, const FixedArray<Vec3, 4>& normals, double six_volumes)
 {
     Vec3 p = Vec3::Zero();
     double areas = 0;  // twice
@@ -150,16 +150,16 @@ double radius_ratio(const FourPoints& x, const std::array<Vec3, 4>& normals, dou
 }
 
 // Returns the radius ratio.
-double add_tet(const FourPoints& x, size_t tet, const AngleBins& bins, QualityPart& part)
+double add_tet(const FourPoints& x, int64_t tet, const AngleBins& bins, QualityPart& part)
 {
-    const std::array<Vec3, 4> normals = face_normals(x);
+    const FixedArray<Vec3, 4> normals = face_normals(x);
     const double six_volumes = -normals[3].dot(x[3] - x[0]);
-    std::array<double, 4> areas;  // twice
+    FixedArray<double, 4> areas;  // twice
     for (size_t i = 0; i < 4; ++i)
         areas[i] = normals[i].norm();
-    std::array<double, 6> cosines, lengths;
+    FixedArray<double, 6> cosines, lengths;
     for (size_t e = 0; e < 6; ++e) {
-        const auto f = static_cast<size_t>(kEdgeOpposite[e][0]), g = static_cast<size_t>(kEdgeOpposite[e][1]);
+        const int f = kEdgeOpposite[e][0], g = kEdgeOpposite[e][1];
         const double product = areas[f] * areas[g];
         cosines[e] = product == 0 ? 1 : -normals[f].dot(normals[g]) / product;  // 0 degrees at faces of no area
         lengths[e] = std::sqrt(squared_edge(x, e));
@@ -201,15 +201,15 @@ void combine(const QualityPart& part, QualityPart& whole)
 }
 
 // The least and the greatest.
-std::array<double, 2> extreme_angles(const FourPoints& x)
+FixedArray<double, 2> extreme_angles(const FourPoints& x)
 {
-    const std::array<double, 6> angles = angles_at_edges(x, orient(x[0], x[1], x[2], x[3]));
+    const FixedArray<double, 6> angles = angles_at_edges(x, orient(x[0], x[1], x[2], x[3]));
     const auto [least, greatest] = std::minmax_element(angles.begin(), angles.end());
     return {*least, *greatest};
 }
 
 // Between the two nearest ranks; reorders the values, of which there is at least one.
-double percentile(std::vector<double>& values, double share)
+double percentile(Array<double>& values, double share)
 {
     const double rank = share * static_cast<double>(values.size() - 1);
     const auto below = values.begin() + static_cast<std::ptrdiff_t>(rank);
@@ -220,7 +220,7 @@ double percentile(std::vector<double>& values, double share)
     return *below + (rank - std::floor(rank)) * (above - *below);
 }
 
-void add_radius_ratios(std::vector<double> ratios, Quality& q)
+void add_radius_ratios(Array<double> ratios, Quality& q)
 {
     ratios.erase(std::remove_if(ratios.begin(), ratios.end(), [](double r) { return !std::isfinite(r); }),
                  ratios.end());
@@ -254,7 +254,7 @@ double angle_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
     return angle_quality(triple(a), triple(b), triple(c), triple(d));
 }
 
-std::array<double, 6> dihedral_angles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
+FixedArray<double, 6> dihedral_angles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
     return angles_at_edges({a, b, c, d}, orient(a, b, c, d));
 }
@@ -265,24 +265,24 @@ double radius_ratio(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
     return radius_ratio(x, face_normals(x), orient(a, b, c, d));
 }
 
-Quality measure_quality(const std::vector<Vec3>& points, const std::vector<Tet>& tets, const Run& run)
+Quality measure_quality(const Array<Vec3>& points, const Array<Tet>& tets, const Run& run)
 {
     if (tets.empty())
         return {};
     Steps steps(run, {{"measuring quality", 8}, {nullptr, 2}});
-    const auto corners = [&](size_t t) {
+    const auto corners = [&](int64_t t) {
         FourPoints x;
         for (size_t i = 0; i < 4; ++i)
-            x[i] = points[static_cast<size_t>(tets[t][i])];
+            x[i] = points[tets[t][i]];
         return x;
     };
-    const auto count = static_cast<int64_t>(tets.size());
+    const auto count = tets.count();
     const AngleBins bins;
-    std::vector<QualityPart> parts(static_cast<size_t>(chunk_count(count, kTetsMeasured)), empty_part());
-    std::vector<double> ratios(tets.size());
+    Array<QualityPart> parts(chunk_count(count, kTetsMeasured), empty_part());
+    Array<double> ratios(tets.size());
     parallel_chunks(steps.next(), count, kTetsMeasured, [&](int64_t chunk, int64_t begin, int64_t end) {
-        for (auto t = static_cast<size_t>(begin); t < static_cast<size_t>(end); ++t)
-            ratios[t] = add_tet(corners(t), t, bins, parts[static_cast<size_t>(chunk)]);
+        for (int64_t t = begin; t < end; ++t)
+            ratios[t] = add_tet(corners(t), t, bins, parts[chunk]);
     });
     steps.next();
     QualityPart whole = empty_part();

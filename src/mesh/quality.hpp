@@ -1,6 +1,7 @@
 // Shape measures of tetrahedra and their summary.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/run.hpp"
 #include "mesh/tet_mesh.hpp"
 
@@ -22,7 +23,7 @@ inline constexpr double kObtuseWeight = 0.8092;  // a little below sin(20) / sin
 double angle_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 // The six dihedral angles in degrees, in the order of kEdgeCorners.
-std::array<double, 6> dihedral_angles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+FixedArray<double, 6> dihedral_angles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 // Circumradius / (3 inradius): 1 for the regular tetrahedron, larger is worse.
 double radius_ratio(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
@@ -43,10 +44,10 @@ struct Quality {
     // Signed.
     double min_volume = 0, total_volume = 0;
     // All angles, bins of 5 degrees.
-    std::array<int64_t, 36> dihedral_histogram{};
+    FixedArray<int64_t, 36> dihedral_histogram{};
 };
 
 // All zero for no tetrahedra. Corners must be points of the mesh.
-Quality measure_quality(const std::vector<Vec3>& points, const std::vector<Tet>& tets, const Run& run);
+Quality measure_quality(const Array<Vec3>& points, const Array<Tet>& tets, const Run& run);
 
 }  // namespace cleft

@@ -4,25 +4,25 @@
 namespace cleft
 {
 
-void drop_unused_points(std::vector<Vec3>& points, std::vector<Tet>& tets)
+void drop_unused_points(Array<Vec3>& points, Array<Tet>& tets)
 {
-    std::vector<int32_t> number(points.size(), -1);
+    Array<int32_t> number(points.size(), -1);
     for (const Tet& tet : tets)
         for (const int32_t p : tet)
-            number[static_cast<size_t>(p)] = 0;
+            number[p] = 0;
     int32_t kept = 0;
     for (size_t p = 0; p < points.size(); ++p)
         if (number[p] == 0) {
             number[p] = kept;
-            points[static_cast<size_t>(kept++)] = points[p];
+            points[kept++] = points[p];
         }
-    points.resize(static_cast<size_t>(kept));
+    points.resize(kept);
     for (Tet& tet : tets)
         for (int32_t& p : tet)
-            p = number[static_cast<size_t>(p)];
+            p = number[p];
 }
 
-void strip(std::vector<Vec3>& points, std::vector<Tet>& tets, std::vector<int32_t>& regions,
+void strip(Array<Vec3>& points, Array<Tet>& tets, Array<int32_t>& regions,
            const std::function<bool(int32_t region)>& keeps)
 {
     size_t kept = 0;

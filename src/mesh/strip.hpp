@@ -1,6 +1,7 @@
 // Taking tetrahedra and points out of a mesh.
 #pragma once
 
+#include "base/array.hpp"
 #include "mesh/tet_mesh.hpp"
 
 #include <functional>
@@ -9,10 +10,10 @@ namespace cleft
 {
 
 // Takes out the points that no tetrahedron has. The others keep their order.
-void drop_unused_points(std::vector<Vec3>& points, std::vector<Tet>& tets);
+void drop_unused_points(Array<Vec3>& points, Array<Tet>& tets);
 
 // Keeps the tetrahedra of the regions that keeps(region) is true for, and their points.
-void strip(std::vector<Vec3>& points, std::vector<Tet>& tets, std::vector<int32_t>& regions,
+void strip(Array<Vec3>& points, Array<Tet>& tets, Array<int32_t>& regions,
            const std::function<bool(int32_t region)>& keeps);
 
 }  // namespace cleft

@@ -18,7 +18,7 @@ uint64_t mix(uint64_t x)
 }
 
 // The exclusive or, at each corner, of numbers of the three faces there.
-void add_faces(const Tet& tet, std::vector<uint64_t>& sum)
+void add_faces(const Tet& tet, Array<uint64_t>& sum)
 {
     std::array<uint64_t, 4> number;
     uint64_t all = 0;
@@ -32,38 +32,37 @@ void add_faces(const Tet& tet, std::vector<uint64_t>& sum)
         faces ^= n;
     }
     for (size_t i = 0; i < 4; ++i)
-        sum[static_cast<size_t>(tet[i])] ^= faces ^ number[i];
+        sum[tet[i]] ^= faces ^ number[i];
 }
 
 }  // namespace
 
 // What a face adds at its corners it adds twice inside: nothing in all. (Numbers of 64 bits mixed well: that others
 // cancel by chance is not to be expected in any mesh that fits a computer.)
-std::vector<uint8_t> points_inside(const std::vector<Tet>& tets, size_t point_count, const Run& run)
+Array<uint8_t> points_inside(const Array<Tet>& tets, size_t point_count, const Run& run)
 {
-    std::vector<uint64_t> sum = large_vector(point_count, uint64_t{0});
+    Array<uint64_t> sum = large_array(point_count, uint64_t{0});
     for (size_t t = 0; t < tets.size(); ++t) {
         run.check_at(t);
         if (!has_bad_index(tets[t], static_cast<int64_t>(point_count)))
             add_faces(tets[t], sum);
     }
-    std::vector<uint8_t> inside(point_count);
+    Array<uint8_t> inside(point_count);
     std::transform(sum.begin(), sum.end(), inside.begin(), [](uint64_t s) { return s == 0; });
     return inside;
 }
 
-std::vector<uint8_t> surface_points(const RegionMesh& mesh, const Run& run)
+Array<uint8_t> surface_points(const RegionMesh& mesh, const Run& run)
 {
     // Apart from the regions, which may be any number.
     enum class Met : uint8_t { none, one, several };
-    std::vector<uint8_t> surface = points_inside(mesh.tets, mesh.points.size(), run);
-    std::vector<Met> met(mesh.points.size(), Met::none);
-    std::vector<int32_t> region(mesh.points.size());  // where one is met
+    Array<uint8_t> surface = points_inside(mesh.tets, mesh.points.size(), run);
+    Array<Met> met(mesh.points.size(), Met::none);
+    Array<int32_t> region(mesh.points.size());  // where one is met
     for (size_t t = 0; t < mesh.tets.size(); ++t) {
-        if (has_bad_index(mesh.tets[t], static_cast<int64_t>(mesh.points.size())))
+        if (has_bad_index(mesh.tets[t], mesh.points.count()))
             continue;
-        for (const int32_t corner : mesh.tets[t]) {
-            const auto p = static_cast<size_t>(corner);
+        for (const int32_t p : mesh.tets[t]) {
             if (met[p] == Met::none) {
                 met[p] = Met::one;
                 region[p] = mesh.region[t];

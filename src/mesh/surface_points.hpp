@@ -1,6 +1,7 @@
 // Which points can be corners of a face of the mesh's surface: of the hull, or between two materials.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/run.hpp"
 #include "mesh/tet_mesh.hpp"
 
@@ -8,10 +9,10 @@ namespace cleft
 {
 
 // By point: 1 if each face at it belongs to two tetrahedra, as inside a mesh; also if there is none.
-std::vector<uint8_t> points_inside(const std::vector<Tet>& tets, size_t point_count, const Run& run);
+Array<uint8_t> points_inside(const Array<Tet>& tets, size_t point_count, const Run& run);
 
 // By point: 1 if it is on the hull, or tetrahedra of several materials meet there. A face of the hull, and one between
 // two materials, has three such corners; most faces have not. Tetrahedra with a bad index are left out.
-std::vector<uint8_t> surface_points(const RegionMesh& mesh, const Run& run);
+Array<uint8_t> surface_points(const RegionMesh& mesh, const Run& run);
 
 }  // namespace cleft

@@ -18,7 +18,7 @@ namespace
 // Of one background tetrahedron, by the number of materials at its corners. Snapping takes nearly all cuts away; but a
 // label keeps its last point where it is, so that of tetrahedra whose points have a label each all pieces stay. The
 // figures are those of balls, grains, noise, checkers and sheets at several sizes.
-constexpr std::array<double, 4> kSnapped = {1.03, 1.28, 1.63, 1.63}, kWhole = {1, 6, 12, 24};
+constexpr FixedArray<double, 4> kSnapped = {1.03, 1.28, 1.63, 1.63}, kWhole = {1, 6, 12, 24};
 // The share of points that are the only one of their label from which on all pieces may stay, and up to which none do.
 constexpr double kAllStay = 0.35, kNoneStay = 0.05;
 
@@ -33,8 +33,7 @@ class Cutter
 {
 public:
     // `points`: how many points the background has in each material.
-    Cutter(const Volume& volume, const std::vector<char>& keep, const std::vector<double>& points)
-        : volume_(volume), keep_(keep)
+    Cutter(const Volume& volume, const Array<char>& keep, const Array<double>& points) : volume_(volume), keep_(keep)
     {
         double lone = 0, all = 0;
         for (const double n : points) {
@@ -53,17 +52,17 @@ public:
         double kept = 0;
         for (size_t i = 0; i < 4; ++i) {
             materials[i] = volume_.material_at(corners[i]);
-            kept += keep_.empty() || keep_[static_cast<size_t>(materials[i])] != 0 ? 0.25 : 0;
+            kept += keep_.empty() || keep_[materials[i]] != 0 ? 0.25 : 0;
         }
         std::sort(materials.begin(), materials.end());
-        const auto different = static_cast<size_t>(std::unique(materials.begin(), materials.end()) - materials.begin());
+        const auto different = std::unique(materials.begin(), materials.end()) - materials.begin();
         const double all = (1 - stay_) * kSnapped[different - 1] + stay_ * kWhole[different - 1];
         return {all, all * kept};
     }
 
 private:
     const Volume& volume_;
-    const std::vector<char>& keep_;
+    const Array<char>& keep_;
     double stay_ = 0;
 };
 
@@ -95,17 +94,14 @@ Vec3 place_in(int64_t voxel, const Grid& grid, uint64_t sample)
     return place.cwiseProduct(grid.spacing);
 }
 
-double density(const SizingField& field, int64_t voxel)
-{
-    return 1 / std::pow(static_cast<double>(field.h[static_cast<size_t>(voxel)]), 3);
-}
+double density(const SizingField& field, int64_t voxel) { return 1 / std::pow(static_cast<double>(field.h[voxel]), 3); }
 
-std::vector<double> expected_points(const SizingField& field, const Volume& volume)
+Array<double> expected_points(const SizingField& field, const Volume& volume)
 {
-    std::vector<double> points(static_cast<size_t>(volume.material_count()), 0);
+    Array<double> points(volume.material_count(), 0);
     const double charge = kParticleDensity[3] * field.grid.spacing.prod();
     for (int64_t v = 0; v < field.grid.size(); ++v)
-        points[static_cast<size_t>(volume.voxel_material(v))] += charge * density(field, v);
+        points[volume.voxel_material(v)] += charge * density(field, v);
     return points;
 }
 
@@ -114,7 +110,7 @@ std::vector<double> expected_points(const SizingField& field, const Volume& volu
 class Sampling
 {
 public:
-    Sampling(const SizingField& field, const Volume& volume, const std::vector<char>& keep)
+    Sampling(const SizingField& field, const Volume& volume, const Array<char>& keep)
         : field_(field), volume_(volume), keep_(keep)
     {
         for (int64_t v = 0; v < field.grid.size(); ++v)
@@ -145,14 +141,11 @@ public:
     }
 
 private:
-    bool is_kept(int64_t voxel) const
-    {
-        return keep_.empty() || keep_[static_cast<size_t>(volume_.voxel_material(voxel))] != 0;
-    }
+    bool is_kept(int64_t voxel) const { return keep_.empty() || keep_[volume_.voxel_material(voxel)] != 0; }
 
     const SizingField& field_;
     const Volume& volume_;
-    const std::vector<char>& keep_;
+    const Array<char>& keep_;
     double kept_ = 0, other_ = 0,
            boost_ = 1;  // sums of the density, and how much denser the samples are in kept voxels
 };
@@ -166,7 +159,7 @@ Pieces mean_pieces(const TetMesh& background, const Cutter& cutter)
     for (size_t t = 0; t < count; t += step, ++samples) {
         std::array<Vec3, 4> corners;
         for (size_t i = 0; i < 4; ++i)
-            corners[i] = background.points[static_cast<size_t>(background.tets[t][i])];
+            corners[i] = background.points[background.tets[t][i]];
         const Pieces pieces = cutter.pieces(corners);
         sum.all += pieces.all;
         sum.kept += pieces.kept;
@@ -179,8 +172,8 @@ ExpectedMesh of_pieces(double background_tets, const Pieces& mean, const Cutter&
     return {background_tets, background_tets * mean.all, background_tets * mean.kept, cutter.stay() > 0};
 }
 
-ExpectedMesh of_sizes(const Volume& volume, const SizingField& field, const std::vector<char>& keep,
-                      double background_tets, const Run& run)
+ExpectedMesh of_sizes(const Volume& volume, const SizingField& field, const Array<char>& keep, double background_tets,
+                      const Run& run)
 {
     const Cutter cutter(volume, keep, expected_points(field, volume));
     return of_pieces(background_tets, Sampling(field, volume, keep).mean_pieces(cutter, run), cutter);
@@ -199,13 +192,12 @@ ExpectedMesh expected_mesh(const Volume& volume, const SizingField& field, const
                     tets, run);
 }
 
-ExpectedMesh expected_mesh(const Volume& volume, const TetMesh& background, const std::vector<char>& keep,
-                           const Run& run)
+ExpectedMesh expected_mesh(const Volume& volume, const TetMesh& background, const Array<char>& keep, const Run& run)
 {
-    std::vector<double> points(static_cast<size_t>(volume.material_count()), 0);
+    Array<double> points(volume.material_count(), 0);
     for (size_t p = 0; p < background.points.size(); ++p) {
         run.check_at(p);
-        points[static_cast<size_t>(volume.material_at(background.points[p]))] += 1;
+        points[volume.material_at(background.points[p])] += 1;
     }
     const Cutter cutter(volume, keep, points);
     return of_pieces(static_cast<double>(background.tets.size()), mean_pieces(background, cutter), cutter);

@@ -1,9 +1,8 @@
 // How many tetrahedra a mesh will have, before it is made.
 #pragma once
 
+#include "base/array.hpp"
 #include "pipeline/pipeline.hpp"
-
-#include <vector>
 
 namespace cleft
 {
@@ -20,7 +19,6 @@ struct ExpectedMesh {
 ExpectedMesh expected_mesh(const Volume& volume, const SizingField& field, const PipelineOptions& options,
                            const Run& run);
 // Of a background that is there. keep[material] != 0, all if it is empty.
-ExpectedMesh expected_mesh(const Volume& volume, const TetMesh& background, const std::vector<char>& keep,
-                           const Run& run);
+ExpectedMesh expected_mesh(const Volume& volume, const TetMesh& background, const Array<char>& keep, const Run& run);
 
 }  // namespace cleft

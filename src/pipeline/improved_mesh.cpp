@@ -33,7 +33,7 @@ Try try_with(const Volume& volume, const Cleaved& cleaved, const ImproveOptions&
 
 LocalMesh improved_mesh(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options, const Run& run)
 {
-    std::vector<Step> shares(1 + std::size(kHigherAims), {nullptr, 0});
+    Array<Step> shares(1 + std::size(kHigherAims), {nullptr, 0});
     shares[0].share = 1;  // others are seldom needed
     Steps steps(run, shares);
     Try best = try_with(volume, cleaved, options.improve, steps.next());

@@ -19,7 +19,7 @@ int64_t voxel_of(const Grid& grid, const Vec3& x)
 {
     int32_t at[3];
     for (int axis = 0; axis < 3; ++axis) {
-        const int32_t last = grid.dims[static_cast<size_t>(axis)] - 1;
+        const int32_t last = grid.dims[axis] - 1;
         at[axis] = std::clamp(static_cast<int32_t>(x[axis] / grid.spacing[axis]), 0, last);
     }
     return grid.index(at[0], at[1], at[2]);
@@ -32,7 +32,7 @@ struct Shared {
 };
 
 // Tetrahedra come along a curve through space: mostly one follows another of the same pair.
-void add(std::vector<Shared>& shared, const Shared& next)
+void add(Array<Shared>& shared, const Shared& next)
 {
     if (!shared.empty() && shared.back().component == next.component && shared.back().part == next.part)
         shared.back().volume += next.volume;
@@ -41,12 +41,12 @@ void add(std::vector<Shared>& shared, const Shared& next)
 }
 
 // Each pair once, those of little volume left out, by component and then by part.
-std::vector<Shared> summed(std::vector<Shared> shared, double least)
+Array<Shared> summed(Array<Shared> shared, double least)
 {
     std::sort(shared.begin(), shared.end(), [](const Shared& a, const Shared& b) {
         return a.component != b.component ? a.component < b.component : a.part < b.part;
     });
-    std::vector<Shared> pairs;
+    Array<Shared> pairs;
     for (const Shared& next : shared)
         add(pairs, next);
     pairs.erase(std::remove_if(pairs.begin(), pairs.end(), [&](const Shared& s) { return s.volume < least; }),
@@ -55,36 +55,36 @@ std::vector<Shared> summed(std::vector<Shared> shared, double least)
 }
 
 // By component: whether it is in several parts of the mesh.
-std::vector<uint8_t> broken_components(const std::vector<Shared>& pairs, size_t components)
+Array<uint8_t> broken_components(const Array<Shared>& pairs, size_t components)
 {
-    std::vector<uint8_t> broken(components, 0);
+    Array<uint8_t> broken(components, 0);
     for (size_t i = 1; i < pairs.size(); ++i)
         if (pairs[i].component == pairs[i - 1].component)
-            broken[static_cast<size_t>(pairs[i].component)] = 1;
+            broken[pairs[i].component] = 1;
     return broken;
 }
 
 // By component: whether it shares a part of the mesh with another.
-std::vector<uint8_t> joined_components(std::vector<Shared> pairs, size_t components)
+Array<uint8_t> joined_components(Array<Shared> pairs, size_t components)
 {
     std::stable_sort(pairs.begin(), pairs.end(), [](const Shared& a, const Shared& b) { return a.part < b.part; });
-    std::vector<uint8_t> joined(components, 0);
+    Array<uint8_t> joined(components, 0);
     for (size_t i = 1; i < pairs.size(); ++i)
         if (pairs[i].part == pairs[i - 1].part)
-            joined[static_cast<size_t>(pairs[i].component)] = joined[static_cast<size_t>(pairs[i - 1].component)] = 1;
+            joined[pairs[i].component] = joined[pairs[i - 1].component] = 1;
     return joined;
 }
 
 // Of the materials that meet in the mesh, those that do not in the voxels.
-std::vector<LabelContact> new_contacts(const Volume& volume, const VoxelComponents& components,
-                                       const std::vector<Border>& borders, const Run& run)
+Array<LabelContact> new_contacts(const Volume& volume, const VoxelComponents& components, const Array<Border>& borders,
+                                 const Run& run)
 {
-    const auto label = [&](Material m) { return volume.labels()[static_cast<size_t>(m)]; };
-    std::vector<std::array<Material, 2>> pairs;
+    const auto label = [&](Material m) { return volume.labels()[m]; };
+    Array<std::array<Material, 2>> pairs;
     for (const Border& border : borders)
         pairs.push_back({border.first, border.second});
-    const std::vector<uint8_t> touch = voxels_touch(volume.grid(), components, pairs, run);
-    std::vector<LabelContact> contacts;
+    const Array<uint8_t> touch = voxels_touch(volume.grid(), components, pairs, run);
+    Array<LabelContact> contacts;
     for (size_t i = 0; i < borders.size(); ++i) {
         LabelContact contact{borders[i].first, borders[i].second, borders[i].triangles};
         if (label(contact.first) > label(contact.second))
@@ -104,12 +104,12 @@ LabelReport label_report(const Volume& volume, const LabelledMesh& mesh, const R
 {
     const Grid& grid = volume.grid();
     const Material count = volume.material_count();
-    std::vector<LabelRow> rows(static_cast<size_t>(count));
-    const std::vector<int64_t> voxels = volume.voxel_counts();
-    const std::vector<double> volumes = material_volumes(mesh, count);
+    Array<LabelRow> rows(count);
+    const Array<int64_t> voxels = volume.voxel_counts();
+    const Array<double> volumes = material_volumes(mesh, count);
     Steps steps(run, {{"finding parts", 4}, {"counting components", 4}, {"looking for contacts", 2}});
     const MeshParts parts = mesh_parts(mesh, steps.next());
-    const std::vector<int32_t>& part = parts.of_tet;
+    const Array<int32_t>& part = parts.of_tet;
     for (size_t m = 0; m < rows.size(); ++m) {
         rows[m].label = volume.labels()[m];
         rows[m].voxels = voxels[m];
@@ -118,28 +118,27 @@ LabelReport label_report(const Volume& volume, const LabelledMesh& mesh, const R
     }
 
     const VoxelComponents components = voxel_components(volume, steps.next());
-    std::vector<uint8_t> is_met(components.voxels.size(), 0);  // by a tetrahedron in it
-    std::vector<Shared> shared;
+    Array<uint8_t> is_met(components.voxels.size(), 0);  // by a tetrahedron in it
+    Array<Shared> shared;
     for (size_t t = 0; t < mesh.tets.size(); ++t) {
         const Tet& tet = mesh.tets[t];
-        const auto point = [&](size_t i) -> const Vec3& { return mesh.points[static_cast<size_t>(tet[i])]; };
+        const auto point = [&](size_t i) -> const Vec3& { return mesh.points[tet[i]]; };
         const int64_t voxel = voxel_of(grid, (point(0) + point(1) + point(2) + point(3)) / 4);
-        LabelRow& row = rows[static_cast<size_t>(mesh.material[t])];
+        LabelRow& row = rows[mesh.material[t]];
         ++row.tets;
         row.mesh_components += part[t] == static_cast<int32_t>(t);
-        const int32_t component = components.of_voxel[static_cast<size_t>(voxel)];
-        const auto c = static_cast<size_t>(component);
-        if (components.material[c] != mesh.material[t])
+        const int32_t component = components.of_voxel[voxel];
+        if (components.material[component] != mesh.material[t])
             continue;
-        is_met[c] = 1;
-        if (components.voxels[c] > kLargeComponent)
+        is_met[component] = 1;
+        if (components.voxels[component] > kLargeComponent)
             add(shared, {component, part[t], orient(point(0), point(1), point(2), point(3)) / 6});
     }
-    const std::vector<Shared> pairs = summed(std::move(shared), kLeastPart * grid.spacing.prod());
-    const std::vector<uint8_t> broken = broken_components(pairs, is_met.size());
-    const std::vector<uint8_t> joined = joined_components(pairs, is_met.size());
+    const Array<Shared> pairs = summed(std::move(shared), kLeastPart * grid.spacing.prod());
+    const Array<uint8_t> broken = broken_components(pairs, is_met.size());
+    const Array<uint8_t> joined = joined_components(pairs, is_met.size());
     for (size_t c = 0; c < is_met.size(); ++c) {
-        LabelRow& row = rows[static_cast<size_t>(components.material[c])];
+        LabelRow& row = rows[components.material[c]];
         ++row.voxel_components;
         if (components.voxels[c] > kLargeComponent) {
             ++row.large_components;

@@ -1,10 +1,9 @@
 // What became of each label: volumes and connected components in the volume and in the mesh.
 #pragma once
 
+#include "base/array.hpp"
 #include "mesh/tet_mesh.hpp"
 #include "volume/volume.hpp"
-
-#include <vector>
 
 namespace cleft
 {
@@ -28,8 +27,8 @@ struct LabelContact {
 };
 
 struct LabelReport {
-    std::vector<LabelRow> rows;          // by material
-    std::vector<LabelContact> contacts;  // by label, ascending
+    Array<LabelRow> rows;          // by material
+    Array<LabelContact> contacts;  // by label, ascending
 };
 
 inline constexpr int64_t kLargeComponent = 30;

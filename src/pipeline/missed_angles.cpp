@@ -34,7 +34,7 @@ MissedAngles missed_angles(const LabelledMesh& mesh, const PipelineOptions& opti
         run.check_at(static_cast<int64_t>(t));
         if (!options.keeps(mesh.material[t]))
             continue;
-        const auto corner = [&](size_t i) -> const Vec3& { return mesh.points[static_cast<size_t>(mesh.tets[t][i])]; };
+        const auto corner = [&](size_t i) -> const Vec3& { return mesh.points[mesh.tets[t][i]]; };
         if (angle_quality(corner(0), corner(1), corner(2), corner(3)) >= least_quality)
             continue;
         const auto angles = dihedral_angles(corner(0), corner(1), corner(2), corner(3));

@@ -78,9 +78,9 @@ constexpr int kRounds = 8;
 
 // Fitting, then the rounds, each of which scales and meshes. Most searches end in the second or third: progress goes by
 // halves of what is left.
-std::vector<Step> steps_of_rounds()
+Array<Step> steps_of_rounds()
 {
-    std::vector<Step> steps{{nullptr, 0}};
+    Array<Step> steps{{nullptr, 0}};
     for (int round = 0; round < kRounds; ++round) {
         steps.push_back({nullptr, 0});
         steps.push_back({nullptr, std::ldexp(1.0, -round)});

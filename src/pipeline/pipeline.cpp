@@ -27,10 +27,10 @@ namespace
 void require_all_labels(const Volume& volume, const LabelledMesh& mesh, const PipelineOptions& options, const Run& run)
 {
     const LabelReport report = label_report(volume, mesh, run);
-    const auto name = [&](Material m) { return "label " + std::to_string(volume.labels()[static_cast<size_t>(m)]); };
+    const auto name = [&](Material m) { return "label " + std::to_string(volume.labels()[m]); };
     const std::string piece = " has a piece of more than " + std::to_string(kLargeComponent) + " voxels ";
     for (Material m = 0; m < volume.material_count(); ++m) {
-        const LabelRow& row = report.rows[static_cast<size_t>(m)];
+        const LabelRow& row = report.rows[m];
         if (!options.keeps(m))
             continue;
         if (row.voxels > 0 && row.tets == 0)

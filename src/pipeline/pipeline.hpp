@@ -2,6 +2,7 @@
 #pragma once
 
 #include "background/kinds.hpp"
+#include "base/array.hpp"
 #include "cleaving/cleave.hpp"
 #include "improving/improve.hpp"
 #include "pipeline/scaled_sizing.hpp"
@@ -9,7 +10,6 @@
 #include "volume/volume.hpp"
 
 #include <functional>
-#include <vector>
 
 namespace cleft
 {
@@ -23,9 +23,9 @@ struct PipelineOptions {
     int64_t tets = 0;          // wanted number of tetrahedra of the kept materials; 0: as the sizing field says
     double max_tets = 0;       // bounds all tetrahedra where `tets` counts some of them; 0: no limit
     bool strict = false;
-    std::vector<char> keep;  // by material: whether its tetrahedra are kept of the finished mesh; empty: all are
+    Array<char> keep;  // by material: whether its tetrahedra are kept of the finished mesh; empty: all are
 
-    bool keeps(Material m) const { return keep.empty() || keep[static_cast<size_t>(m)] != 0; }
+    bool keeps(Material m) const { return keep.empty() || keep[m] != 0; }
 };
 
 // The stage of sizing. With options.tets the field is scaled until its mesh has that number, for which meshes are made.

@@ -30,18 +30,17 @@ std::string text(const Difference& difference)
     return "label " + std::to_string(difference.label) + " (" + percent + ")";
 }
 
-bool fills_box(const Volume& volume, const std::vector<double>& volumes)
+bool fills_box(const Volume& volume, const Array<double>& volumes)
 {
     const double box = volume.grid().extent().prod();
     return std::abs(std::accumulate(volumes.begin(), volumes.end(), 0.0) - box) < 1e-6 * box;
 }
 
 // Those that differ too much, the greatest difference first.
-std::vector<Difference> differences(const Volume& volume, const std::vector<double>& volumes,
-                                    const std::vector<char>& keep)
+Array<Difference> differences(const Volume& volume, const Array<double>& volumes, const Array<char>& keep)
 {
-    const std::vector<int64_t> voxels = volume.voxel_counts();
-    std::vector<Difference> all;
+    const Array<int64_t> voxels = volume.voxel_counts();
+    Array<Difference> all;
     for (size_t m = 0; m < voxels.size(); ++m) {
         if (voxels[m] < kLeastVoxels || (!keep.empty() && keep[m] == 0))
             continue;
@@ -56,14 +55,13 @@ std::vector<Difference> differences(const Volume& volume, const std::vector<doub
 
 }  // namespace
 
-void warn_of_volume_differences(const Volume& volume, const LabelledMesh& mesh, const std::vector<char>& keep,
-                                const Run& run)
+void warn_of_volume_differences(const Volume& volume, const LabelledMesh& mesh, const Array<char>& keep, const Run& run)
 {
     constexpr size_t kNamed = 5;
-    const std::vector<double> volumes = material_volumes(mesh, volume.material_count());
+    const Array<double> volumes = material_volumes(mesh, volume.material_count());
     if (!run.on_warning || !fills_box(volume, volumes))
         return;
-    const std::vector<Difference> all = differences(volume, volumes, keep);
+    const Array<Difference> all = differences(volume, volumes, keep);
     if (all.empty())
         return;
     std::string names;

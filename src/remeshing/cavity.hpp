@@ -2,7 +2,12 @@
 // kept.
 #pragma once
 
+#include "base/array.hpp"
+#include "mesh/quality.hpp"
 #include "remeshing/local_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace cleft
 {
@@ -12,13 +17,13 @@ inline constexpr double kLeastSine = 1e-7;
 
 struct Cavity {
     EdgeRing ring, other_ring;
-    std::vector<int32_t> old_tets;
-    std::vector<Tet> new_tets;
-    std::vector<Material> new_materials;
-    std::vector<int32_t> created;  // after the operation: the numbers of the new tetrahedra
+    Array<int32_t> old_tets;
+    Array<Tet> new_tets;
+    Array<Material> new_materials;
+    Array<int32_t> created;  // after the operation: the numbers of the new tetrahedra
     // What was taken out, to take the operation back.
-    std::vector<Tet> taken_tets;
-    std::vector<Material> taken_materials;
+    Array<Tet> taken_tets;
+    Array<Material> taken_materials;
 
     void clear()
     {

@@ -3,6 +3,7 @@
 #include "mesh/adjacency.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace cleft
 {
@@ -12,7 +13,7 @@ namespace
 
 constexpr Material kOutside = -1;
 
-void keep_different(std::vector<Material>& materials)
+void keep_different(Array<Material>& materials)
 {
     std::sort(materials.begin(), materials.end());
     materials.erase(std::unique(materials.begin(), materials.end()), materials.end());
@@ -34,8 +35,8 @@ bool Contraction::BoundaryStar::has(const Opposite& triangle) const
 
 bool Contraction::contract(LocalMesh& mesh, int32_t t, int corner_gone, int corner_kept, Cavity& cavity, double share)
 {
-    gone_ = mesh.tet(t)[at(corner_gone)];
-    kept_ = mesh.tet(t)[at(corner_kept)];
+    gone_ = mesh.tet(t)[corner_gone];
+    kept_ = mesh.tet(t)[corner_kept];
     if (!hull_allows(mesh))
         return false;
     star_gone_.assign(mesh.star(gone_).begin(), mesh.star(gone_).end());
@@ -67,7 +68,7 @@ bool Contraction::shapes_get_better(LocalMesh& mesh, Cavity& cavity, double shar
         Tet tet = mesh.tet(t);
         if (has_corner(tet, kept_))
             continue;
-        tet[at(mesh.corner_of(t, gone_))] = kept_;
+        tet[mesh.corner_of(t, gone_)] = kept_;
         if (mesh.quality(tet) <= floor)
             return false;
         cavity.add(tet, mesh.material(t));
@@ -92,9 +93,9 @@ bool Contraction::same_stratum(const LocalMesh& mesh)
         if (is_inside)  // no face of the hull is at the point
             continue;
         for (int corner = 0; corner < 4; ++corner)
-            if (tet[at(corner)] != gone_ && mesh.neighbour(t, corner) < 0) {
+            if (tet[corner] != gone_ && mesh.neighbour(t, corner) < 0) {
                 at_point_.push_back(kOutside);
-                if (at_edge && tet[at(corner)] != kept_)
+                if (at_edge && tet[corner] != kept_)
                     at_edge_.push_back(kOutside);
             }
     }
@@ -110,50 +111,48 @@ bool Contraction::materials_are_connected(LocalMesh& mesh)
         return true;
     // Union by smallest index, over faces at the point between tetrahedra of one material.
     const auto index_of = [&](int32_t t) {
-        return static_cast<size_t>(std::find(star_gone_.begin(), star_gone_.end(), t) - star_gone_.begin());
+        return static_cast<int32_t>(std::find(star_gone_.begin(), star_gone_.end(), t) - star_gone_.begin());
     };
     part_.resize(star_gone_.size());
-    for (size_t i = 0; i < part_.size(); ++i)
-        part_[i] = static_cast<int32_t>(i);
-    const auto root = [&](size_t i) {
-        while (part_[i] != static_cast<int32_t>(i))
-            i = at(part_[i]);
+    std::iota(part_.begin(), part_.end(), 0);
+    const auto root = [&](int32_t i) {
+        while (part_[i] != i)
+            i = part_[i];
         return i;
     };
-    for (size_t i = 0; i < star_gone_.size(); ++i) {
+    for (int32_t i = 0; i < star_gone_.count(); ++i) {
         const int32_t t = star_gone_[i];
         for (int corner = 0; corner < 4; ++corner) {
-            if (mesh.tet(t)[at(corner)] == gone_ || mesh.is_boundary(t, corner))
+            if (mesh.tet(t)[corner] == gone_ || mesh.is_boundary(t, corner))
                 continue;
-            const size_t a = root(i), b = root(index_of(mesh.neighbour(t, corner)));
-            part_[std::max(a, b)] = static_cast<int32_t>(std::min(a, b));
+            const int32_t a = root(i), b = root(index_of(mesh.neighbour(t, corner)));
+            part_[std::max(a, b)] = std::min(a, b);
         }
     }
     size_t parts = 0;
-    for (size_t i = 0; i < part_.size(); ++i)
+    for (int32_t i = 0; i < part_.count(); ++i)
         parts += root(i) == i;
     return parts == at_point_.size() - (at_point_[0] == kOutside);
 }
 
-void Contraction::load_boundary(const LocalMesh& mesh, int32_t v, const std::vector<int32_t>& star,
-                                BoundaryStar& out) const
+void Contraction::load_boundary(const LocalMesh& mesh, int32_t v, const Array<int32_t>& star, BoundaryStar& out) const
 {
     out.triangles.clear();
     for (const int32_t t : star)
         for (int corner = 0; corner < 4; ++corner) {
             const Tet& tet = mesh.tet(t);
-            if (tet[at(corner)] == v || !mesh.is_boundary(t, corner))
+            if (tet[corner] == v || !mesh.is_boundary(t, corner))
                 continue;
             Opposite pair{-1, -1};
             for (const int k : kFaceCorners[corner])
-                if (tet[at(k)] != v)
-                    (pair[0] < 0 ? pair[0] : pair[1]) = tet[at(k)];
+                if (tet[k] != v)
+                    (pair[0] < 0 ? pair[0] : pair[1]) = tet[k];
             std::sort(pair.begin(), pair.end());
             out.triangles.push_back(pair);
         }
     std::sort(out.triangles.begin(), out.triangles.end());
     out.triangles.erase(std::unique(out.triangles.begin(), out.triangles.end()), out.triangles.end());
-    std::vector<int32_t> ends;
+    Array<int32_t> ends;
     for (const Opposite& triangle : out.triangles)
         ends.insert(ends.end(), triangle.begin(), triangle.end());
     std::sort(ends.begin(), ends.end());

@@ -1,6 +1,7 @@
 // Edge contraction: takes out a point by moving it onto a neighbour.
 #pragma once
 
+#include "base/array.hpp"
 #include "remeshing/cavity.hpp"
 
 namespace cleft
@@ -25,8 +26,8 @@ private:
         int triangles;  // at the edge
     };
     struct BoundaryStar {
-        std::vector<Opposite> triangles;  // ascending
-        std::vector<BoundaryEdge> edges;  // ascending by `other`
+        Array<Opposite> triangles;  // ascending
+        Array<BoundaryEdge> edges;  // ascending by `other`
 
         int triangles_at(int32_t other) const;
         bool has(const Opposite& triangle) const;
@@ -37,13 +38,13 @@ private:
     bool same_stratum(const LocalMesh& mesh);
     bool materials_are_connected(LocalMesh& mesh);
     bool links_allow(LocalMesh& mesh);
-    void load_boundary(const LocalMesh& mesh, int32_t v, const std::vector<int32_t>& star, BoundaryStar& out) const;
+    void load_boundary(const LocalMesh& mesh, int32_t v, const Array<int32_t>& star, BoundaryStar& out) const;
 
     int32_t gone_ = -1, kept_ = -1;
-    std::vector<int32_t> star_gone_, star_kept_;
+    Array<int32_t> star_gone_, star_kept_;
     BoundaryStar boundary_gone_, boundary_kept_;
-    std::vector<Material> at_point_, at_edge_;
-    std::vector<int32_t> part_;
+    Array<Material> at_point_, at_edge_;
+    Array<int32_t> part_;
 };
 
 }  // namespace cleft

@@ -18,7 +18,7 @@ int32_t split_edge(LocalMesh& mesh, const EdgeRing& ring, const Vec3& x, Cavity&
     for (const int32_t t : ring.tets)
         for (const int32_t end : {ring.a, ring.b}) {
             Tet half = mesh.tet(t);
-            half[static_cast<size_t>(mesh.corner_of(t, end))] = m;
+            half[mesh.corner_of(t, end)] = m;
             cavity.add(half, mesh.material(t));
         }
     cavity.apply(mesh);

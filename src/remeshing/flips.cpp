@@ -128,7 +128,7 @@ bool lone_tets_are_backed(const LocalMesh& mesh, const EdgeRing& ring, const std
         if (arcs[k].size > 2)
             continue;
         const auto first = std::find(ring.points.begin(), ring.points.end(), arcs[k].points[0]) - ring.points.begin();
-        const int32_t t = ring.tets[static_cast<size_t>(first)];
+        const int32_t t = ring.tets[first];
         mesh.ring(t, mesh.corner_of(t, arcs[k].points[0]), mesh.corner_of(t, arcs[k].points[1]), scratch);
         if (!scratch.closed)
             return false;
@@ -179,9 +179,8 @@ bool remove_face(LocalMesh& mesh, int32_t t, int corner, Cavity& cavity, double 
         return false;
     const int32_t n = mesh.neighbour(t, corner);
     const Tet& v = mesh.tet(t);
-    const int32_t a = v[at(corner)];
-    const int32_t x = v[at(kFaceCorners[corner][0])], y = v[at(kFaceCorners[corner][1])],
-                  z = v[at(kFaceCorners[corner][2])];
+    const int32_t a = v[corner];
+    const int32_t x = v[kFaceCorners[corner][0]], y = v[kFaceCorners[corner][1]], z = v[kFaceCorners[corner][2]];
     const Tet& w = mesh.tet(n);
     const int32_t b = w[0] ^ w[1] ^ w[2] ^ w[3] ^ x ^ y ^ z;
     const double old_worst = std::max(share * std::min(mesh.quality(t), mesh.quality(n)), kLeastSine);

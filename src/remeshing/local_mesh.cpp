@@ -21,12 +21,12 @@ constexpr double kUnknown = 2;  // no quality
 Hinge hinge(const Tet& v, int32_t t, int32_t a, int32_t b)
 {
     for (size_t e = 0; e < 6; ++e) {
-        const int32_t from = v[at(kEdgeCorners[e][0])], to = v[at(kEdgeCorners[e][1])];
+        const int32_t from = v[kEdgeCorners[e][0]], to = v[kEdgeCorners[e][1]];
         if (!((from == a && to == b) || (from == b && to == a)))
             continue;
         // (edge, opposite) is an even permutation of the corners for every edge but (0, 2) and (1, 3).
         const bool even = e != 1 && e != 4;
-        const int32_t c = v[at(kEdgeOpposite[e][even ? 0 : 1])], d = v[at(kEdgeOpposite[e][even ? 1 : 0])];
+        const int32_t c = v[kEdgeOpposite[e][even ? 0 : 1]], d = v[kEdgeOpposite[e][even ? 1 : 0]];
         return from == a ? Hinge{t, c, d} : Hinge{t, d, c};
     }
     return {t, -1, -1};
@@ -37,20 +37,20 @@ class Foursome
 {
 public:
     // True if it is full now.
-    bool add(int32_t t, const Tet& tet, const std::vector<Vec3>& points)
+    bool add(int32_t t, const Tet& tet, const Array<Vec3>& points)
     {
         for (size_t c = 0; c < 4; ++c)
             for (int axis = 0; axis < 3; ++axis)
-                corner_[c][axis][size_] = points[at(tet[c])][axis];
+                corner_[c][axis][size_] = points[tet[c]][axis];
         number_[size_++] = t;
         return size_ == kLanes;
     }
-    void measure(std::vector<double>& quality)
+    void measure(Array<double>& quality)
     {
         double found[kLanes];
         find(found);
         for (size_t i = 0; i < size_; ++i)
-            quality[at(number_[i])] = found[i];
+            quality[number_[i]] = found[i];
         size_ = 0;
     }
 
@@ -72,12 +72,12 @@ private:
 
 }  // namespace
 
-LocalMesh::LocalMesh(std::vector<Vec3> points, std::vector<Tet> tets, std::vector<Material> material, const Run& run)
+LocalMesh::LocalMesh(Array<Vec3> points, Array<Tet> tets, Array<Material> material, const Run& run)
     : points_(std::move(points)),
       tets_(std::move(tets)),
       materials_(std::move(material)),
       stars_(tets_, points_.size(), run),
-      quality_(large_vector(tets_.size(), kUnknown))
+      quality_(large_array(tets_.size(), kUnknown))
 {
     freeze_hull(run);
 }
@@ -85,20 +85,19 @@ LocalMesh::LocalMesh(std::vector<Vec3> points, std::vector<Tet> tets, std::vecto
 void LocalMesh::freeze_hull(const Run& run)
 {
     frozen_.assign(points_.size(), 0);
-    const std::vector<uint8_t> inside = points_inside(tets_, points_.size(), run);
+    const Array<uint8_t> inside = points_inside(tets_, points_.size(), run);
     for (int32_t v = 0; v < point_count(); ++v) {
-        if (inside[at(v)])
+        if (inside[v])
             continue;
         for (const int32_t t : star(v))
             for (int corner = 0; corner < 4; ++corner) {
                 const auto& f = kFaceCorners[corner];
-                const int32_t a = tet(t)[at(f[0])], b = tet(t)[at(f[1])], c = tet(t)[at(f[2])];
-                if (v != std::min({a, b, c}) || inside[at(a)] || inside[at(b)] || inside[at(c)] ||
-                    neighbour(t, corner) >= 0)
+                const int32_t a = tet(t)[f[0]], b = tet(t)[f[1]], c = tet(t)[f[2]];
+                if (v != std::min({a, b, c}) || inside[a] || inside[b] || inside[c] || neighbour(t, corner) >= 0)
                     continue;
                 const unsigned axes = hull_axes(point(a), point(b), point(c));
                 for (const int32_t p : {a, b, c})
-                    frozen_[at(p)] = static_cast<uint8_t>(frozen_[at(p)] | axes);
+                    frozen_[p] = static_cast<uint8_t>(frozen_[p] | axes);
             }
     }
 }
@@ -106,7 +105,7 @@ void LocalMesh::freeze_hull(const Run& run)
 int32_t LocalMesh::neighbour(int32_t t, int corner) const
 {
     const auto& f = kFaceCorners[corner];
-    const int32_t a = tet(t)[at(f[0])], b = tet(t)[at(f[1])], c = tet(t)[at(f[2])];
+    const int32_t a = tet(t)[f[0]], b = tet(t)[f[1]], c = tet(t)[f[2]];
     for (const int32_t n : star(a))
         if (n != t && has_corner(tet(n), b) && has_corner(tet(n), c))
             return n;
@@ -121,8 +120,8 @@ bool LocalMesh::is_boundary(int32_t t, int corner) const
 
 void LocalMesh::ring(int32_t t, int corner_a, int corner_b, EdgeRing& out) const
 {
-    out.a = tet(t)[at(corner_a)];
-    out.b = tet(t)[at(corner_b)];
+    out.a = tet(t)[corner_a];
+    out.b = tet(t)[corner_b];
     auto& left = out.unordered;
     left.clear();
     for (const int32_t n : star(out.a))
@@ -153,9 +152,10 @@ void LocalMesh::ring(int32_t t, int corner_a, int corner_b, EdgeRing& out) const
 
 void LocalMesh::move(int32_t v, const Vec3& to)
 {
-    points_[at(v)] = to;
-    for (const int32_t t : star(v))
-        quality_[at(t)] = kUnknown;
+    points_[v] = to;
+    for (const int32_t t : star(v)) {
+        quality_[t] = kUnknown;
+    }
 }
 
 int32_t LocalMesh::add_point(const Vec3& x, uint8_t frozen)
@@ -166,22 +166,22 @@ int32_t LocalMesh::add_point(const Vec3& x, uint8_t frozen)
     return point_count() - 1;
 }
 
-void LocalMesh::replace(const std::vector<int32_t>& old_tets, const std::vector<Tet>& new_tets,
-                        const std::vector<Material>& new_materials, std::vector<int32_t>& created)
+void LocalMesh::replace(const Array<int32_t>& old_tets, const Array<Tet>& new_tets,
+                        const Array<Material>& new_materials, Array<int32_t>& created)
 {
     for (const int32_t t : old_tets) {
         for (const int32_t v : tet(t))
             stars_.remove(v, t);
-        tets_[at(t)][0] = -1;
+        tets_[t][0] = -1;
         free_slots_.push_back(t);
     }
     created.clear();
     for (size_t i = 0; i < new_tets.size(); ++i) {
         const int32_t t = take_slot();
-        tets_[at(t)] = new_tets[i];
-        quality_[at(t)] = kUnknown;
+        tets_[t] = new_tets[i];
+        quality_[t] = kUnknown;
         if (!materials_.empty())
-            materials_[at(t)] = new_materials[i];
+            materials_[t] = new_materials[i];
         created.push_back(t);
         for (const int32_t v : new_tets[i])
             stars_.add(v, t);
@@ -209,7 +209,7 @@ double LocalMesh::quality(const Tet& corners) const
 
 double LocalMesh::quality(int32_t t) const
 {
-    double& known = quality_[at(t)];
+    double& known = quality_[t];
     if (known == kUnknown)
         known = quality(tet(t));
     return known;
@@ -221,13 +221,13 @@ void LocalMesh::find_qualities(const Run& run) const
     parallel_for(run, slot_count(), kGrain, [&](int64_t begin, int64_t end) {
         Foursome four;
         for (auto t = static_cast<int32_t>(begin); t < end; ++t)
-            if (alive(t) && quality_[at(t)] == kUnknown && four.add(t, tet(t), points_))
+            if (alive(t) && quality_[t] == kUnknown && four.add(t, tet(t), points_))
                 four.measure(quality_);
         four.measure(quality_);
     });
 }
 
-double LocalMesh::worst(const std::vector<int32_t>& tets) const
+double LocalMesh::worst(const Array<int32_t>& tets) const
 {
     double least = 1;
     for (const int32_t t : tets)
@@ -239,20 +239,20 @@ LabelledMesh LocalMesh::take()
 {
     LabelledMesh mesh;
     reserve_large(mesh.points, points_.size());
-    std::vector<int32_t> number = large_vector(points_.size(), -1);
+    Array<int32_t> number = large_array(points_.size(), -1);
     for (int32_t v = 0; v < point_count(); ++v)
         if (!star(v).empty()) {
-            number[at(v)] = static_cast<int32_t>(mesh.points.size());
+            number[v] = static_cast<int32_t>(mesh.points.size());
             mesh.points.push_back(point(v));
         }
     size_t kept = 0;
     for (int32_t t = 0; t < slot_count(); ++t)
         if (alive(t)) {
-            for (int32_t& v : tets_[at(t)])
-                v = number[at(v)];
-            tets_[kept] = tets_[at(t)];
+            for (int32_t& v : tets_[t])
+                v = number[v];
+            tets_[kept] = tets_[t];
             if (!materials_.empty())
-                materials_[kept] = materials_[at(t)];
+                materials_[kept] = materials_[t];
             ++kept;
         }
     tets_.resize(kept);

@@ -2,6 +2,7 @@
 // with others. Repair (one material) and improving (many) work on it.
 #pragma once
 
+#include "base/array.hpp"
 #include "mesh/point_stars.hpp"
 #include "mesh/tet_mesh.hpp"
 
@@ -19,9 +20,9 @@ struct EdgeRing {
     int32_t a = -1, b = -1;
     bool closed = true;
     bool whole = true;  // false where parts of the mesh touch in the edge alone: these are the tetrahedra of one part
-    std::vector<int32_t> points;
-    std::vector<int32_t> tets;
-    std::vector<Hinge> unordered;  // room to work in
+    Array<int32_t> points;
+    Array<int32_t> tets;
+    Array<Hinge> unordered;  // room to work in
 
     size_t size() const { return points.size(); }
 };
@@ -30,7 +31,7 @@ class LocalMesh
 {
 public:
     // `material` may be empty: then every tetrahedron has material 0.
-    LocalMesh(std::vector<Vec3> points, std::vector<Tet> tets, std::vector<Material> material, const Run& run);
+    LocalMesh(Array<Vec3> points, Array<Tet> tets, Array<Material> material, const Run& run);
 
     LocalMesh(LabelledMesh&& mesh, const Run& run)
         : LocalMesh(std::move(mesh.points), std::move(mesh.tets), std::move(mesh.material), run)
@@ -42,15 +43,15 @@ public:
     int32_t slot_count() const { return static_cast<int32_t>(tets_.size()); }
     bool alive(int32_t t) const { return tet(t)[0] >= 0; }
 
-    const Vec3& point(int32_t v) const { return points_[static_cast<size_t>(v)]; }
-    const Tet& tet(int32_t t) const { return tets_[static_cast<size_t>(t)]; }
-    Material material(int32_t t) const { return materials_.empty() ? 0 : materials_[static_cast<size_t>(t)]; }
+    const Vec3& point(int32_t v) const { return points_[v]; }
+    const Tet& tet(int32_t t) const { return tets_[t]; }
+    Material material(int32_t t) const { return materials_.empty() ? 0 : materials_[t]; }
     // By number, those of dead slots included.
-    const std::vector<Vec3>& points() const { return points_; }
-    const std::vector<Tet>& tets() const { return tets_; }
-    const std::vector<Material>& materials() const { return materials_; }
+    const Array<Vec3>& points() const { return points_; }
+    const Array<Tet>& tets() const { return tets_; }
+    const Array<Material>& materials() const { return materials_; }
     // Axes that the point must not move along (see frozen_axes in adjacency.hpp).
-    uint8_t frozen(int32_t v) const { return frozen_[static_cast<size_t>(v)]; }
+    uint8_t frozen(int32_t v) const { return frozen_[v]; }
 
     // The tetrahedra at a point. Valid until the mesh changes.
     PointStars::Range star(int32_t v) const { return stars_.at(v); }
@@ -71,8 +72,8 @@ public:
     int32_t add_point(const Vec3& x, uint8_t frozen);
     // Takes out `old_tets` and puts in `new_tets`, which must fill the same cavity. The numbers of the new ones go to
     // `created`.
-    void replace(const std::vector<int32_t>& old_tets, const std::vector<Tet>& new_tets,
-                 const std::vector<Material>& new_materials, std::vector<int32_t>& created);
+    void replace(const Array<int32_t>& old_tets, const Array<Tet>& new_tets, const Array<Material>& new_materials,
+                 Array<int32_t>& created);
 
     // See angle_quality: of a tetrahedron, and the least of several. What was found is kept, so that asking again costs
     // nothing; not for several threads.
@@ -80,7 +81,7 @@ public:
     double quality(const Tet& corners) const;
     // Finds all that are not known, at a lower price than one by one.
     void find_qualities(const Run& run) const;
-    double worst(const std::vector<int32_t>& tets) const;
+    double worst(const Array<int32_t>& tets) const;
 
     // Gives the mesh back without dead tetrahedra and points that a removal left unused; numbering keeps its order.
     LabelledMesh take();
@@ -89,13 +90,13 @@ private:
     void freeze_hull(const Run& run);
     int32_t take_slot();
 
-    std::vector<Vec3> points_;
-    std::vector<Tet> tets_;
-    std::vector<Material> materials_;
+    Array<Vec3> points_;
+    Array<Tet> tets_;
+    Array<Material> materials_;
     PointStars stars_;
-    std::vector<uint8_t> frozen_;
-    std::vector<int32_t> free_slots_;
-    mutable std::vector<double> quality_;  // of each tetrahedron since it was last asked for; kUnknown after a change
+    Array<uint8_t> frozen_;
+    Array<int32_t> free_slots_;
+    mutable Array<double> quality_;  // of each tetrahedron since it was last asked for; kUnknown after a change
 };
 
 }  // namespace cleft

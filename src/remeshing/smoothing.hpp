@@ -1,6 +1,7 @@
 // Optimisation-based smoothing: moves a point so that the worst tetrahedron around it gets better.
 #pragma once
 
+#include "base/array.hpp"
 #include "remeshing/tet_star.hpp"
 
 #include <functional>
@@ -33,8 +34,8 @@ private:
     double first_step(const Vec3& direction, double worst, double reach) const;
     bool step(const TetStar& star, Place& place, const Mat3& tangent, const Projection& projection);
 
-    std::vector<double> quality_;
-    std::vector<Vec3> gradient_;
+    Array<double> quality_;
+    Array<Vec3> gradient_;
 };
 
 // Projects on the axes that are not frozen.

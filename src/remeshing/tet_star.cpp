@@ -21,7 +21,7 @@ void TetStar::load(const LocalMesh& mesh, int32_t v)
 // Each tetrahedron of the ring is split in two: the new point takes the place of either end.
 void TetStar::load(const LocalMesh& mesh, const EdgeRing& ring)
 {
-    begin(2 * ring.tets.size());
+    begin(2 * ring.tets.count());
     tets_ = ring.tets;
     for (const int32_t t : tets_) {
         add(mesh, mesh.tet(t), mesh.corner_of(t, ring.a));
@@ -30,9 +30,9 @@ void TetStar::load(const LocalMesh& mesh, const EdgeRing& ring)
     fill_last();
 }
 
-void TetStar::begin(size_t capacity)
+void TetStar::begin(int64_t capacity)
 {
-    lanes_.resize((capacity + kLanes - 1) / kLanes);
+    lanes_.resize((to_size(capacity) + kLanes - 1) / kLanes);
     size_ = 0;
 }
 
@@ -40,7 +40,7 @@ void TetStar::add(const LocalMesh& mesh, const Tet& tet, int corner)
 {
     Lanes& lanes = lanes_[size_ / kLanes];
     for (size_t c = 0; c < 3; ++c) {
-        const Vec3& x = mesh.point(tet[at(kFaceCorners[corner][c])]);
+        const Vec3& x = mesh.point(tet[kFaceCorners[corner][c]]);
         for (size_t axis = 0; axis < 3; ++axis)
             lanes.corner[c][axis][size_ % kLanes] = x[static_cast<int>(axis)];
     }
@@ -108,7 +108,7 @@ CLEFT_WIDE_VECTORS void TetStar::find_gradients(const Lanes& lanes, const Vec3& 
     }
 }
 
-void TetStar::gradients_at(const Vec3& x, std::vector<double>& quality, std::vector<Vec3>& gradient) const
+void TetStar::gradients_at(const Vec3& x, Array<double>& quality, Array<Vec3>& gradient) const
 {
     quality.resize(size_);
     gradient.resize(size_);

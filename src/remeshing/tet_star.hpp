@@ -1,6 +1,7 @@
 // The tetrahedra around a point, and how good they would be with the point elsewhere.
 #pragma once
 
+#include "base/array.hpp"
 #include "remeshing/local_mesh.hpp"
 
 namespace cleft
@@ -16,7 +17,7 @@ public:
     void load(const LocalMesh& mesh, const EdgeRing& ring);
 
     // Of the mesh, around the point or the edge.
-    const std::vector<int32_t>& tets() const { return tets_; }
+    const Array<int32_t>& tets() const { return tets_; }
     bool empty() const { return size_ == 0; }
     // Length of a typical edge from x to the corners around.
     double reach(const Vec3& x) const;
@@ -31,10 +32,10 @@ public:
     // Least quality with the point at x; may stop early with any value once it is not above `floor`.
     double worst_at(const Vec3& x, double floor) const;
     // Quality of each tetrahedron with the point at x, and its gradient with respect to x.
-    void gradients_at(const Vec3& x, std::vector<double>& quality, std::vector<Vec3>& gradient) const;
+    void gradients_at(const Vec3& x, Array<double>& quality, Array<Vec3>& gradient) const;
 
 private:
-    void begin(size_t capacity);
+    void begin(int64_t capacity);
     void add(const LocalMesh& mesh, const Tet& tet, int corner);
     void fill_last();
 
@@ -56,9 +57,9 @@ private:
         return {c[0][i % kLanes], c[1][i % kLanes], c[2][i % kLanes]};
     }
 
-    std::vector<Lanes> lanes_;  // the last filled up with copies
+    Array<Lanes> lanes_;  // the last filled up with copies
     size_t size_ = 0;
-    std::vector<int32_t> tets_;
+    Array<int32_t> tets_;
 };
 
 }  // namespace cleft

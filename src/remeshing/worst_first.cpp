@@ -14,7 +14,7 @@ void WorstFirst::collect_all(const LocalMesh& mesh, double target, const Run& ru
 {
     next_.clear();
     list_.clear();
-    changed_.assign(static_cast<size_t>(mesh.point_count()), now_);
+    changed_.assign(mesh.point_count(), now_);
     for (int32_t t = 0; t < mesh.slot_count(); ++t) {
         run.check_at(t);
         if (mesh.alive(t) && mesh.quality(t) < target)
@@ -64,22 +64,21 @@ bool WorstFirst::worth_trying(const LocalMesh& mesh, size_t i, double target) co
     if (!mesh.alive(item.tet) || mesh.quality(item.tet) >= target)
         return false;
     const Tet& corners = mesh.tet(item.tet);
-    return std::any_of(corners.begin(), corners.end(),
-                       [&](int32_t v) { return changed_[static_cast<size_t>(v)] > item.tried; });
+    return std::any_of(corners.begin(), corners.end(), [&](int32_t v) { return changed_[v] > item.tried; });
 }
 
-void WorstFirst::changed(const LocalMesh& mesh, const std::vector<int32_t>& tets)
+void WorstFirst::changed(const LocalMesh& mesh, const Array<int32_t>& tets)
 {
     ++now_;
-    changed_.resize(static_cast<size_t>(mesh.point_count()), now_);
+    changed_.resize(mesh.point_count(), now_);
     for (const int32_t t : tets) {
         for (const int32_t v : mesh.tet(t))
-            changed_[static_cast<size_t>(v)] = now_;
+            changed_[v] = now_;
         next_.push_back({0, t, 0});
     }
 }
 
-void WorstFirst::renumbered(const std::vector<int32_t>& tets)
+void WorstFirst::renumbered(const Array<int32_t>& tets)
 {
     for (const int32_t t : tets)
         next_.push_back({0, t, now_});

@@ -2,6 +2,7 @@
 // not be made better is not tried again before something at its corners has changed.
 #pragma once
 
+#include "base/array.hpp"
 #include "remeshing/local_mesh.hpp"
 
 namespace cleft
@@ -23,9 +24,9 @@ public:
     bool worth_trying(const LocalMesh& mesh, size_t i, double target) const;
 
     // These are new or have been moved.
-    void changed(const LocalMesh& mesh, const std::vector<int32_t>& tets);
+    void changed(const LocalMesh& mesh, const Array<int32_t>& tets);
     // These took the place of others for which nothing helped.
-    void renumbered(const std::vector<int32_t>& tets);
+    void renumbered(const Array<int32_t>& tets);
     // Gives the i-th one back for the next pass. `tried`: it was tried and nothing helped.
     void give_back(size_t i, bool tried);
 
@@ -38,8 +39,8 @@ private:
 
     void sort_list();
 
-    std::vector<Item> list_, next_;
-    std::vector<uint32_t> changed_;  // by point: when something in its star changed last
+    Array<Item> list_, next_;
+    Array<uint32_t> changed_;  // by point: when something in its star changed last
     uint32_t now_ = 1;
 };
 

@@ -82,63 +82,62 @@ Limits limits_of(const Grid& grid, const SizingOptions& options)
 }
 
 // The greatest size in each material: the limit, or the size of its label.
-std::vector<float> material_sizes(const std::vector<int32_t>& labels, const SizingOptions& options,
-                                  const Limits& limits, const Run& run)
+Array<float> material_sizes(const Array<int32_t>& labels, const SizingOptions& options, const Limits& limits,
+                            const Run& run)
 {
-    std::vector<float> sizes(labels.size(), static_cast<float>(limits.greatest));
+    Array<float> sizes(labels.size(), static_cast<float>(limits.greatest));
     for (const auto& [label, size] : options.label_sizes) {
         const auto found = std::find(labels.begin(), labels.end(), label);
         if (found == labels.end()) {
             run.warn("a size is given for label " + std::to_string(label) + ", which the volume does not have");
             continue;
         }
-        float& kept = sizes[static_cast<size_t>(found - labels.begin())];
+        float& kept = sizes[found - labels.begin()];
         kept = std::min(kept, static_cast<float>(std::max(size, limits.least)));
     }
     return sizes;
 }
 
-void lower_to_material_sizes(const Labelling& labelling, const std::vector<float>& sizes, std::vector<float>& h,
-                             const Run& run)
+void lower_to_material_sizes(const Labelling& labelling, const Array<float>& sizes, Array<float>& h, const Run& run)
 {
     const int32_t n = labelling.grid.dims[0];
-    parallel_with_progress(
-        run, row_count(labelling.grid), rows_per_chunk(labelling.grid), [&](int64_t, int64_t begin, int64_t end) {
-            std::vector<Material> materials(static_cast<size_t>(n));
-            for (int64_t row = begin; row < end; ++row) {
-                labelling.read(row * n, n, materials.data());
-                float* const values = h.data() + row * n;
-                for (int32_t i = 0; i < n; ++i)
-                    values[i] = std::min(values[i], sizes[static_cast<size_t>(materials[static_cast<size_t>(i)])]);
-            }
-        });
+    parallel_with_progress(run, row_count(labelling.grid), rows_per_chunk(labelling.grid),
+                           [&](int64_t, int64_t begin, int64_t end) {
+                               Array<Material> materials(n);
+                               for (int64_t row = begin; row < end; ++row) {
+                                   labelling.read(row * n, n, materials.data());
+                                   float* const values = h.data() + row * n;
+                                   for (int32_t i = 0; i < n; ++i)
+                                       values[i] = std::min(values[i], sizes[materials[i]]);
+                               }
+                           });
 }
 
 void lower_to_features(const FeatureSizes& features, const SizingOptions& options, const Limits& limits,
-                       std::vector<float>& h)
+                       Array<float>& h)
 {
     const double interface_size = options.interface_size > 0 ? std::max(options.interface_size, limits.least)
                                                              : std::numeric_limits<double>::infinity();
     for (size_t n = 0; n < features.voxel.size(); ++n) {
         const double feature = std::max(limits.least_feature, options.feature_scale * features.size[n]);
-        float& value = h[static_cast<size_t>(features.voxel[n])];
+        float& value = h[features.voxel[n]];
         value = std::min(value, static_cast<float>(std::min(feature, interface_size)));
     }
 }
 
-void lower_to_one_voxel_parts(const Labelling& labelling, const Limits& limits, std::vector<float>& h, const Run& run)
+void lower_to_one_voxel_parts(const Labelling& labelling, const Limits& limits, Array<float>& h, const Run& run)
 {
-    const std::vector<uint8_t> near = near_one_voxel_parts(labelling, run);
+    const Array<uint8_t> near = near_one_voxel_parts(labelling, run);
     for (size_t v = 0; v < h.size(); ++v)
         if (near[v])
             h[v] = std::min(h[v], static_cast<float>(limits.thin));
 }
 
-void lower_to_user(const float* user, const Grid& grid, const Limits& limits, std::vector<float>& h)
+void lower_to_user(const float* user, const Grid& grid, const Limits& limits, Array<float>& h)
 {
-    for (size_t v = 0; v < h.size(); ++v) {
+    for (int64_t v = 0; v < h.count(); ++v) {
         if (!(user[v] > 0) || !std::isfinite(user[v]))
-            throw bad_sizing_value(user[v], static_cast<int64_t>(v), grid);
+            throw bad_sizing_value(user[v], v, grid);
         h[v] = std::min(h[v], std::max(user[v], static_cast<float>(limits.least)));
     }
 }
@@ -159,7 +158,7 @@ void note_field(const SizingField& field, const Run& run)
 // Everything that the sizes are computed from.
 struct Sources {
     const Labelling& labelling;
-    const std::vector<int32_t>& labels;
+    const Array<int32_t>& labels;
     const SizingOptions& options;
     FeatureSizes features;
 };
@@ -167,8 +166,7 @@ struct Sources {
 SizingField field_of(const Sources& from, const Limits& limits, const Run& run)
 {
     const Grid& grid = from.labelling.grid;
-    SizingField field{grid, std::vector<float>(static_cast<size_t>(grid.size()), static_cast<float>(limits.greatest)),
-                      from.options.gradation};
+    SizingField field{grid, Array<float>(grid.size(), static_cast<float>(limits.greatest)), from.options.gradation};
     Steps steps(run, {{"sizing: sizes of labels", from.options.label_sizes.empty() ? 0.0 : 10},
                       {"sizing: thin parts", from.options.keep_thin ? 20.0 : 0},
                       {"sizing: gradation", 90}});
@@ -226,7 +224,7 @@ void check_size_range(const SizingOptions& options)
                                             number_text(options.size_min));
 }
 
-SizingField compute_sizing(const Labelling& labelling, const std::vector<int32_t>& labels, const SizingOptions& options,
+SizingField compute_sizing(const Labelling& labelling, const Array<int32_t>& labels, const SizingOptions& options,
                            const Run& run)
 {
     Stage stage(run, "sizing", {{"sizing: features", 60}, {"sizing: field", 40}, {"sizing: number of tetrahedra", 0}});

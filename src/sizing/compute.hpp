@@ -1,11 +1,10 @@
 // The sizing field of anything whose voxels have materials: compute_sizing without the Volume.
 #pragma once
 
+#include "base/array.hpp"
 #include "sizing/labelling.hpp"
 #include "sizing/sizing_field.hpp"
 #include "sizing/sizing_options.hpp"
-
-#include <vector>
 
 namespace cleft
 {
@@ -14,7 +13,7 @@ namespace cleft
 void check_size_range(const SizingOptions& options);
 
 // labels[m] is the user's value of material m, as in Volume::labels.
-SizingField compute_sizing(const Labelling& labelling, const std::vector<int32_t>& labels, const SizingOptions& options,
+SizingField compute_sizing(const Labelling& labelling, const Array<int32_t>& labels, const SizingOptions& options,
                            const Run& run);
 
 }  // namespace cleft

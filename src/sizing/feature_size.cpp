@@ -14,12 +14,12 @@ namespace
 
 // nearest[v] = v where is_site(v), else -1; returns the number of sites.
 template <class IsSite>
-int64_t mark_sites(std::vector<int32_t>& nearest, const IsSite& is_site)
+int64_t mark_sites(Array<int32_t>& nearest, const IsSite& is_site)
 {
     int64_t count = 0;
-    for (size_t v = 0; v < nearest.size(); ++v) {
+    for (int32_t v = 0; v < nearest.count(); ++v) {
         const bool site = is_site(v);
-        nearest[v] = site ? static_cast<int32_t>(v) : -1;
+        nearest[v] = site ? v : -1;
         count += site;
     }
     return count;
@@ -28,31 +28,31 @@ int64_t mark_sites(std::vector<int32_t>& nearest, const IsSite& is_site)
 struct MedialAxis {
     const Grid& grid;
     VoxelCoordinates coordinates;
-    const std::vector<uint8_t>& held;
-    const std::vector<int32_t>& nearest;  // medial voxel
+    const Array<uint8_t>& held;
+    const Array<int32_t>& nearest;  // medial voxel
 
     // The distance from x, a point in the voxel (i, j, k), which the nearest medial voxel of the voxel or of one of its
     // neighbours holds.
     float distance(int32_t i, int32_t j, int32_t k, const Vec3& x) const
     {
-        const std::array<int32_t, 3> at{i, j, k};
+        const FixedArray<int32_t, 3> at{i, j, k};
         const int64_t voxel = grid.index(i, j, k);
-        const std::array<int64_t, 3> stride{1, grid.index(0, 1, 0), grid.index(0, 0, 1)};
-        std::array<int32_t, 7> candidates{nearest[static_cast<size_t>(voxel)]};
+        const FixedArray<int64_t, 3> stride = grid.strides();
+        FixedArray<int32_t, 7> candidates{nearest[voxel]};
         size_t count = 1;
-        for (size_t a = 0; a < 3; ++a) {
+        for (int a = 0; a < 3; ++a) {
             if (at[a] > 0)
-                candidates[count++] = nearest[static_cast<size_t>(voxel - stride[a])];
+                candidates[count++] = nearest[voxel - stride[a]];
             if (at[a] + 1 < grid.dims[a])
-                candidates[count++] = nearest[static_cast<size_t>(voxel + stride[a])];
+                candidates[count++] = nearest[voxel + stride[a]];
         }
         double least = INFINITY;
         for (size_t c = 0; c < count; ++c) {
             if (c > 0 && candidates[c] == candidates[c - 1])
                 continue;
             const auto site = coordinates.of(candidates[c]);
-            const Vec3 place = grid.centre(site[0], site[1], site[2]) +
-                               medial_offset(held[static_cast<size_t>(candidates[c])], grid.spacing);
+            const Vec3 place =
+                grid.centre(site[0], site[1], site[2]) + medial_offset(held[candidates[c]], grid.spacing);
             least = std::min(least, (place - x).squaredNorm());
         }
         return static_cast<float>(std::sqrt(least));
@@ -84,13 +84,13 @@ FeatureSizes read_at_interface(const MedialAxis& axis, const InterfacePoints& po
 {
     const int64_t rows = row_count(axis.grid);
     const int64_t grain = rows_per_chunk(axis.grid);
-    std::vector<FeatureSizes> parts(static_cast<size_t>(chunk_count(rows, grain)));
+    Array<FeatureSizes> parts(chunk_count(rows, grain));
     parallel_with_progress(run, rows, grain, [&](int64_t chunk, int64_t begin, int64_t end) {
-        parts[static_cast<size_t>(chunk)] = sizes_of_rows(axis, points, begin, end);
+        parts[chunk] = sizes_of_rows(axis, points, begin, end);
     });
     FeatureSizes all;
-    all.voxel.reserve(static_cast<size_t>(points.count()));
-    all.size.reserve(static_cast<size_t>(points.count()));
+    all.voxel.reserve(points.count());
+    all.size.reserve(points.count());
     for (FeatureSizes& part : parts) {
         all.voxel.insert(all.voxel.end(), part.voxel.begin(), part.voxel.end());
         all.size.insert(all.size.end(), part.size.begin(), part.size.end());
@@ -123,13 +123,13 @@ FeatureSizes local_feature_sizes(const Labelling& labelling, const Run& run)
     InterfacePoints points(labelling, steps.next());
     if (points.count() == 0)
         return {};
-    std::vector<uint8_t> medial = thin_medial_places(labelling, points, steps.next());
+    Array<uint8_t> medial = thin_medial_places(labelling, points, steps.next());
     points.forget_sides();
-    std::vector<int32_t> nearest(static_cast<size_t>(grid.size()));
-    mark_sites(nearest, [&](size_t v) { return points.contains(static_cast<int64_t>(v)); });
+    Array<int32_t> nearest(grid.size());
+    mark_sites(nearest, [&](int32_t v) { return points.contains(v); });
     feature_transform(grid, nearest, steps.next());
     add_medial_places(labelling, points, nearest, medial, steps.next());
-    const int64_t medial_voxels = mark_sites(nearest, [&](size_t v) { return medial[v] != 0; });
+    const int64_t medial_voxels = mark_sites(nearest, [&](int32_t v) { return medial[v] != 0; });
     if (medial_voxels == 0)
         return without_medial_axis(points, grid.size());
     feature_transform(grid, nearest, steps.next());

@@ -1,11 +1,11 @@
 // The local feature size at the material interfaces of a volume (section 3 of the paper, Sizing Field).
 #pragma once
 
+#include "base/array.hpp"
 #include "sizing/labelling.hpp"
 #include "sizing/voxel_rows.hpp"
 
 #include <cstdint>
-#include <vector>
 
 namespace cleft
 {
@@ -13,8 +13,8 @@ namespace cleft
 // The distance from the interface to the medial axis, for each voxel that has a neighbour of another material across
 // a face, ascending by voxel. Infinite where there is no medial axis, as for a single flat interface.
 struct FeatureSizes {
-    std::vector<int32_t> voxel;
-    std::vector<float> size;
+    Array<int32_t> voxel;
+    Array<float> size;
     int64_t medial_voxels = 0;
 };
 

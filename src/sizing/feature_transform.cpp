@@ -36,24 +36,23 @@ struct Columns {
     const Grid& grid;
     int axis;
     int64_t stride;
-    double per_row;                    // 1 / dims[0]
-    double x_ratio, y_ratio;           // squared ratios of the spacings to that of the line
-    std::vector<double> half_inverse;  // 1 / (2 d)
+    double per_row;              // 1 / dims[0]
+    double x_ratio, y_ratio;     // squared ratios of the spacings to that of the line
+    Array<double> half_inverse;  // 1 / (2 d)
 
-    Columns(const Grid& g, int a)
-        : grid(g), axis(a), stride(a == 1 ? g.dims[0] : g.index(0, 0, 1)), per_row(1.0 / g.dims[0])
+    Columns(const Grid& g, int a) : grid(g), axis(a), stride(g.strides()[a]), per_row(1.0 / g.dims[0])
     {
         const Vec3 ratio = g.spacing / g.spacing[a];
         x_ratio = ratio[0] * ratio[0];
         y_ratio = a == 1 ? 0 : ratio[1] * ratio[1];
-        half_inverse.resize(static_cast<size_t>(length()));
+        half_inverse.resize(length());
         for (size_t d = 1; d < half_inverse.size(); ++d)
             half_inverse[d] = 0.5 / static_cast<double>(d);
     }
 
-    int32_t length() const { return grid.dims[static_cast<size_t>(axis)]; }
+    int32_t length() const { return grid.dims[axis]; }
     int64_t blocks_in_row() const { return chunk_count(grid.dims[0], kBlockWidth); }
-    int64_t count() const { return blocks_in_row() * grid.dims[static_cast<size_t>(3 - axis)]; }
+    int64_t count() const { return blocks_in_row() * grid.dims[3 - axis]; }
 
     // The first voxel of the row (axis 1) or plane (axis 2) that holds place y of a column: the sites there were found
     // in it.
@@ -75,13 +74,16 @@ struct Columns {
 
 // A block of columns, one after the other, and the lower envelope of one of them.
 struct ColumnScratch {
-    std::vector<int32_t> site;
-    std::vector<double> height;  // squared offset of the site
-    std::vector<int32_t> place;  // of the parabolas of the envelope
-    std::vector<int32_t> held;   // their sites
-    std::vector<double> start;   // from where each is the lowest
+    Array<int32_t> site;
+    Array<double> height;  // squared offset of the site
+    Array<int32_t> place;  // of the parabolas of the envelope
+    Array<int32_t> held;   // their sites
+    Array<double> start;   // from where each is the lowest
 
-    explicit ColumnScratch(size_t n) : site(n * kBlockWidth), height(n * kBlockWidth), place(n), held(n), start(n) {}
+    explicit ColumnScratch(int32_t n)
+        : site(int64_t{n} * kBlockWidth), height(int64_t{n} * kBlockWidth), place(n), held(n), start(n)
+    {
+    }
 };
 
 // height[y] + (x - y)^2 for each y that has a site: which is the lowest at each x?
@@ -119,7 +121,7 @@ void transform_column(const Columns& columns, int32_t* site, const double* heigh
     }
 }
 
-void transform_block(const Columns& columns, int64_t number, std::vector<int32_t>& nearest, ColumnScratch& s)
+void transform_block(const Columns& columns, int64_t number, Array<int32_t>& nearest, ColumnScratch& s)
 {
     const auto other = static_cast<int32_t>(number / columns.blocks_in_row());
     const auto i0 = static_cast<int32_t>(number % columns.blocks_in_row()) * kBlockWidth;
@@ -131,25 +133,25 @@ void transform_block(const Columns& columns, int64_t number, std::vector<int32_t
         const auto first = static_cast<int32_t>(columns.first_voxel(y, other));
         for (int32_t c = 0; c < width; ++c) {
             const int32_t site = corner[y * columns.stride + c];
-            s.site[static_cast<size_t>(c * n + y)] = site;
-            s.height[static_cast<size_t>(c * n + y)] = columns.squared_offset(site - first, i0 + c, other);
+            s.site[c * n + y] = site;
+            s.height[c * n + y] = columns.squared_offset(site - first, i0 + c, other);
         }
     }
     for (int32_t c = 0; c < width; ++c)
         transform_column(columns, s.site.data() + c * n, s.height.data() + c * n, s);
     for (int64_t y = 0; y < n; ++y)
         for (int32_t c = 0; c < width; ++c)
-            corner[y * columns.stride + c] = s.site[static_cast<size_t>(c * n + y)];
+            corner[y * columns.stride + c] = s.site[c * n + y];
 }
 
-void transform_columns(const Grid& grid, int axis, std::vector<int32_t>& nearest, const Run& run)
+void transform_columns(const Grid& grid, int axis, Array<int32_t>& nearest, const Run& run)
 {
     const Columns columns(grid, axis);
     if (columns.length() == 1)
         return;
     const int64_t grain = std::max<int64_t>(1, 16384 / (int64_t{columns.length()} * kBlockWidth));
     parallel_with_progress(run, columns.count(), grain, [&](int64_t, int64_t begin, int64_t end) {
-        ColumnScratch scratch(static_cast<size_t>(columns.length()));
+        ColumnScratch scratch(columns.length());
         for (int64_t block = begin; block < end; ++block)
             transform_block(columns, block, nearest, scratch);
     });
@@ -157,7 +159,7 @@ void transform_columns(const Grid& grid, int axis, std::vector<int32_t>& nearest
 
 }  // namespace
 
-void feature_transform(const Grid& grid, std::vector<int32_t>& nearest, const Run& run)
+void feature_transform(const Grid& grid, Array<int32_t>& nearest, const Run& run)
 {
     const int32_t n = grid.dims[0];
     Steps steps(run, {{nullptr, 1}, {nullptr, 4}, {nullptr, 5}});

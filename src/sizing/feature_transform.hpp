@@ -1,16 +1,16 @@
 // The exact Euclidean feature transform: for each voxel the nearest site, in time linear in the number of voxels.
 #pragma once
 
+#include "base/array.hpp"
 #include "sizing/voxel_rows.hpp"
 
 #include <cstdint>
-#include <vector>
 
 namespace cleft
 {
 
 // In: nearest[v] = v for a site v, -1 for any other voxel. Out: the site whose centre is nearest to the centre of v,
 // with the grid's spacing; of sites at equal distance always the same one. All -1 if there is no site.
-void feature_transform(const Grid& grid, std::vector<int32_t>& nearest, const Run& run);
+void feature_transform(const Grid& grid, Array<int32_t>& nearest, const Run& run);
 
 }  // namespace cleft

@@ -26,9 +26,9 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // The direction of a scan along each axis; scanned coordinates count up from 0 in that direction.
 struct Scan {
-    std::array<int32_t, 3> sign;
+    FixedArray<int32_t, 3> sign;
 
-    int32_t at(size_t axis, int32_t step, const Grid& grid) const
+    int32_t at(int axis, int32_t step, const Grid& grid) const
     {
         return sign[axis] > 0 ? step : grid.dims[axis] - 1 - step;
     }
@@ -36,10 +36,10 @@ struct Scan {
 
 // The cones that the voxels of a row carry: apex (in voxels) and the value there. One unused voxel at either end.
 struct ConeRow {
-    std::vector<float> x, y, z, value;
-    std::vector<int32_t> apex;
+    Array<float> x, y, z, value;
+    Array<int32_t> apex;
 
-    void resize(size_t n)
+    void resize(int32_t n)
     {
         for (auto* v : {&x, &y, &z})
             v->assign(n + 2, 0);
@@ -53,22 +53,21 @@ struct ConeRow {
 class ConeScan
 {
 public:
-    ConeScan(const Grid& grid, double gradation, std::vector<float>& value, std::vector<int32_t>& apex,
-             const Scan& scan)
+    ConeScan(const Grid& grid, double gradation, Array<float>& value, Array<int32_t>& apex, const Scan& scan)
         : grid_(grid), value_(value), apex_(apex), scan_(scan), coordinates_(grid)
     {
         // Lengths in units of the greatest spacing: their squares stay within the range of float.
         const double unit = grid.spacing.maxCoeff();
-        for (size_t a = 0; a < 3; ++a)
-            spacing_[a] = static_cast<float>(grid.spacing[static_cast<int>(a)] / unit);
+        for (int a = 0; a < 3; ++a)
+            spacing_[a] = static_cast<float>(grid.spacing[a] / unit);
         slope_ = static_cast<float>(gradation * unit);
-        scratch_.resize(static_cast<size_t>(std::min(kWavefrontBatch, grid.dims[2])));
+        scratch_.resize(std::min(kWavefrontBatch, grid.dims[2]));
         for (Scratch& s : scratch_) {
             for (ConeRow& row : s.rows)
-                row.resize(static_cast<size_t>(grid.dims[0]));
-            s.squared.resize(static_cast<size_t>(grid.dims[0]) + 2);
-            s.best.resize(static_cast<size_t>(grid.dims[0]));
-            s.pick.resize(static_cast<size_t>(grid.dims[0]));
+                row.resize(grid.dims[0]);
+            s.squared.resize(grid.dims[0] + 2);
+            s.best.resize(grid.dims[0]);
+            s.pick.resize(grid.dims[0]);
         }
     }
 
@@ -78,42 +77,42 @@ public:
 private:
     // The rows a plane works with: three of the plane before, two of its own, each in a slot by its number.
     struct Scratch {
-        std::array<ConeRow, 5> rows;
-        std::vector<float> squared;  // distance in y and z from an apex to the row that is worked on
-        std::vector<float> best;
-        std::vector<int32_t> pick;  // which neighbour offered the best
+        FixedArray<ConeRow, 5> rows;
+        Array<float> squared;  // distance in y and z from an apex to the row that is worked on
+        Array<float> best;
+        Array<int32_t> pick;  // which neighbour offered the best
     };
 
-    static size_t slot_before(int32_t row) { return static_cast<size_t>(row % 3); }
-    static size_t slot_own(int32_t row) { return static_cast<size_t>(3 + row % 2); }
+    static int slot_before(int32_t row) { return row % 3; }
+    static int slot_own(int32_t row) { return 3 + row % 2; }
 
     void load(int32_t j, int32_t k, ConeRow& out) const;
     void evaluate(int32_t j, int32_t k, const ConeRow& row, float* h) const;
     void offer(const ConeRow& from, int32_t number, int32_t j, int32_t k, Scratch& s) const;
-    void take(const std::array<const ConeRow*, 4>& from, Scratch& s, ConeRow& own) const;
+    void take(const FixedArray<const ConeRow*, 4>& from, Scratch& s, ConeRow& own) const;
     void along(int32_t j, int32_t k, ConeRow& own, float* best) const;
 
     const Grid& grid_;
-    std::vector<float>& value_;  // at the apex
-    std::vector<int32_t>& apex_;
+    Array<float>& value_;  // at the apex
+    Array<int32_t>& apex_;
     Scan scan_;
     VoxelCoordinates coordinates_;
-    std::array<float, 3> spacing_{};
+    FixedArray<float, 3> spacing_{};
     float slope_ = 0;
-    std::vector<Scratch> scratch_;  // by plane, of those under way
+    Array<Scratch> scratch_;  // by plane, of those under way
 };
 
 void ConeScan::load(int32_t j, int32_t k, ConeRow& out) const
 {
-    const auto start = static_cast<size_t>(grid_.index(0, j, k));
-    const auto n = static_cast<size_t>(grid_.dims[0]);
+    const int64_t start = grid_.index(0, j, k);
+    const int32_t n = grid_.dims[0];
     std::copy_n(value_.data() + start, n, out.value.data() + 1);
     std::copy_n(apex_.data() + start, n, out.apex.data() + 1);
     const int32_t* CLEFT_RESTRICT apex = out.apex.data() + 1;
     float* CLEFT_RESTRICT x = out.x.data() + 1;
     float* CLEFT_RESTRICT y = out.y.data() + 1;
     float* CLEFT_RESTRICT z = out.z.data() + 1;
-    for (int32_t i = 0; i < grid_.dims[0]; ++i) {
+    for (int32_t i = 0; i < n; ++i) {
         const auto at = coordinates_.of(apex[i]);
         x[i] = static_cast<float>(at[0]);
         y[i] = static_cast<float>(at[1]);
@@ -172,15 +171,14 @@ CLEFT_WIDE_VECTORS void ConeScan::offer(const ConeRow& from, int32_t number, int
     }
 }
 
-void ConeScan::take(const std::array<const ConeRow*, 4>& from, Scratch& s, ConeRow& own) const
+void ConeScan::take(const FixedArray<const ConeRow*, 4>& from, Scratch& s, ConeRow& own) const
 {
     for (int32_t i = 0; i < grid_.dims[0]; ++i) {
-        const int32_t pick = s.pick[static_cast<size_t>(i)];
+        const int32_t pick = s.pick[i];
         if (pick < 0)
             continue;
-        const ConeRow& row = *from[static_cast<size_t>(pick / 3)];
-        const auto c = static_cast<size_t>(i + pick % 3);
-        const auto o = static_cast<size_t>(i + 1);
+        const ConeRow& row = *from[pick / 3];
+        const int32_t c = i + pick % 3, o = i + 1;
         own.x[o] = row.x[c];
         own.y[o] = row.y[c];
         own.z[o] = row.z[c];
@@ -198,14 +196,14 @@ void ConeScan::along(int32_t j, int32_t k, ConeRow& own, float* best) const
         const int32_t before = i - scan_.sign[0];
         if (best[before] - step >= best[i])
             continue;  // no cone grows by less than that
-        const auto c = static_cast<size_t>(before + 1);
+        const int32_t c = before + 1;
         const float dx = (static_cast<float>(i) - own.x[c]) * spacing_[0];
         const float dy = (static_cast<float>(j) - own.y[c]) * spacing_[1];
         const float dz = (static_cast<float>(k) - own.z[c]) * spacing_[2];
         const float offered = own.value[c] + slope_ * std::sqrt(dx * dx + dy * dy + dz * dz);
         if (offered >= best[i])
             continue;
-        const auto o = static_cast<size_t>(i + 1);
+        const int32_t o = i + 1;
         best[i] = offered;
         own.x[o] = own.x[c];
         own.y[o] = own.y[c];
@@ -217,7 +215,7 @@ void ConeScan::along(int32_t j, int32_t k, ConeRow& own, float* best) const
 
 void ConeScan::row(int32_t plane, int32_t row)
 {
-    Scratch& s = scratch_[static_cast<size_t>(plane % kWavefrontBatch)];
+    Scratch& s = scratch_[plane % kWavefrontBatch];
     const int32_t k = scan_.at(2, plane, grid_);
     const int32_t j = scan_.at(1, row, grid_);
     ConeRow& own = s.rows[slot_own(row)];
@@ -225,24 +223,24 @@ void ConeScan::row(int32_t plane, int32_t row)
     evaluate(j, k, own, s.best.data());
     std::fill(s.pick.begin(), s.pick.end(), -1);
 
-    std::array<const ConeRow*, 4> from{};
+    FixedArray<const ConeRow*, 4> from{};
     if (plane > 0) {
         for (int32_t r = row == 0 ? 0 : row + 1; r <= std::min(row + 1, grid_.dims[1] - 1); ++r)
             load(scan_.at(1, r, grid_), scan_.at(2, plane - 1, grid_), s.rows[slot_before(r)]);
         for (int32_t d = -1; d <= 1; ++d)
             if (row + d >= 0 && row + d < grid_.dims[1])
-                from[static_cast<size_t>(d + 1)] = &s.rows[slot_before(row + d)];
+                from[d + 1] = &s.rows[slot_before(row + d)];
     }
     if (row > 0)
         from[3] = &s.rows[slot_own(row - 1)];
-    for (size_t f = 0; f < 4; ++f)
+    for (int32_t f = 0; f < 4; ++f)
         if (from[f])
-            offer(*from[f], static_cast<int32_t>(f), j, k, s);
+            offer(*from[f], f, j, k, s);
     take(from, s, own);
     along(j, k, own, s.best.data());
 
-    const auto start = static_cast<size_t>(grid_.index(0, j, k));
-    const auto n = static_cast<size_t>(grid_.dims[0]);
+    const int64_t start = grid_.index(0, j, k);
+    const int32_t n = grid_.dims[0];
     std::copy_n(own.value.data() + 1, n, value_.data() + start);
     std::copy_n(own.apex.data() + 1, n, apex_.data() + start);
 }
@@ -252,7 +250,7 @@ void ConeScan::finish(const Run& run)
 {
     parallel_with_progress(run, row_count(grid_), rows_per_chunk(grid_), [&](int64_t, int64_t begin, int64_t end) {
         ConeRow cones;
-        cones.resize(static_cast<size_t>(grid_.dims[0]));
+        cones.resize(grid_.dims[0]);
         for (int64_t row = begin; row < end; ++row) {
             const auto j = static_cast<int32_t>(row % grid_.dims[1]);
             const auto k = static_cast<int32_t>(row / grid_.dims[1]);
@@ -266,14 +264,13 @@ void ConeScan::finish(const Run& run)
 class ChamferScan
 {
 public:
-    ChamferScan(const Grid& grid, double gradation, std::vector<float>& h, const Scan& scan)
-        : grid_(grid), h_(h), scan_(scan)
+    ChamferScan(const Grid& grid, double gradation, Array<float>& h, const Scan& scan) : grid_(grid), h_(h), scan_(scan)
     {
         for (int dk = 0; dk < 2; ++dk)
             for (int dj = 0; dj < 2; ++dj)
                 for (int di = 0; di < 2; ++di) {
                     const double length = Vec3(di, dj, dk).cwiseProduct(grid.spacing).norm();
-                    step_[static_cast<size_t>(4 * dk + 2 * dj + di)] = static_cast<float>(gradation * length);
+                    step_[4 * dk + 2 * dj + di] = static_cast<float>(gradation * length);
                 }
     }
 
@@ -298,7 +295,7 @@ private:
         return h_.data() + grid_.index(0, scan_.at(1, row, grid_), scan_.at(2, plane, grid_));
     }
 
-    CLEFT_WIDE_VECTORS void from_row(const float* CLEFT_RESTRICT other, size_t offset, float* CLEFT_RESTRICT h) const
+    CLEFT_WIDE_VECTORS void from_row(const float* CLEFT_RESTRICT other, int offset, float* CLEFT_RESTRICT h) const
     {
         const int32_t n = grid_.dims[0];
         const float straight = step_[offset], aslant = step_[offset + 1];
@@ -316,18 +313,18 @@ private:
     }
 
     const Grid& grid_;
-    std::vector<float>& h_;
+    Array<float>& h_;
     Scan scan_;
-    std::array<float, 8> step_{};  // by 4 dk + 2 dj + di
+    FixedArray<float, 8> step_{};  // by 4 dk + 2 dj + di
 };
 
 }  // namespace
 
-void limit_gradient(const Grid& grid, double gradation, std::vector<float>& h, const Run& run)
+void limit_gradient(const Grid& grid, double gradation, Array<float>& h, const Run& run)
 {
     constexpr std::array<Scan, 4> kScans{{{{1, 1, 1}}, {{-1, -1, -1}}, {{1, -1, 1}}, {{-1, 1, -1}}}};
-    Steps steps(run, std::vector<Step>(kScans.size() + 3, {"sizing: gradation", 1}));
-    std::vector<int32_t> apex(h.size());
+    Steps steps(run, Array<Step>(kScans.size() + 3, {"sizing: gradation", 1}));
+    Array<int32_t> apex(h.size());
     for (size_t v = 0; v < apex.size(); ++v)
         apex[v] = static_cast<int32_t>(v);
     for (const Scan& scan : kScans) {

@@ -15,7 +15,7 @@ constexpr int kSteps = 19;  // the gradient along an axis is -9 .. 9: nine voxel
 constexpr size_t kCodeCount = size_t{8} * kSteps * kSteps * kSteps;
 
 struct Code {
-    std::array<int, 3> gradient;  // of the own share
+    FixedArray<int, 3> gradient;  // of the own share
     int faces;                    // bit a: the face along axis a on the side of the normal is at an interface
 
     uint16_t pack() const
@@ -34,50 +34,50 @@ InterfacePoint decode(const Code& code, const Vec3& spacing)
 {
     Vec3 normal;
     for (int a = 0; a < 3; ++a)
-        normal[a] = -code.gradient[static_cast<size_t>(a)] / spacing[a];
+        normal[a] = -code.gradient[a] / spacing[a];
     normal.normalize();
     double distance = INFINITY;
     for (int a = 0; a < 3; ++a)
         if (code.faces >> a & 1)
             distance = std::min(distance, 0.5 * spacing[a] * std::abs(normal[a]));
     InterfacePoint point;
-    for (size_t a = 0; a < 3; ++a) {
-        point.normal[a] = static_cast<float>(normal[static_cast<int>(a)]);
-        point.offset[a] = static_cast<float>(distance * normal[static_cast<int>(a)]);
+    for (int a = 0; a < 3; ++a) {
+        point.normal[a] = static_cast<float>(normal[a]);
+        point.offset[a] = static_cast<float>(distance * normal[a]);
     }
     return point;
 }
 
-std::vector<InterfacePoint> decode_all(const Vec3& spacing)
+Array<InterfacePoint> decode_all(const Vec3& spacing)
 {
-    std::vector<InterfacePoint> table(kCodeCount);
+    Array<InterfacePoint> table(kCodeCount);
     for (size_t packed = 0; packed < kCodeCount; ++packed) {
         const Code code = Code::unpack(packed);
-        if (code.faces != 0 && code.gradient != std::array<int, 3>{0, 0, 0})
+        if (code.faces != 0 && code.gradient != FixedArray<int, 3>{0, 0, 0})
             table[packed] = decode(code, spacing);
     }
     return table;
 }
 
 // The rows around row (j, k): rows[dk + 1][dj + 1].
-using Rows = std::array<std::array<const Material*, 3>, 3>;
+using Rows = FixedArray<FixedArray<const Material*, 3>, 3>;
 
 Rows rows_around(RowWindow& window, int32_t j, int32_t k)
 {
     Rows rows;
     for (int dk = 0; dk < 3; ++dk)
         for (int dj = 0; dj < 3; ++dj)
-            rows[static_cast<size_t>(dk)][static_cast<size_t>(dj)] = window.row(j + dj - 1, k + dk - 1);
+            rows[dk][dj] = window.row(j + dj - 1, k + dk - 1);
     return rows;
 }
 
-std::array<int, 3> own_share_gradient(const Rows& rows, int32_t i)
+FixedArray<int, 3> own_share_gradient(const Rows& rows, int32_t i)
 {
     const Material own = rows[1][1][i];
-    std::array<int, 3> gradient{0, 0, 0};
+    FixedArray<int, 3> gradient{0, 0, 0};
     for (int dk = -1; dk <= 1; ++dk)
         for (int dj = -1; dj <= 1; ++dj) {
-            const Material* row = rows[static_cast<size_t>(dk + 1)][static_cast<size_t>(dj + 1)] + i;
+            const Material* row = rows[dk + 1][dj + 1] + i;
             const int before = row[-1] == own;
             const int after = row[1] == own;
             const int sum = before + (row[0] == own) + after;
@@ -100,7 +100,7 @@ Code code_of(const Rows& rows, int32_t i, int sides)
 {
     Code code{own_share_gradient(rows, i), 0};
     for (int a = 0; a < 3; ++a) {
-        const int g = code.gradient[static_cast<size_t>(a)];
+        const int g = code.gradient[a];
         if ((g > 0 && sides >> (2 * a) & 1) || (g < 0 && sides >> (2 * a + 1) & 1))
             code.faces |= 1 << a;
     }
@@ -111,7 +111,7 @@ Code code_of(const Rows& rows, int32_t i, int sides)
     while (!(sides >> side & 1))
         ++side;
     code.gradient = {0, 0, 0};
-    code.gradient[static_cast<size_t>(side / 2)] = side % 2 == 0 ? 1 : -1;
+    code.gradient[side / 2] = side % 2 == 0 ? 1 : -1;
     code.faces = 1 << (side / 2);
     return code;
 }
@@ -119,13 +119,11 @@ Code code_of(const Rows& rows, int32_t i, int sides)
 }  // namespace
 
 InterfacePoints::InterfacePoints(const Labelling& labelling, const Run& run)
-    : codes_(static_cast<size_t>(labelling.grid.size())),
-      sides_(static_cast<size_t>(labelling.grid.size())),
-      table_(decode_all(labelling.grid.spacing))
+    : codes_(labelling.grid.size()), sides_(labelling.grid.size()), table_(decode_all(labelling.grid.spacing))
 {
     const Grid& grid = labelling.grid;
     const int64_t grain = rows_per_chunk(grid);
-    std::vector<int64_t> found(static_cast<size_t>(chunk_count(row_count(grid), grain)));
+    Array<int64_t> found(chunk_count(row_count(grid), grain));
     parallel_with_progress(run, row_count(grid), grain, [&](int64_t chunk, int64_t begin, int64_t end) {
         RowWindow window(labelling);
         for (int64_t row = begin; row < end; ++row) {
@@ -135,10 +133,10 @@ InterfacePoints::InterfacePoints(const Labelling& labelling, const Run& run)
                 const int sides = other_sides(rows, i);
                 if (sides == 0)
                     continue;
-                const auto voxel = static_cast<size_t>(row * grid.dims[0] + i);
+                const int64_t voxel = row * grid.dims[0] + i;
                 codes_[voxel] = code_of(rows, i, sides).pack();
                 sides_[voxel] = static_cast<uint8_t>(sides);
-                ++found[static_cast<size_t>(chunk)];
+                ++found[chunk];
             }
         }
     });

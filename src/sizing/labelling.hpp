@@ -1,13 +1,13 @@
 // What the sizing stage needs of a volume: the material of each voxel, read row by row.
 #pragma once
 
+#include "base/array.hpp"
+#include "base/fixed_array.hpp"
 #include "mesh/tet_mesh.hpp"
 #include "volume/grid.hpp"
 
 #include <algorithm>
-#include <array>
 #include <functional>
-#include <vector>
 
 namespace cleft
 {
@@ -25,7 +25,7 @@ class RowWindow
 public:
     explicit RowWindow(const Labelling& labelling) : labelling_(labelling)
     {
-        rows_.assign(9, std::vector<Material>(static_cast<size_t>(labelling.grid.dims[0]) + 2));
+        rows_.assign(9, Array<Material>(labelling.grid.dims[0] + 2));
         held_.fill(-1);
     }
 
@@ -36,7 +36,7 @@ public:
         const Grid& grid = labelling_.grid;
         j = std::clamp(j, 0, grid.dims[1] - 1);
         k = std::clamp(k, 0, grid.dims[2] - 1);
-        const auto slot = static_cast<size_t>(3 * (k % 3) + j % 3);
+        const int slot = 3 * (k % 3) + j % 3;
         const int64_t number = j + int64_t{grid.dims[1]} * k;
         Material* first = rows_[slot].data() + 1;
         if (held_[slot] != number) {
@@ -50,8 +50,8 @@ public:
 
 private:
     const Labelling& labelling_;
-    std::vector<std::vector<Material>> rows_;
-    std::array<int64_t, 9> held_{};
+    Array<Array<Material>> rows_;
+    FixedArray<int64_t, 9> held_{};
 };
 
 }  // namespace cleft

@@ -43,12 +43,8 @@ double equidistant_part(const Vec3& x, int axis, double length, const Vec3& p, c
 class MedialSearch
 {
 public:
-    MedialSearch(const Grid& grid, const InterfacePoints& points, const std::vector<int32_t>& nearest)
-        : grid_(grid),
-          coordinates_(grid),
-          points_(points),
-          nearest_(nearest),
-          stride_{1, grid.index(0, 1, 0), grid.index(0, 0, 1)}
+    MedialSearch(const Grid& grid, const InterfacePoints& points, const Array<int32_t>& nearest)
+        : grid_(grid), coordinates_(grid), points_(points), nearest_(nearest), stride_(grid.strides())
     {
     }
 
@@ -56,14 +52,14 @@ public:
     {
         // The rows that hold the next voxel along each axis.
         const Material* own = window.row(j, k);
-        const std::array<const Material*, 3> next{own + 1, window.row(j + 1, k), window.row(j, k + 1)};
+        const FixedArray<const Material*, 3> next{own + 1, window.row(j + 1, k), window.row(j, k + 1)};
         const int across = (j + 1 < grid_.dims[1]) << 1 | (k + 1 < grid_.dims[2]) << 2;
         const int64_t start = grid_.index(0, j, k);
         for (int32_t i = 0; i < grid_.dims[0]; ++i) {
             const int32_t* site = nearest_.data() + start + i;
             const int axes = across | (i + 1 < grid_.dims[0]);
             int differ = 0;  // those along which the next voxel is of the same material and has another site
-            for (size_t a = 0; a < 3; ++a)
+            for (int a = 0; a < 3; ++a)
                 if ((axes >> a & 1) && next[a][i] == own[i] && site[0] != site[stride_[a]])
                     differ |= 1 << a;
             if (differ == 0)
@@ -75,7 +71,7 @@ public:
     }
 
 private:
-    Vec3 centre(const std::array<int32_t, 3>& at) const { return grid_.centre(at[0], at[1], at[2]); }
+    Vec3 centre(const FixedArray<int32_t, 3>& at) const { return grid_.centre(at[0], at[1], at[2]); }
 
     Vec3 point(int32_t site) const
     {
@@ -113,13 +109,13 @@ private:
     }
 
     // Keeps the crossing whose axis is most nearly that from one interface point to the other: it is the best defined.
-    void crossing(const std::array<int32_t, 3>& at, const int32_t* site, int axes, uint8_t& held) const
+    void crossing(const FixedArray<int32_t, 3>& at, const int32_t* site, int axes, uint8_t& held) const
     {
         double best = 0;
         for (int a = 0; a < 3; ++a) {
             if (!(axes >> a & 1))
                 continue;
-            const int32_t other = site[stride_[static_cast<size_t>(a)]];
+            const int32_t other = site[stride_[a]];
             if (are_alike(site[0], other))
                 continue;
             const Position p = position(site[0]);
@@ -136,11 +132,11 @@ private:
 
     // Whether an inner voxel is at least as far from the interface as the neighbours of its material, all 26. Where the
     // axis is a point or a line, as in a ball or a rod, no two neighbours need have points on opposite sides.
-    bool is_deepest(RowWindow& window, const std::array<int32_t, 3>& at, const int32_t* site) const
+    bool is_deepest(RowWindow& window, const FixedArray<int32_t, 3>& at, const int32_t* site) const
     {
         if (points_.contains(site - nearest_.data()))
             return false;
-        for (size_t a = 0; a < 3; ++a) {
+        for (int a = 0; a < 3; ++a) {
             if (grid_.dims[a] == 1)
                 continue;
             if (at[a] == 0 || at[a] + 1 == grid_.dims[a])
@@ -162,13 +158,13 @@ private:
     }
 
     // Whether the voxel a step away is of the same material and further from the interface than a squared depth.
-    bool is_deeper(RowWindow& window, const std::array<int32_t, 3>& at, const int32_t* site,
+    bool is_deeper(RowWindow& window, const FixedArray<int32_t, 3>& at, const int32_t* site,
                    const Eigen::Vector3i& step, double depth) const
     {
-        std::array<int32_t, 3> to = at;
+        FixedArray<int32_t, 3> to = at;
         int64_t offset = 0;
-        for (size_t a = 0; a < 3; ++a) {
-            const int32_t along = step[static_cast<int>(a)];
+        for (int a = 0; a < 3; ++a) {
+            const int32_t along = step[a];
             if (grid_.dims[a] == 1 && along != 0)
                 return false;
             to[a] += along;
@@ -179,13 +175,13 @@ private:
     }
 
     // The middle of a deepest voxel and of those next to it that are as deep.
-    uint8_t middle_of_deepest(const std::array<int32_t, 3>& at, const int32_t* site) const
+    uint8_t middle_of_deepest(const FixedArray<int32_t, 3>& at, const int32_t* site) const
     {
         const double depth = (point(site[0]) - centre(at)).squaredNorm();
-        std::array<int, 3> halves{0, 0, 0};
-        for (size_t a = 0; a < 3; ++a)
+        FixedArray<int, 3> halves{0, 0, 0};
+        for (int a = 0; a < 3; ++a)
             for (int side = -1; side <= 1 && grid_.dims[a] > 1; side += 2) {
-                std::array<int32_t, 3> to = at;
+                FixedArray<int32_t, 3> to = at;
                 to[a] += side;
                 const double other = (point(site[side * stride_[a]]) - centre(to)).squaredNorm();
                 halves[a] += other > depth * (1 - 1e-6) ? side : 0;
@@ -196,14 +192,14 @@ private:
     const Grid& grid_;
     VoxelCoordinates coordinates_;
     const InterfacePoints& points_;
-    const std::vector<int32_t>& nearest_;
-    std::array<int64_t, 3> stride_;
+    const Array<int32_t>& nearest_;
+    FixedArray<int64_t, 3> stride_;
 };
 
 }  // namespace
 
-void add_medial_places(const Labelling& labelling, const InterfacePoints& points, const std::vector<int32_t>& nearest,
-                       std::vector<uint8_t>& medial, const Run& run)
+void add_medial_places(const Labelling& labelling, const InterfacePoints& points, const Array<int32_t>& nearest,
+                       Array<uint8_t>& medial, const Run& run)
 {
     const Grid& grid = labelling.grid;
     const MedialSearch search(grid, points, nearest);

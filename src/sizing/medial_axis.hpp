@@ -2,10 +2,10 @@
 // opposite directions. The distance from it, read at an interface, is the local feature size.
 #pragma once
 
+#include "base/array.hpp"
 #include "sizing/interface_points.hpp"
 
 #include <cstdint>
-#include <vector>
 
 namespace cleft
 {
@@ -20,7 +20,7 @@ inline uint8_t pack_medial(int axis, double part)
 }
 
 // halves: -1, 0 or 1 half a voxel along each axis.
-inline uint8_t pack_medial(const std::array<int, 3>& halves)
+inline uint8_t pack_medial(const FixedArray<int, 3>& halves)
 {
     return static_cast<uint8_t>(1 + (halves[0] + 1) + 3 * (halves[1] + 1) + 9 * (halves[2] + 1));
 }
@@ -40,7 +40,7 @@ inline Vec3 medial_offset(uint8_t held, const Vec3& spacing)
 
 // Adds the places between neighbouring voxels whose nearest interface points differ, and the deepest voxels: `nearest`
 // is the feature transform of the interface voxels.
-void add_medial_places(const Labelling& labelling, const InterfacePoints& points, const std::vector<int32_t>& nearest,
-                       std::vector<uint8_t>& medial, const Run& run);
+void add_medial_places(const Labelling& labelling, const InterfacePoints& points, const Array<int32_t>& nearest,
+                       Array<uint8_t>& medial, const Run& run);
 
 }  // namespace cleft

@@ -3,7 +3,6 @@
 #include "base/stage.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace cleft
 {
@@ -42,11 +41,11 @@ constexpr Neighbourhood neighbours(int place, bool corners)
 }
 
 struct Adjacency {
-    std::array<Neighbourhood, 27> of_place{};
+    FixedArray<Neighbourhood, 27> of_place{};
     explicit constexpr Adjacency(bool corners)
     {
         for (int place = 0; place < 27; ++place)
-            of_place[static_cast<size_t>(place)] = neighbours(place, corners);
+            of_place[place] = neighbours(place, corners);
     }
 };
 constexpr Adjacency kByFaces(false), kByCorners(true);
@@ -110,23 +109,23 @@ void for_each_voxel(const Labelling& labelling, const Run& run, const Visit& vis
         for (int64_t row = begin; row < end; ++row)
             for (int32_t i = 0; i < grid.dims[0]; ++i)
                 visit(window, i, static_cast<int32_t>(row % grid.dims[1]), static_cast<int32_t>(row / grid.dims[1]),
-                      static_cast<size_t>(row * grid.dims[0] + i));
+                      row * grid.dims[0] + i);
     });
 }
 
 }  // namespace
 
-std::vector<uint8_t> near_one_voxel_parts(const Labelling& labelling, const Run& run)
+Array<uint8_t> near_one_voxel_parts(const Labelling& labelling, const Run& run)
 {
     const Grid& grid = labelling.grid;
-    std::vector<uint8_t> thin(static_cast<size_t>(grid.size())), near(thin.size());
+    Array<uint8_t> thin(grid.size()), near(thin.size());
     Steps steps(run, {{nullptr, 4}, {nullptr, 1}});
-    for_each_voxel(labelling, steps.next(), [&](RowWindow& window, int32_t i, int32_t j, int32_t k, size_t voxel) {
+    for_each_voxel(labelling, steps.next(), [&](RowWindow& window, int32_t i, int32_t j, int32_t k, int64_t voxel) {
         const Neighbourhood own = alike(window, i, j, k);
         thin[voxel] = is_one_voxel_thick(own) && matters(own);
     });
-    const size_t y = static_cast<size_t>(grid.dims[0]), z = y * static_cast<size_t>(grid.dims[1]);
-    for_each_voxel(labelling, steps.next(), [&](RowWindow&, int32_t i, int32_t j, int32_t k, size_t voxel) {
+    const int64_t y = grid.strides()[1], z = grid.strides()[2];
+    for_each_voxel(labelling, steps.next(), [&](RowWindow&, int32_t i, int32_t j, int32_t k, int64_t voxel) {
         near[voxel] = thin[voxel] || (i > 0 && thin[voxel - 1]) || (i + 1 < grid.dims[0] && thin[voxel + 1]) ||
                       (j > 0 && thin[voxel - y]) || (j + 1 < grid.dims[1] && thin[voxel + y]) ||
                       (k > 0 && thin[voxel - z]) || (k + 1 < grid.dims[2] && thin[voxel + z]);

@@ -2,7 +2,6 @@
 #include "sizing/sizing_charge.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace cleft
@@ -17,9 +16,9 @@ double density(double h) { return 1 / (h * h * h); }
 // one small value counts as what interpolation makes of it: a spike around the centre of its voxel.
 constexpr float kSmooth = 1.5F;  // greatest over least size
 
-bool jumps(const std::vector<float>& h, int64_t a, int64_t b)
+bool jumps(const Array<float>& h, int64_t a, int64_t b)
 {
-    const float x = h[static_cast<size_t>(a)], y = h[static_cast<size_t>(b)];
+    const float x = h[a], y = h[b];
     return std::max(x, y) > kSmooth * std::min(x, y);
 }
 
@@ -47,7 +46,7 @@ public:
     double mean_density(int64_t voxel)
     {
         if (!jumps_around(voxel))
-            return density(static_cast<double>(field_.h[static_cast<size_t>(voxel)]));
+            return density(static_cast<double>(field_.h[voxel]));
         cells_left_ = kMostCells;
         double sum = 0;  // of the octants, in each of which the field is trilinear
         const int64_t row = field_.grid.dims[0], rows = field_.grid.dims[1], k = voxel / row / rows;
@@ -80,14 +79,14 @@ private:
     // Halves a box across the axis along which h changes most, until it changes little.
     double integral(const Vec3& low, const Vec3& side, int halvings)
     {
-        std::array<double, 8> h{};
+        FixedArray<double, 8> h{};
         for (int c = 0; c < 8; ++c)
-            h[static_cast<size_t>(c)] = field_.at(low + side.cwiseProduct(Vec3(c & 1, c >> 1 & 1, c >> 2)));
+            h[c] = field_.at(low + side.cwiseProduct(Vec3(c & 1, c >> 1 & 1, c >> 2)));
         double steepest = 1;
         int across = 0;
         for (int axis = 0; axis < 3; ++axis)
-            for (size_t c = 0; c < 8; ++c) {
-                const double ratio = h[c] / h[c ^ size_t{1} << axis];
+            for (int c = 0; c < 8; ++c) {
+                const double ratio = h[c] / h[c ^ 1 << axis];
                 if (ratio > steepest) {
                     steepest = ratio;
                     across = axis;
@@ -118,7 +117,7 @@ double sizing_charge(const SizingField& field, const std::function<bool(int64_t 
     double sum = 0;
     for (int64_t v = 0; v < field.grid.size(); ++v)
         if (!counts || counts(v))
-            sum += is_rough ? charge.mean_density(v) : density(static_cast<double>(field.h[static_cast<size_t>(v)]));
+            sum += is_rough ? charge.mean_density(v) : density(static_cast<double>(field.h[v]));
     return sum * field.grid.spacing.prod();
 }
 

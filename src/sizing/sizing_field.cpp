@@ -52,17 +52,17 @@ SizingField constant_sizing(const Grid& grid, double size)
     if (!is_size(size))
         throw Error(CLEFT_ERROR_ARGUMENT, "the size is " + number_text(size) + "; it must be within " +
                                               number_text(kLeastSize) + " to " + number_text(kGreatestSize));
-    return {grid, std::vector<float>(static_cast<size_t>(grid.size()), static_cast<float>(size)), 0.3};
+    return {grid, Array<float>(grid.size(), static_cast<float>(size)), 0.3};
 }
 
 SizingField sizing_from_values(const Grid& grid, const double* values)
 {
     check_sizing_grid(grid);
-    SizingField field{grid, std::vector<float>(static_cast<size_t>(grid.size())), 0.3};
-    for (size_t v = 0; v < field.h.size(); ++v) {
+    SizingField field{grid, Array<float>(grid.size()), 0.3};
+    for (int64_t v = 0; v < field.h.count(); ++v) {
         field.h[v] = static_cast<float>(values[v]);
         if (!is_size(values[v]))
-            throw bad_sizing_value(values[v], static_cast<int64_t>(v), grid);
+            throw bad_sizing_value(values[v], v, grid);
     }
     return field;
 }
@@ -76,13 +76,12 @@ double expected_background_tets(const SizingField& field)
     return kTetsPerParticle * kParticlesPerCharge * sizing_charge(field);
 }
 
-double expected_background_tets(const SizingField& field, const Volume& volume, const std::vector<char>& keep)
+double expected_background_tets(const SizingField& field, const Volume& volume, const Array<char>& keep)
 {
     if (keep.empty())
         return expected_background_tets(field);
-    return kTetsPerParticle * kParticlesPerCharge * sizing_charge(field, [&](int64_t voxel) {
-               return keep[static_cast<size_t>(volume.voxel_material(voxel))] != 0;
-           });
+    return kTetsPerParticle * kParticlesPerCharge *
+           sizing_charge(field, [&](int64_t voxel) { return keep[volume.voxel_material(voxel)] != 0; });
 }
 
 void scale_sizing(SizingField& field, double factor, const Run& run)

@@ -1,13 +1,13 @@
 // The sizing field h(x): the wanted edge length of tetrahedra, in world units, gradation-Lipschitz.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/error.hpp"
 #include "base/mix.hpp"
 #include "base/run.hpp"
 #include "volume/volume.hpp"
 
 #include <algorithm>
-#include <vector>
 
 namespace cleft
 {
@@ -15,7 +15,7 @@ namespace cleft
 // Values at the voxel centres of the grid; read between them by trilinear interpolation, constant past the outermost.
 struct SizingField {
     Grid grid;
-    std::vector<float> h;
+    Array<float> h;
     double gradation = 0.3;
 
     double at(const Vec3& x) const;
@@ -31,7 +31,7 @@ inline double SizingField::at(const Vec3& x) const
     int64_t step[3];
     int64_t stride = 1;
     for (int a = 0; a < 3; ++a) {
-        const int32_t n = grid.dims[static_cast<size_t>(a)];
+        const int32_t n = grid.dims[a];
         const double u = std::min(std::max(0.0, x[a] / grid.spacing[a] - 0.5), static_cast<double>(n - 1));
         const int32_t low = std::min(static_cast<int32_t>(u), std::max(n - 2, 0));
         t[a] = u - low;
@@ -56,7 +56,7 @@ Error bad_sizing_value(double value, int64_t voxel, const Grid& grid);
 // Tetrahedra that the particle background would have.
 double expected_background_tets(const SizingField& field);
 // Those of them in the voxels of some materials; keep[material] != 0, all if it is empty.
-double expected_background_tets(const SizingField& field, const Volume& volume, const std::vector<char>& keep);
+double expected_background_tets(const SizingField& field, const Volume& volume, const Array<char>& keep);
 // Every value times `factor`, and then as much less as the gradation asks for: sizes at the interfaces scale, their
 // growth away from them does not.
 void scale_sizing(SizingField& field, double factor, const Run& run);

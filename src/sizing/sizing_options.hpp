@@ -1,9 +1,10 @@
 // What a caller may ask of a sizing field.
 #pragma once
 
+#include "base/array.hpp"
+
 #include <cstdint>
 #include <utility>
-#include <vector>
 
 namespace cleft
 {
@@ -22,7 +23,7 @@ struct SizingOptions {
     bool keep_thin = false;     // half the least spacing where a material is one voxel thick
     double max_tets = 0;        // where size_min is 0, sizes from features are at least as large as keeps the expected
                                 // number of background tetrahedra to about this; 0: no limit
-    std::vector<std::pair<int32_t, double>> label_sizes;  // (label, greatest size inside it)
+    Array<std::pair<int32_t, double>> label_sizes;  // (label, greatest size inside it)
     const float* user = nullptr;  // a user-supplied field at voxel centres, combined by minimum; may be null
 };
 

@@ -10,13 +10,12 @@ namespace
 class ThinParts
 {
 public:
-    ThinParts(const Grid& grid, const InterfacePoints& points)
-        : grid_(grid), points_(points), stride_{1, grid.index(0, 1, 0), grid.index(0, 0, 1)}
+    ThinParts(const Grid& grid, const InterfacePoints& points) : grid_(grid), points_(points), stride_(grid.strides())
     {
     }
 
     // The place of the medial axis that a voxel holds, or 0.
-    uint8_t place(RowWindow& window, const std::array<int32_t, 3>& at) const
+    uint8_t place(RowWindow& window, const FixedArray<int32_t, 3>& at) const
     {
         const int64_t voxel = grid_.index(at[0], at[1], at[2]);
         if (is_single(voxel))
@@ -24,7 +23,7 @@ public:
         int pairs = 0;
         int towards_next = -1;
         for (int a = 0; a < 3; ++a) {
-            const int end = end_of_pair(voxel, at, static_cast<size_t>(a));
+            const int end = end_of_pair(voxel, at, a);
             pairs += end != 0;
             if (end > 0)
                 towards_next = a;
@@ -44,9 +43,9 @@ private:
 
     // Whether the voxel is the first (1) or the second (-1) of a pair of voxels along an axis between which and beyond
     // which the material ends on both sides, or not (0).
-    int end_of_pair(int64_t voxel, const std::array<int32_t, 3>& at, size_t axis) const
+    int end_of_pair(int64_t voxel, const FixedArray<int32_t, 3>& at, int axis) const
     {
-        const auto ends = [&](int64_t v, size_t side) { return (points_.sides(v) >> (2 * axis + side) & 1) != 0; };
+        const auto ends = [&](int64_t v, int side) { return (points_.sides(v) >> (2 * axis + side) & 1) != 0; };
         if (ends(voxel, 0) && at[axis] + 1 < grid_.dims[axis] && ends(voxel + stride_[axis], 1))
             return 1;
         if (ends(voxel, 1) && at[axis] > 0 && ends(voxel - stride_[axis], 0))
@@ -56,7 +55,7 @@ private:
 
     // visit(neighbour) for the 26 neighbours that are of the voxel's material.
     template <class Visit>
-    void for_each_neighbour(RowWindow& window, const std::array<int32_t, 3>& at, const Visit& visit) const
+    void for_each_neighbour(RowWindow& window, const FixedArray<int32_t, 3>& at, const Visit& visit) const
     {
         const auto [i, j, k] = at;
         const Material own = window.row(j, k)[i];
@@ -71,14 +70,14 @@ private:
 
     // Single voxels count as thin where at least half of their neighbours are single too: in sheets and rods, not where
     // they stick out of a thicker body, as on the caps of a sphere.
-    bool singles_prevail(RowWindow& window, const std::array<int32_t, 3>& at) const
+    bool singles_prevail(RowWindow& window, const FixedArray<int32_t, 3>& at) const
     {
         int balance = 0;
         for_each_neighbour(window, at, [&](int64_t neighbour) { balance += is_single(neighbour) ? 1 : -1; });
         return balance >= 0;
     }
 
-    bool has_inner_neighbour(RowWindow& window, const std::array<int32_t, 3>& at) const
+    bool has_inner_neighbour(RowWindow& window, const FixedArray<int32_t, 3>& at) const
     {
         bool found = false;
         for_each_neighbour(window, at, [&](int64_t neighbour) { found = found || points_.sides(neighbour) == 0; });
@@ -87,16 +86,16 @@ private:
 
     const Grid& grid_;
     const InterfacePoints& points_;
-    std::array<int64_t, 3> stride_;
+    FixedArray<int64_t, 3> stride_;
 };
 
 }  // namespace
 
-std::vector<uint8_t> thin_medial_places(const Labelling& labelling, const InterfacePoints& points, const Run& run)
+Array<uint8_t> thin_medial_places(const Labelling& labelling, const InterfacePoints& points, const Run& run)
 {
     const Grid& grid = labelling.grid;
     const ThinParts parts(grid, points);
-    std::vector<uint8_t> medial(static_cast<size_t>(grid.size()));
+    Array<uint8_t> medial(grid.size());
     parallel_with_progress(run, row_count(grid), rows_per_chunk(grid), [&](int64_t, int64_t begin, int64_t end) {
         RowWindow window(labelling);
         for (int64_t row = begin; row < end; ++row) {
@@ -105,7 +104,7 @@ std::vector<uint8_t> thin_medial_places(const Labelling& labelling, const Interf
             for (int32_t i = 0; i < grid.dims[0]; ++i) {
                 const int64_t voxel = row * grid.dims[0] + i;
                 if (points.sides(voxel) != 0)
-                    medial[static_cast<size_t>(voxel)] = parts.place(window, {i, j, k});
+                    medial[voxel] = parts.place(window, {i, j, k});
             }
         }
     });

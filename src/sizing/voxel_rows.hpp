@@ -5,7 +5,6 @@
 #include "volume/grid.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 
 namespace cleft
@@ -24,7 +23,7 @@ public:
     {
     }
 
-    std::array<int32_t, 3> of(int32_t voxel) const
+    FixedArray<int32_t, 3> of(int32_t voxel) const
     {
         const auto k = static_cast<int32_t>((voxel + 0.5) * per_plane_);
         const auto in_plane = static_cast<int32_t>(voxel - k * plane_);

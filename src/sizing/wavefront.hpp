@@ -3,11 +3,11 @@
 // time, each a little behind the one before, and the outcome is that of the serial loop.
 #pragma once
 
+#include "base/array.hpp"
 #include "sizing/voxel_rows.hpp"
 
 #include <atomic>
 #include <thread>
-#include <vector>
 
 namespace cleft
 {
@@ -22,18 +22,18 @@ void wavefront(const Run& run, int32_t planes, int32_t rows, const Body& body)
     for (int32_t first = 0; first < planes; first += kWavefrontBatch) {
         run.report(static_cast<double>(first) / planes);
         const int32_t count = std::min(kWavefrontBatch, planes - first);
-        std::vector<std::atomic<int32_t>> done(static_cast<size_t>(count));
+        Array<std::atomic<int32_t>> done(count);
         parallel_for(run, count, 1, [&](int64_t p, int64_t) {
             for (int32_t row = 0; row < rows; ++row) {
                 if (p > 0) {
-                    const auto& before = done[static_cast<size_t>(p - 1)];
+                    const auto& before = done[p - 1];
                     while (before.load(std::memory_order_acquire) < std::min(row + 2, rows)) {
                         run.check();  // the plane before may never come: its thread was cancelled
                         std::this_thread::yield();
                     }
                 }
                 body(first + static_cast<int32_t>(p), row);
-                done[static_cast<size_t>(p)].store(row + 1, std::memory_order_release);
+                done[p].store(row + 1, std::memory_order_release);
             }
         });
     }

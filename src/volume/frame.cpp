@@ -70,7 +70,7 @@ Frame make_frame(const int64_t dims[3], const double* affine)
         if (!std::isfinite(a[i]))
             throw Error(CLEFT_ERROR_NOT_FINITE, "the affine has NaN or infinity in its " + ordinal(i / 4) + " row, " +
                                                     ordinal(i % 4) + " column");
-        frame.affine[static_cast<size_t>(i)] = a[i];
+        frame.affine[i] = a[i];
         if (i % 4 == 3)
             origin[i / 4] = a[i];
         else

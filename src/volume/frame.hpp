@@ -1,18 +1,16 @@
 // From the local frame of the stages to the world of the user, and back.
 #pragma once
 
+#include "base/fixed_array.hpp"
 #include "base/placement.hpp"
 #include "volume/grid.hpp"
-
-#include <array>
-#include <vector>
 
 namespace cleft
 {
 
 struct Frame : Placement {
     Grid grid;
-    std::array<double, 12> affine{};  // voxel index -> world, 3 rows of 4
+    FixedArray<double, 12> affine{};  // voxel index -> world, 3 rows of 4
     Mat3 inverse = Mat3::Identity();  // of linear
 
     // A point within 1e-9 of the longest side of a box plane, or within the rounding of a place far from the origin, is

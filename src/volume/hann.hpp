@@ -3,9 +3,9 @@
 // It is C1, and the weights of all voxels add up to one wherever the point lies (for an integer width of 2 or more).
 #pragma once
 
+#include "base/fixed_array.hpp"
 #include "volume/lanes.hpp"
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -22,7 +22,7 @@ inline double hann(double t, int width)
 // The weights of the voxels first .. first + width - 1 along each axis, and their derivatives by the position. The
 // lanes past the width are zero, so that loops over a row need no remainder.
 struct KernelWeights {
-    std::array<int32_t, 3> first;
+    FixedArray<int32_t, 3> first;
     alignas(16) float w[3][kLanes];
     alignas(16) float dw[3][kLanes];
 };
@@ -45,10 +45,10 @@ public:
     // Weights for the position u > -1, voxel centres being at integers.
     // cos(2 pi (phi - o) / width) is taken apart by the angle sum: phi, within half a voxel, is the same for all lanes.
     template <bool WithSlopes>
-    void weights(const std::array<double, 3>& u, KernelWeights& out) const
+    void weights(const FixedArray<double, 3>& u, KernelWeights& out) const
     {
         alignas(16) float phi[4] = {}, sine[4], cosine[4];
-        for (size_t a = 0; a < 3; ++a) {
+        for (int a = 0; a < 3; ++a) {
             constexpr int kPositive = 4;
             out.first[a] = static_cast<int32_t>(u[a] - 0.5 * width_ + (1 + kPositive)) - kPositive;
             phi[a] = static_cast<float>(u[a] - (out.first[a] + 0.5 * (width_ - 1)));

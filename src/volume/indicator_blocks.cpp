@@ -19,7 +19,7 @@ constexpr int kSide = kBlock + 4;  // the voxels that the interpolation inside a
 constexpr int kGreatestDepth = 250;
 
 // The value at a voxel, or past the grid where the line through the outermost two values leads.
-double extended(const float* field, const Grid& grid, std::array<int32_t, 3> p, size_t axis = 0)
+double extended(const float* field, const Grid& grid, FixedArray<int32_t, 3> p, int axis = 0)
 {
     if (axis == 3)
         return field[grid.index(p[0], p[1], p[2])];
@@ -37,10 +37,10 @@ double extended(const float* field, const Grid& grid, std::array<int32_t, 3> p, 
 struct Cube {
     float at[kSide][kSide][kSide];
 
-    Cube(const float* field, const Grid& grid, const std::array<int32_t, 3>& first)
+    Cube(const float* field, const Grid& grid, const FixedArray<int32_t, 3>& first)
     {
         bool inside = true;
-        for (size_t a = 0; a < 3; ++a)
+        for (int a = 0; a < 3; ++a)
             inside = inside && first[a] >= 0 && first[a] + kSide <= grid.dims[a];
         for (int32_t z = 0; z < kSide; ++z)
             for (int32_t y = 0; y < kSide; ++y) {
@@ -111,9 +111,9 @@ private:
 // Cubic convolution differs from linear interpolation by at most max |second difference| / 8 along one axis. With its
 // weights' absolute sum of at most 5/4 this makes (1 + 5/4 + 25/16) / 8 < 1/2 in space; the lead of one function over
 // another has at most twice the second difference of one. So a lead greater than that holds everywhere between.
-bool holds_one_material(const IndicatorField& field, const std::array<int32_t, 3>& block)
+bool holds_one_material(const IndicatorField& field, const FixedArray<int32_t, 3>& block)
 {
-    const std::array<int32_t, 3> first{kBlock * block[0] - 2, kBlock * block[1] - 2, kBlock * block[2] - 2};
+    const FixedArray<int32_t, 3> first{kBlock * block[0] - 2, kBlock * block[1] - 2, kBlock * block[2] - 2};
     Leaders leaders;
     float curvature = 0;
     for (size_t k = 0; k < field.field.size(); ++k) {
@@ -130,20 +130,19 @@ bool holds_one_material(const IndicatorField& field, const std::array<int32_t, 3
 
 void find_single_blocks(IndicatorField& field, const Run& run)
 {
-    for (size_t a = 0; a < 3; ++a)
+    for (int a = 0; a < 3; ++a)
         field.blocks.dims[a] = (field.grid.dims[a] + kBlock - 1) / kBlock;
     const auto [nx, ny, nz] = field.blocks.dims;
-    field.depth.assign(static_cast<size_t>(field.blocks.size()), 0);
+    field.depth.assign(field.blocks.size(), 0);
     Steps steps(run, {{nullptr, 9}, {nullptr, 1}});
     const Run of_blocks = steps.next();
     for (int32_t z = 0; z < nz; ++z) {
         of_blocks.report(static_cast<double>(z) / nz);
         parallel_for(run, int64_t{nx} * ny, 16, [&, nx = nx](int64_t begin, int64_t end) {
             for (int64_t i = begin; i < end; ++i) {
-                const std::array<int32_t, 3> block{static_cast<int32_t>(i % nx), static_cast<int32_t>(i / nx), z};
+                const FixedArray<int32_t, 3> block{static_cast<int32_t>(i % nx), static_cast<int32_t>(i / nx), z};
                 const bool one = holds_one_material(field, block);
-                field.depth[static_cast<size_t>(field.blocks.index(block[0], block[1], block[2]))] =
-                    one ? kGreatestDepth : 0;
+                field.depth[field.blocks.index(block[0], block[1], block[2])] = one ? kGreatestDepth : 0;
             }
         });
     }
@@ -155,12 +154,12 @@ bool single_material_near(const IndicatorField& field, const Vec3& x, double rea
 {
     const auto u = voxel_position(field.grid, x);
     const auto nearest = nearest_voxel(field.grid, u);
-    const std::array<int32_t, 3> block{nearest[0] / kBlock, nearest[1] / kBlock, nearest[2] / kBlock};
-    const int depth = field.depth[static_cast<size_t>(field.blocks.index(block[0], block[1], block[2]))];
+    const FixedArray<int32_t, 3> block{nearest[0] / kBlock, nearest[1] / kBlock, nearest[2] / kBlock};
+    const int depth = field.depth[field.blocks.index(block[0], block[1], block[2])];
     if (depth == 0)
         return false;
-    for (size_t a = 0; a < 3; ++a) {
-        const double voxels = reach / field.grid.spacing[static_cast<int>(a)];
+    for (int a = 0; a < 3; ++a) {
+        const double voxels = reach / field.grid.spacing[a];
         const int32_t low = block[a] - depth + 1, high = block[a] + depth;  // blocks low .. high - 1 are sure
         // Nothing lies past the walls of the box.
         if (low > 0 && !(u[a] - voxels >= kBlock * low - 0.5))

@@ -15,12 +15,12 @@ namespace
 
 constexpr int64_t kVoxelsClaimed = int64_t{1} << 16;
 
-using Fields = std::vector<std::vector<float>>;
+using Fields = Array<Array<float>>;
 
 // Has every function no values but `low` and one other of its own?
 bool are_masks(const Fields& fields, float low)
 {
-    return std::all_of(fields.begin(), fields.end(), [&](const std::vector<float>& field) {
+    return std::all_of(fields.begin(), fields.end(), [&](const Array<float>& field) {
         const auto other = std::find_if(field.begin(), field.end(), [&](float f) { return f != low; });
         return std::all_of(other, field.end(), [&](float f) { return f == low || f == *other; });
     });
@@ -29,7 +29,7 @@ bool are_masks(const Fields& fields, float low)
 float least(const Fields& fields)
 {
     float low = fields[0][0];
-    for (const std::vector<float>& field : fields)
+    for (const Array<float>& field : fields)
         low = std::min(low, *std::min_element(field.begin(), field.end()));
     return low;
 }
@@ -38,40 +38,40 @@ float least(const Fields& fields)
 template <class Holds>
 int64_t count_voxels(int64_t voxels, const Run& run, const Holds& holds)
 {
-    std::vector<int64_t> counts(static_cast<size_t>(chunk_count(voxels, kVoxelsClaimed)), 0);
+    Array<int64_t> counts(chunk_count(voxels, kVoxelsClaimed), 0);
     parallel_chunks(run, voxels, kVoxelsClaimed, [&](int64_t chunk, int64_t begin, int64_t end) {
         for (int64_t v = begin; v < end; ++v)
-            counts[static_cast<size_t>(chunk)] += holds(static_cast<size_t>(v));
+            counts[chunk] += holds(v);
     });
     return std::accumulate(counts.begin(), counts.end(), int64_t{0});
 }
 
 void check_masks(const Fields& fields, float low, int64_t voxels, const Run& run)
 {
-    const auto claims = [&](size_t v) {
+    const auto claims = [&](int64_t v) {
         return std::count_if(fields.begin(), fields.end(), [&](const auto& field) { return field[v] != low; });
     };
     const auto share = [&](int64_t count) {
         return std::to_string(count) + " of " + counted(voxels, "voxel") + " " + is_or_are(count) + " in ";
     };
-    const int64_t unclaimed = count_voxels(voxels, run, [&](size_t v) { return claims(v) == 0; });
+    const int64_t unclaimed = count_voxels(voxels, run, [&](int64_t v) { return claims(v) == 0; });
     if (unclaimed > 0)
         throw Error(CLEFT_ERROR_ARGUMENT,
                     share(unclaimed) + "none of the " + std::to_string(fields.size()) +
                         " masks that are given as indicator functions: give the outside its own mask, or make one "
                         "label map of all masks");
-    const int64_t shared = count_voxels(voxels, run, [&](size_t v) { return claims(v) > 1; });
+    const int64_t shared = count_voxels(voxels, run, [&](int64_t v) { return claims(v) > 1; });
     if (shared > 0)
         run.warn(share(shared) +
                  "several of the masks: the mask with the greatest value holds, or the first of equal ones");
 }
 
 // By voxel: whether several functions are the greatest.
-std::vector<uint8_t> ties(const Fields& fields, int64_t voxels, const Run& run)
+Array<uint8_t> ties(const Fields& fields, int64_t voxels, const Run& run)
 {
-    std::vector<uint8_t> tied(static_cast<size_t>(voxels), 0);
+    Array<uint8_t> tied(voxels, 0);
     parallel_for(run, voxels, kVoxelsClaimed, [&](int64_t begin, int64_t end) {
-        for (auto v = static_cast<size_t>(begin); v < static_cast<size_t>(end); ++v) {
+        for (int64_t v = begin; v < end; ++v) {
             float most = fields[0][v];
             for (size_t k = 1; k < fields.size(); ++k) {
                 tied[v] = fields[k][v] > most ? 0 : fields[k][v] == most ? 1 : tied[v];
@@ -83,13 +83,12 @@ std::vector<uint8_t> ties(const Fields& fields, int64_t voxels, const Run& run)
 }
 
 // Are the voxels before and after it along each axis tied too?
-bool is_inner(const std::vector<uint8_t>& tied, const Grid& grid, int64_t voxel)
+bool is_inner(const Array<uint8_t>& tied, const Grid& grid, int64_t voxel)
 {
     int64_t stride = 1, rest = voxel;
     for (const int32_t n : grid.dims) {
         const int64_t at = rest % n;
-        if ((at > 0 && tied[static_cast<size_t>(voxel - stride)] == 0) ||
-            (at + 1 < n && tied[static_cast<size_t>(voxel + stride)] == 0))
+        if ((at > 0 && tied[voxel - stride] == 0) || (at + 1 < n && tied[voxel + stride] == 0))
             return false;
         rest /= n;
         stride *= n;
@@ -99,8 +98,8 @@ bool is_inner(const std::vector<uint8_t>& tied, const Grid& grid, int64_t voxel)
 
 void check_ties(const Fields& fields, const Grid& grid, const Run& run)
 {
-    const std::vector<uint8_t> tied = ties(fields, grid.size(), run);
-    const auto is_in_region = [&](size_t v) { return tied[v] != 0 && is_inner(tied, grid, static_cast<int64_t>(v)); };
+    const Array<uint8_t> tied = ties(fields, grid.size(), run);
+    const auto is_in_region = [&](int64_t v) { return tied[v] != 0 && is_inner(tied, grid, v); };
     if (count_voxels(grid.size(), run, is_in_region) == 0)
         return;
     const int64_t all = std::count(tied.begin(), tied.end(), 1);
@@ -120,7 +119,7 @@ void check_signed(const Fields& fields, float low, const Run& run)
 
 }  // namespace
 
-void check_claims(const std::vector<std::vector<float>>& fields, const Grid& grid, const Run& run)
+void check_claims(const Array<Array<float>>& fields, const Grid& grid, const Run& run)
 {
     const float low = least(fields);
     if (fields.size() == 1)

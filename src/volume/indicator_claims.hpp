@@ -1,10 +1,9 @@
 // Does one indicator function win at each voxel?
 #pragma once
 
+#include "base/array.hpp"
 #include "base/run.hpp"
 #include "volume/grid.hpp"
-
-#include <vector>
 
 namespace cleft
 {
@@ -13,6 +12,6 @@ namespace cleft
 // in none of them, a warning if some are in several. Of other functions, a warning if several are the greatest all over
 // a region: where the first of them holds there, nobody said so. Interfaces on which voxel centres happen to lie are
 // no region. Of a single function, a warning if it is a mask.
-void check_claims(const std::vector<std::vector<float>>& fields, const Grid& grid, const Run& run);
+void check_claims(const Array<Array<float>>& fields, const Grid& grid, const Run& run);
 
 }  // namespace cleft

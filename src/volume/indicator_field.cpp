@@ -68,7 +68,7 @@ struct Stencil {
     Stencil(const Grid& grid, const Vec3& x) : row(grid.dims[0]), slice(int64_t{grid.dims[0]} * grid.dims[1])
     {
         const auto u = voxel_position(grid, x);
-        for (size_t a = 0; a < 3; ++a)
+        for (int a = 0; a < 3; ++a)
             axis[a] = cubic_weights(u[a], grid.dims[a]);
         start = grid.index(axis[0].first, axis[1].first, axis[2].first);
     }
@@ -113,62 +113,60 @@ struct Stencil {
 
 void name_materials(const IndicatorField& field, Samples& out)
 {
-    const auto n = static_cast<size_t>(field.material_count());
-    out.material.resize(n);
-    out.value.resize(n);
-    for (size_t i = 0; i < n; ++i)
-        out.material[i] = static_cast<Material>(i);
+    out.material.resize(field.material_count());
+    out.value.resize(field.material_count());
+    std::iota(out.material.begin(), out.material.end(), 0);
 }
 
 // The greatest of value(0) .. value(count - 1), ties to the lower.
 template <class Value>
-Material greatest(size_t count, const Value& value)
+Material greatest(int64_t count, const Value& value)
 {
-    size_t best = 0;
+    Material best = 0;
     auto most = value(0);
-    for (size_t i = 1; i < count; ++i) {
+    for (Material i = 1; i < count; ++i) {
         const auto f = value(i);
         if (f > most) {
             most = f;
             best = i;
         }
     }
-    return static_cast<Material>(best);
+    return best;
 }
 
 // See IndicatorField::rest.
-int32_t find_rest(const std::vector<std::vector<float>>& field, const Run& run)
+int32_t find_rest(const Array<Array<float>>& field, const Run& run)
 {
     constexpr size_t kVoxelsACheck = size_t{1} << 20;
-    std::vector<size_t> candidates(field.size());
-    std::iota(candidates.begin(), candidates.end(), size_t{0});
+    Array<Material> candidates(field.size());
+    std::iota(candidates.begin(), candidates.end(), 0);
     for (size_t v = 0; v < field[0].size() && !candidates.empty(); ++v) {
         if (v % kVoxelsACheck == 0)
             run.check();
-        const auto value = [&](size_t k) { return field[k][v]; };
-        const auto first = static_cast<size_t>(greatest(field.size(), value));
+        const auto value = [&](Material k) { return field[k][v]; };
+        const Material first = greatest(field.count(), value);
         float second = -std::numeric_limits<float>::infinity();
-        for (size_t k = 0; k < field.size(); ++k)
+        for (Material k = 0; k < field.count(); ++k)
             if (k != first)
                 second = std::max(second, value(k));
-        const auto is_other = [&](size_t k) { return value(k) != -(k == first ? second : value(first)); };
+        const auto is_other = [&](Material k) { return value(k) != -(k == first ? second : value(first)); };
         candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_other), candidates.end());
     }
-    return candidates.empty() ? -1 : static_cast<int32_t>(candidates[0]);
+    return candidates.empty() ? -1 : candidates[0];
 }
 
 // The entry of the greatest of all but the field `rest`.
-size_t greatest_but(const Samples& samples, int32_t rest)
+Material greatest_but(const Samples& samples, Material rest)
 {
-    return static_cast<size_t>(greatest(samples.size(), [&](size_t k) {
-        return static_cast<int32_t>(k) == rest ? -std::numeric_limits<double>::infinity() : samples.value[k];
-    }));
+    return greatest(samples.value.count(), [&](Material k) {
+        return k == rest ? -std::numeric_limits<double>::infinity() : samples.value[k];
+    });
 }
 
 }  // namespace
 
 template <class Value>
-IndicatorField make_indicators(const std::vector<const Value*>& fields, const Grid& grid, const Run& run)
+IndicatorField make_indicators(const Array<const Value*>& fields, const Grid& grid, const Run& run)
 {
     IndicatorField out;
     Steps steps(run, {{nullptr, 1}, {nullptr, 1}});
@@ -181,29 +179,28 @@ IndicatorField make_indicators(const std::vector<const Value*>& fields, const Gr
     return out;
 }
 
-template IndicatorField make_indicators(const std::vector<const float*>&, const Grid&, const Run&);
-template IndicatorField make_indicators(const std::vector<const double*>&, const Grid&, const Run&);
+template IndicatorField make_indicators(const Array<const float*>&, const Grid&, const Run&);
+template IndicatorField make_indicators(const Array<const double*>&, const Grid&, const Run&);
 
 Material voxel_material(const IndicatorField& field, int64_t voxel)
 {
-    const auto v = static_cast<size_t>(voxel);
     if (field.is_signed())
-        return field.field[0][v] > 0 ? 1 : 0;
-    return greatest(field.field.size(), [&](size_t k) { return field.field[k][v]; });
+        return field.field[0][voxel] > 0 ? 1 : 0;
+    return greatest(field.field.count(), [&](Material k) { return field.field[k][voxel]; });
 }
 
 Material material_at(const IndicatorField& field, const Vec3& x)
 {
     const Stencil stencil(field.grid, x);
-    const auto value = [&](size_t k) { return stencil.value(field.field[k].data()); };
+    const auto value = [&](Material k) { return stencil.value(field.field[k].data()); };
     if (field.is_signed())
         return value(0) > 0 ? 1 : 0;
-    const Material best = greatest(field.field.size(), [&](size_t k) {
-        return static_cast<int32_t>(k) == field.rest ? -std::numeric_limits<double>::infinity() : value(k);
+    const Material best = greatest(field.field.count(), [&](Material k) {
+        return k == field.rest ? -std::numeric_limits<double>::infinity() : value(k);
     });
     if (field.rest < 0)
         return best;
-    const double lead = value(static_cast<size_t>(best));
+    const double lead = value(best);
     return lead > 0 || (lead == 0 && best < field.rest) ? best : field.rest;
 }
 
@@ -211,15 +208,14 @@ void sample(const IndicatorField& field, const Vec3& x, Samples& out)
 {
     const Stencil stencil(field.grid, x);
     name_materials(field, out);
-    for (size_t k = 0; k < field.field.size(); ++k)
-        if (static_cast<int32_t>(k) != field.rest)
+    for (Material k = 0; k < field.field.count(); ++k)
+        if (k != field.rest)
             out.value[k] = stencil.value(field.field[k].data());
     if (field.is_signed()) {
         out.value[1] = out.value[0];
         out.value[0] = -out.value[1];
     } else if (field.rest >= 0) {
-        const auto rest = static_cast<size_t>(field.rest);
-        out.value[rest] = -out.value[greatest_but(out, field.rest)];
+        out.value[field.rest] = -out.value[greatest_but(out, field.rest)];
     }
 }
 
@@ -228,8 +224,8 @@ void sample_gradient(const IndicatorField& field, const Vec3& x, Samples& out)
     const Stencil stencil(field.grid, x);
     name_materials(field, out);
     out.gradient.resize(out.size());
-    for (size_t k = 0; k < field.field.size(); ++k) {
-        if (static_cast<int32_t>(k) == field.rest)
+    for (Material k = 0; k < field.field.count(); ++k) {
+        if (k == field.rest)
             continue;
         out.value[k] = stencil.value(field.field[k].data(), out.gradient[k]);
         out.gradient[k] = out.gradient[k].cwiseQuotient(field.grid.spacing).eval();
@@ -240,10 +236,9 @@ void sample_gradient(const IndicatorField& field, const Vec3& x, Samples& out)
         out.gradient[1] = out.gradient[0];
         out.gradient[0] = -out.gradient[1];
     } else if (field.rest >= 0) {
-        const auto rest = static_cast<size_t>(field.rest);
-        const size_t other = greatest_but(out, field.rest);
-        out.value[rest] = -out.value[other];
-        out.gradient[rest] = -out.gradient[other];
+        const Material other = greatest_but(out, field.rest);
+        out.value[field.rest] = -out.value[other];
+        out.gradient[field.rest] = -out.gradient[other];
     }
 }
 

@@ -5,10 +5,9 @@
 // one up to the walls of the box, half a voxel away.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/run.hpp"
 #include "volume/volume.hpp"
-
-#include <vector>
 
 namespace cleft
 {
@@ -16,21 +15,21 @@ namespace cleft
 struct IndicatorField {
     Grid grid;
     // K fields, or for a signed function one: then material 0 is -f and material 1 is +f.
-    std::vector<std::vector<float>> field;
+    Array<Array<float>> field;
     // The field that is everywhere the greatest of the others with its sign changed, as distances from what is outside
     // of several parts are; -1 if there is none. It has a crease in the gap between two parts, which interpolation
     // would round off and so fill the gap: it is taken from the others where they are interpolated.
     int32_t rest = -1;
     // For blocks of kBlock^3 voxels: how many blocks around it hold one material, plus one; 0: perhaps more than one.
     Grid blocks;
-    std::vector<uint8_t> depth;
+    Array<uint8_t> depth;
 
     bool is_signed() const { return field.size() == 1; }
     Material material_count() const { return is_signed() ? 2 : static_cast<Material>(field.size()); }
 };
 
 template <class Value>
-IndicatorField make_indicators(const std::vector<const Value*>& fields, const Grid& grid, const Run& run);
+IndicatorField make_indicators(const Array<const Value*>& fields, const Grid& grid, const Run& run);
 
 Material voxel_material(const IndicatorField& field, int64_t voxel);
 Material material_at(const IndicatorField& field, const Vec3& x);

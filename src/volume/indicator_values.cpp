@@ -34,9 +34,9 @@ struct Range {
 template <class Value>
 Range range_of(const Value* values, const Grid& grid, size_t field, const Run& run)
 {
-    std::vector<Range> parts(static_cast<size_t>(chunk_count(grid.size(), kValuesChecked)));
+    Array<Range> parts(chunk_count(grid.size(), kValuesChecked));
     parallel_chunks(run, grid.size(), kValuesChecked, [&](int64_t chunk, int64_t begin, int64_t end) {
-        Range& part = parts[static_cast<size_t>(chunk)];
+        Range& part = parts[chunk];
         for (int64_t i = begin; i < end; ++i) {
             const double magnitude = std::abs(static_cast<double>(values[i]));
             if (!std::isfinite(magnitude))
@@ -65,8 +65,7 @@ void warn_of_far_values(int64_t count, double far, const Run& run)
 }  // namespace
 
 template <class Value>
-std::vector<std::vector<float>> bounded_values(const std::vector<const Value*>& fields, const Grid& grid,
-                                               const Run& run)
+Array<Array<float>> bounded_values(const Array<const Value*>& fields, const Grid& grid, const Run& run)
 {
     Range range;
     Steps steps(run, {{nullptr, 1}, {nullptr, 1}});
@@ -76,23 +75,22 @@ std::vector<std::vector<float>> bounded_values(const std::vector<const Value*>& 
     const double far = range.greatest > 0 ? kFarValue * range.greatest : 1;
     if (range.far > 0)
         warn_of_far_values(range.far, far, run);
-    std::vector<std::vector<float>> out;
+    Array<Array<float>> out;
     const Run of_copies = steps.next();
     for (size_t k = 0; k < fields.size(); ++k) {
         of_copies.report(static_cast<double>(k) / static_cast<double>(fields.size()));
-        out.emplace_back(static_cast<size_t>(grid.size()));
+        out.emplace_back(grid.size());
         parallel_for(run, grid.size(), kValuesChecked, [&, values = fields[k]](int64_t begin, int64_t end) {
             for (int64_t i = begin; i < end; ++i) {
                 const auto f = static_cast<double>(values[i]);
-                out[k][static_cast<size_t>(i)] =
-                    static_cast<float>(std::abs(f) > kGreatestValue ? std::copysign(far, f) : f);
+                out[k][i] = static_cast<float>(std::abs(f) > kGreatestValue ? std::copysign(far, f) : f);
             }
         });
     }
     return out;
 }
 
-template std::vector<std::vector<float>> bounded_values(const std::vector<const float*>&, const Grid&, const Run&);
-template std::vector<std::vector<float>> bounded_values(const std::vector<const double*>&, const Grid&, const Run&);
+template Array<Array<float>> bounded_values(const Array<const float*>&, const Grid&, const Run&);
+template Array<Array<float>> bounded_values(const Array<const double*>&, const Grid&, const Run&);
 
 }  // namespace cleft

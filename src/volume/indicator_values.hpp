@@ -1,10 +1,9 @@
 // The values of indicator functions as the stages use them: finite floats whose products do not overflow.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/run.hpp"
 #include "volume/grid.hpp"
-
-#include <vector>
 
 namespace cleft
 {
@@ -13,7 +12,6 @@ namespace cleft
 // kFarValue times the greatest magnitude that all the fields have within it, of their sign; a warning reports them.
 // Taken as they are they would draw the cubic interpolation over zero where the field has none.
 template <class Value>
-std::vector<std::vector<float>> bounded_values(const std::vector<const Value*>& fields, const Grid& grid,
-                                               const Run& run);
+Array<Array<float>> bounded_values(const Array<const Value*>& fields, const Grid& grid, const Run& run);
 
 }  // namespace cleft

@@ -4,7 +4,6 @@
 #include "volume/label_map.hpp"
 #include "volume/lanes.hpp"
 
-#include <array>
 #include <cstring>
 
 namespace cleft
@@ -31,12 +30,12 @@ template <class Label>
 class LabelBlock
 {
 public:
-    LabelBlock(const LabelMap<Label>& map, const std::array<int32_t, 3>& first, int width)
+    LabelBlock(const LabelMap<Label>& map, const FixedArray<int32_t, 3>& first, int width)
         : width_(width), size_(width * width * width)
     {
         const auto& dims = map.grid.dims;
         bool inside = true;
-        for (size_t a = 0; a < 3; ++a)
+        for (int a = 0; a < 3; ++a)
             inside = inside && first[a] >= 0 && first[a] <= dims[a] - width;
         if (inside)
             copy_rows(map, first);
@@ -74,7 +73,7 @@ public:
     }
 
 private:
-    void copy_rows(const LabelMap<Label>& map, const std::array<int32_t, 3>& first)
+    void copy_rows(const LabelMap<Label>& map, const FixedArray<int32_t, 3>& first)
     {
         const int64_t row = map.grid.dims[0], slice = row * map.grid.dims[1];
         const int64_t start = map.grid.index(first[0], first[1], first[2]);
@@ -88,10 +87,10 @@ private:
                 std::memcpy(weight_ + at, weight + y * row + z * slice, kLanes);
             }
     }
-    void copy_mirrored(const LabelMap<Label>& map, const std::array<int32_t, 3>& first)
+    void copy_mirrored(const LabelMap<Label>& map, const FixedArray<int32_t, 3>& first)
     {
         int32_t index[3][kGreatestWidth];
-        for (size_t a = 0; a < 3; ++a)
+        for (int a = 0; a < 3; ++a)
             for (int i = 0; i < width_; ++i)
                 index[a][i] = mirrored(first[a] + i, map.grid.dims[a]);
         int at = 0;
@@ -99,8 +98,8 @@ private:
             for (int y = 0; y < width_; ++y) {
                 const int64_t start = map.grid.index(0, index[1][y], index[2][z]);
                 for (int x = 0; x < width_; ++x, ++at) {
-                    material_[at] = map.material[static_cast<size_t>(start + index[0][x])];
-                    weight_[at] = map.weight[static_cast<size_t>(start + index[0][x])];
+                    material_[at] = map.material[start + index[0][x]];
+                    weight_[at] = map.weight[start + index[0][x]];
                 }
             }
     }

@@ -43,7 +43,7 @@ void find_depths(LabelMap<Label>& map, const Run& run)
 {
     const Grid& grid = map.grid;
     const auto nx = grid.dims[0], ny = grid.dims[1], nz = grid.dims[2];  // lambdas of C++17 capture no bindings
-    const auto size = static_cast<size_t>(grid.size()) + kLanes;
+    const int64_t size = grid.size() + kLanes;
     map.weight.assign(size, kWeightOne);
     map.code.assign(size, 0);
     uint8_t* depth = map.code.data();

@@ -82,7 +82,7 @@ struct PointValues {
 };
 
 template <class Label>
-void add_bumps(const LabelMap<Label>& map, const PointWeights& at, const std::array<int32_t, 3>& p,
+void add_bumps(const LabelMap<Label>& map, const PointWeights& at, const FixedArray<int32_t, 3>& p,
                PointValues<Label>& out)
 {
     const auto& dims = map.grid.dims;
@@ -90,7 +90,7 @@ void add_bumps(const LabelMap<Label>& map, const PointWeights& at, const std::ar
         for (int dy = 0; dy < 3; ++dy) {
             const int64_t start = map.grid.index(0, mirrored(p[1] + dy - 1, dims[1]), mirrored(p[2] + dz - 1, dims[2]));
             for (int dx = 0; dx < 3; ++dx) {
-                const auto v = static_cast<size_t>(start + mirrored(p[0] + dx - 1, dims[0]));
+                const int64_t v = start + mirrored(p[0] + dx - 1, dims[0]);
                 const int b = bump_of(map.code[v]);
                 if (b == 0)
                     continue;
@@ -129,7 +129,7 @@ void divide_points(const PointValues<Label>& values, float soft, float* share)
 }
 
 template <class Label>
-VoxelShare<Label> voxel_share(const LabelMap<Label>& map, const PointWeights& at, const std::array<int32_t, 3>& p)
+VoxelShare<Label> voxel_share(const LabelMap<Label>& map, const PointWeights& at, const FixedArray<int32_t, 3>& p)
 {
     LabelBlock<Label> block(map, {p[0] - at.reach, p[1] - at.reach, p[2] - at.reach}, at.width);
     PointValues<Label> values;
@@ -172,7 +172,7 @@ template <class Label>
 struct ShareWindow {
     ShareWindow(const Grid& g, int32_t planes_) : grid(g), planes(planes_), row(int64_t{g.dims[0]} + 2 * kBox)
     {
-        const auto n = static_cast<size_t>(row * grid.dims[1] * planes) + kChunk;
+        const int64_t n = row * grid.dims[1] * planes + kChunk;
         own.resize(n);
         lack.resize(n);
         for (int i = 0; i < 2; ++i) {
@@ -181,17 +181,14 @@ struct ShareWindow {
         }
     }
     // The place of the voxel kBox before the first one of a row.
-    size_t start(int32_t y, int32_t z) const
-    {
-        return static_cast<size_t>(row * (y + int64_t{grid.dims[1]} * (z % planes)));
-    }
+    int64_t start(int32_t y, int32_t z) const { return row * (y + int64_t{grid.dims[1]} * (z % planes)); }
     // A row of voxels that all belong to their own material.
-    void clear_row(size_t start)
+    void clear_row(int64_t start)
     {
         for (auto* plane : {&lack, &gain[0], &gain[1]})
-            std::fill_n(plane->begin() + static_cast<std::ptrdiff_t>(start), row, uint8_t{0});
+            std::fill_n(plane->begin() + start, row, uint8_t{0});
     }
-    void set(size_t i, const VoxelShare<Label>& s)
+    void set(int64_t i, const VoxelShare<Label>& s)
     {
         own[i] = s.own;
         lack[i] = s.lack;
@@ -200,7 +197,7 @@ struct ShareWindow {
             gain[e][i] = s.gain[e];
         }
     }
-    void copy(size_t from, size_t to)
+    void copy(int64_t from, int64_t to)
     {
         set(to, {own[from], lack[from], {other[0][from], other[1][from]}, {gain[0][from], gain[1][from]}});
     }
@@ -208,27 +205,26 @@ struct ShareWindow {
     Grid grid;
     int32_t planes;
     int64_t row;
-    std::vector<Label> own, other[2];
-    std::vector<uint8_t> lack, gain[2];
+    Array<Label> own, other[2];
+    Array<uint8_t> lack, gain[2];
 };
 
 template <class Label>
 void fill_row(const LabelMap<Label>& map, const PointWeights& at, int32_t y, int32_t z, ShareWindow<Label>& window)
 {
     const int32_t nx = map.grid.dims[0];
-    const auto voxels = static_cast<size_t>(map.grid.index(0, y, z));
-    const size_t start = window.start(y, z);
+    const int64_t voxels = map.grid.index(0, y, z), start = window.start(y, z);
     window.clear_row(start);
     for (int32_t x = 0; x < nx; ++x) {
-        const size_t v = voxels + static_cast<size_t>(x), i = start + kBox + static_cast<size_t>(x);
+        const int64_t v = voxels + x, i = start + kBox + x;
         window.own[i] = map.material[v];
         if (in_band(map.code[v]))
             window.set(i, voxel_share(map, at, {x, y, z}));
     }
     for (int32_t x = -kBox; x < 0; ++x)
-        window.copy(start + kBox + static_cast<size_t>(mirrored(x, nx)), start + static_cast<size_t>(x + kBox));
+        window.copy(start + kBox + mirrored(x, nx), start + kBox + x);
     for (int32_t x = nx; x < nx + kBox; ++x)
-        window.copy(start + kBox + static_cast<size_t>(mirrored(x, nx)), start + static_cast<size_t>(x + kBox));
+        window.copy(start + kBox + mirrored(x, nx), start + kBox + x);
 }
 
 // Half a voxel of the outermost ones: the box has sides of four voxels.
@@ -238,11 +234,11 @@ constexpr double kBoxTotal = 8 * 8 * 8;
 
 // How much of the volume around voxel x of a row its own material lacks, -1 .. 1. rows: where the 25 rows around start.
 template <class Label>
-double lack_around(const ShareWindow<Label>& window, Label own, const size_t* rows, size_t x)
+double lack_around(const ShareWindow<Label>& window, Label own, const int64_t* rows, int32_t x)
 {
     WordSum sum;
     for (int r = 0; r < kBoxRows; ++r) {
-        const auto held = [&, i = rows[r] + x](const std::vector<Label>& material, const std::vector<uint8_t>& part) {
+        const auto held = [&, i = rows[r] + x](const Array<Label>& material, const Array<uint8_t>& part) {
             return ByteChunk::equal(&material[i], own) & ByteChunk::load(&part[i]);
         };
         // A voxel lists a material once, so at most one of the two gains counts.
@@ -271,12 +267,12 @@ template <class Label>
 void correct_row(LabelMap<Label>& map, const ShareWindow<Label>& window, int32_t y, int32_t z, FeedbackRound round)
 {
     const auto& dims = map.grid.dims;
-    size_t rows[kBoxRows];
+    int64_t rows[kBoxRows];
     for (int r = 0; r < kBoxRows; ++r)
         rows[r] = window.start(mirrored(y + r % 5 - kBox, dims[1]), mirrored(z + r / 5 - kBox, dims[2]));
-    const auto voxels = static_cast<size_t>(map.grid.index(0, y, z));
-    for (size_t x = 0; x < static_cast<size_t>(dims[0]); ++x) {
-        const size_t v = voxels + x;
+    const int64_t voxels = map.grid.index(0, y, z);
+    for (int32_t x = 0; x < dims[0]; ++x) {
+        const int64_t v = voxels + x;
         if (!in_band(map.code[v]))
             continue;
         const double weight = map.weight[v];

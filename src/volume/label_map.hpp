@@ -10,12 +10,12 @@
 // right angles, which is where good dihedral angles need it.
 #pragma once
 
+#include "base/array.hpp"
 #include "mesh/tet_mesh.hpp"
 #include "volume/grid.hpp"
 #include "volume/hann.hpp"
 
 #include <cstdint>
-#include <vector>
 
 namespace cleft
 {
@@ -45,9 +45,9 @@ struct LabelMap {
     Grid grid;
     Hann kernel{5};
     // Each padded by kLanes entries, so that whole lanes can be read at any voxel.
-    std::vector<Label> material;
-    std::vector<uint8_t> weight;  // A
-    std::vector<uint8_t> code;    // B or depth
+    Array<Label> material;
+    Array<uint8_t> weight;  // A
+    Array<uint8_t> code;    // B or depth
 
     // A point sees no voxel farther than this from its nearest one.
     int reach() const { return kernel.width() / 2; }

@@ -23,10 +23,10 @@ struct Shares {
 };
 
 // The voxel whose centre is nearest to a point.
-size_t voxel_at(const Grid& grid, const std::array<double, 3>& u)
+int64_t voxel_at(const Grid& grid, const FixedArray<double, 3>& u)
 {
     const auto [i, j, k] = nearest_voxel(grid, u);
-    return static_cast<size_t>(grid.index(i, j, k));
+    return grid.index(i, j, k);
 }
 
 // The kernel for every voxel of a block, and its derivatives by x, y and z.
@@ -75,11 +75,11 @@ struct Corners {
     int64_t voxel[8];
     double offset[3];  // from the first of them
 
-    Corners(const Grid& grid, const std::array<double, 3>& u)
+    Corners(const Grid& grid, const FixedArray<double, 3>& u)
     {
         int64_t step[3][2];
         const int64_t stride[3] = {1, grid.dims[0], int64_t{grid.dims[0]} * grid.dims[1]};
-        for (size_t a = 0; a < 3; ++a) {
+        for (int a = 0; a < 3; ++a) {
             const int32_t low = static_cast<int32_t>(u[a] + 1) - 1;
             offset[a] = u[a] - low;
             step[a][0] = stride[a] * std::max(low, 0);
@@ -91,12 +91,12 @@ struct Corners {
 };
 
 template <bool WithGradient, class Label>
-void add_bumps(const LabelMap<Label>& map, const std::array<double, 3>& u, Shares& out)
+void add_bumps(const LabelMap<Label>& map, const FixedArray<double, 3>& u, Shares& out)
 {
     const Corners corners(map.grid, u);
     int any = 0;
     for (const int64_t v : corners.voxel)
-        any |= bump_of(map.code[static_cast<size_t>(v)]);
+        any |= bump_of(map.code[v]);
     if (!any)
         return;
     double w[3][2], dw[3][2];
@@ -106,7 +106,7 @@ void add_bumps(const LabelMap<Label>& map, const std::array<double, 3>& u, Share
             dw[a][e] = bump_slope(corners.offset[a] - e);
         }
     for (int c = 0; c < 8; ++c) {
-        const auto v = static_cast<size_t>(corners.voxel[c]);
+        const int64_t v = corners.voxel[c];
         const double b = bump_of(map.code[v]) * (1.0 / kWeightOne);
         const auto k = std::find(out.material, out.material + out.count, Material{map.material[v]}) - out.material;
         // A corner outside the kernel's block is there by rounding, and its bump is as small.
@@ -123,7 +123,7 @@ void add_bumps(const LabelMap<Label>& map, const std::array<double, 3>& u, Share
 }
 
 template <bool WithGradient, class Label>
-void find_shares(const LabelMap<Label>& map, const std::array<double, 3>& u, Shares& out)
+void find_shares(const LabelMap<Label>& map, const FixedArray<double, 3>& u, Shares& out)
 {
     const int width = map.kernel.width();
     KernelWeights kernel;
@@ -179,12 +179,12 @@ void sample_shares(const LabelMap<Label>& map, const Vec3& x, Samples& out)
         if (WithGradient)
             sum_gradient += Eigen::Map<const Vec3>(shares.gradient[entries[i]]);
     }
-    const auto n = static_cast<size_t>(count);
-    out.material.resize(n);
-    out.value.resize(n);
+    // The nearest voxel at least has a share.
+    out.material.resize(count);
+    out.value.resize(count);
     if (WithGradient)
-        out.gradient.resize(n);
-    for (size_t i = 0; i < n; ++i) {
+        out.gradient.resize(count);
+    for (int i = 0; i < count; ++i) {
         const int k = entries[i];
         out.material[i] = shares.material[k];
         out.value[i] = shares.value[k] / sum;
@@ -231,11 +231,11 @@ bool single_material_near(const LabelMap<Label>& map, const Vec3& x, double reac
 {
     const auto u = voxel_position(map.grid, x);
     const auto nearest = nearest_voxel(map.grid, u);
-    const int depth = depth_of(map.code[static_cast<size_t>(map.grid.index(nearest[0], nearest[1], nearest[2]))]);
+    const int depth = depth_of(map.code[map.grid.index(nearest[0], nearest[1], nearest[2])]);
     // A point within `reach` sees the voxels less than half a kernel farther; the block of one material around the
     // nearest voxel ends before the centres at depth + 1.
-    for (size_t a = 0; a < 3; ++a) {
-        const double offset = std::abs(u[a] - nearest[a]) + reach / map.grid.spacing[static_cast<int>(a)];
+    for (int a = 0; a < 3; ++a) {
+        const double offset = std::abs(u[a] - nearest[a]) + reach / map.grid.spacing[a];
         if (!(offset + 0.5 * map.kernel.width() <= depth + 1))
             return false;
     }

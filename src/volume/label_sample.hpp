@@ -10,7 +10,7 @@ namespace cleft
 template <class Label>
 Material voxel_material(const LabelMap<Label>& map, int64_t voxel)
 {
-    return map.material[static_cast<size_t>(voxel)];
+    return map.material[voxel];
 }
 template <class Label>
 void sample(const LabelMap<Label>& map, const Vec3& x, Samples& out);

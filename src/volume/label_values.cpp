@@ -25,9 +25,9 @@ template <class Value>
 constexpr size_t kValueCount = size_t{1} << (8 * (kIsSmall<Value> ? sizeof(Value) : 0));
 
 template <class Value>
-size_t slot(Value value)
+std::make_unsigned_t<Value> slot(Value value)
 {
-    return static_cast<size_t>(static_cast<std::make_unsigned_t<Value>>(value));
+    return static_cast<std::make_unsigned_t<Value>>(value);
 }
 
 // Different values in the order in which they came.
@@ -46,19 +46,19 @@ public:
         if (is_new)
             values_.push_back(value);
     }
-    const std::vector<Value>& values() const { return values_; }
+    const Array<Value>& values() const { return values_; }
 
 private:
-    std::vector<uint8_t> seen_;
+    Array<uint8_t> seen_;
     std::unordered_set<Value> hashed_;
-    std::vector<Value> values_;
+    Array<Value> values_;
 };
 
 template <class Value, class Label>
 class ValueMap
 {
 public:
-    explicit ValueMap(const std::vector<int32_t>& labels) : place_(kValueCount<Value>, 0)
+    explicit ValueMap(const Array<int32_t>& labels) : place_(kValueCount<Value>, 0)
     {
         for (size_t i = 0; i < labels.size(); ++i) {
             const auto value = static_cast<Value>(labels[i]);
@@ -77,7 +77,7 @@ public:
     }
 
 private:
-    std::vector<Label> place_;
+    Array<Label> place_;
     std::unordered_map<Value, Label> hashed_;
 };
 
@@ -89,7 +89,7 @@ private:
 }  // namespace
 
 template <class Value>
-std::vector<int32_t> distinct_labels(const Value* voxels, int64_t n, const Run& run)
+Array<int32_t> distinct_labels(const Value* voxels, int64_t n, const Run& run)
 {
     ValueSet<Value> set;
     Value last = voxels[0];
@@ -105,15 +105,15 @@ std::vector<int32_t> distinct_labels(const Value* voxels, int64_t n, const Run& 
         if (set.values().size() > kGreatestLabelCount)
             refuse_count();
     }
-    const std::vector<Value>& values = set.values();
+    const Array<Value>& values = set.values();
     if constexpr (std::is_same_v<Value, uint32_t>)
         if (const uint32_t greatest = *std::max_element(values.begin(), values.end()); greatest > uint32_t{INT32_MAX})
             throw Error(CLEFT_ERROR_ARGUMENT, "label " + std::to_string(greatest) + " is greater than 2147483647");
-    return std::vector<int32_t>(values.begin(), values.end());
+    return Array<int32_t>(values.begin(), values.end());
 }
 
 template <class Value, class Label>
-void dense_materials(const Value* voxels, int64_t n, const std::vector<int32_t>& labels, Label* out, const Run& run)
+void dense_materials(const Value* voxels, int64_t n, const Array<int32_t>& labels, Label* out, const Run& run)
 {
     const ValueMap<Value, Label> map(labels);
     parallel_for(run, n, kVoxelsListed, [&](int64_t begin, int64_t end) {
@@ -129,10 +129,10 @@ void dense_materials(const Value* voxels, int64_t n, const std::vector<int32_t>&
     });
 }
 
-#define CLEFT_INSTANTIATE(Value)                                                                             \
-    template std::vector<int32_t> distinct_labels(const Value*, int64_t, const Run&);                        \
-    template void dense_materials(const Value*, int64_t, const std::vector<int32_t>&, uint8_t*, const Run&); \
-    template void dense_materials(const Value*, int64_t, const std::vector<int32_t>&, uint16_t*, const Run&)
+#define CLEFT_INSTANTIATE(Value)                                                                       \
+    template Array<int32_t> distinct_labels(const Value*, int64_t, const Run&);                        \
+    template void dense_materials(const Value*, int64_t, const Array<int32_t>&, uint8_t*, const Run&); \
+    template void dense_materials(const Value*, int64_t, const Array<int32_t>&, uint16_t*, const Run&)
 CLEFT_INSTANTIATE(uint8_t);
 CLEFT_INSTANTIATE(uint16_t);
 CLEFT_INSTANTIATE(int16_t);

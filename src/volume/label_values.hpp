@@ -1,10 +1,10 @@
 // From a user's label values to dense materials and back.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/run.hpp"
 
 #include <cstdint>
-#include <vector>
 
 namespace cleft
 {
@@ -14,10 +14,10 @@ constexpr size_t kGreatestLabelCount = 65535;
 // The different values among n voxels in the order in which they come there: materials are numbered so, and another
 // choice of values gives the same mesh. Refuses values past INT32_MAX and more than 65,535 different ones.
 template <class Value>
-std::vector<int32_t> distinct_labels(const Value* voxels, int64_t n, const Run& run);
+Array<int32_t> distinct_labels(const Value* voxels, int64_t n, const Run& run);
 
 // out[i] = place of voxels[i] in `labels`.
 template <class Value, class Label>
-void dense_materials(const Value* voxels, int64_t n, const std::vector<int32_t>& labels, Label* out, const Run& run);
+void dense_materials(const Value* voxels, int64_t n, const Array<int32_t>& labels, Label* out, const Run& run);
 
 }  // namespace cleft

@@ -33,7 +33,7 @@ struct CentreWeights {
 
 // f of the voxel's own material minus the best other one, at its centre, without its bump.
 template <class Label>
-double lead_at_centre(const LabelMap<Label>& map, const CentreWeights& at, const std::array<int32_t, 3>& p)
+double lead_at_centre(const LabelMap<Label>& map, const CentreWeights& at, const FixedArray<int32_t, 3>& p)
 {
     LabelBlock<Label> block(map, {p[0] - at.reach, p[1] - at.reach, p[2] - at.reach}, at.width);
     float own = 0, other = 0;
@@ -49,16 +49,16 @@ double lead_at_centre(const LabelMap<Label>& map, const CentreWeights& at, const
 
 // True if the voxel lies in a run of at most two equal voxels along an axis. A half-space has none.
 template <class Label>
-bool is_thin(const LabelMap<Label>& map, const std::array<int32_t, 3>& p)
+bool is_thin(const LabelMap<Label>& map, const FixedArray<int32_t, 3>& p)
 {
     const auto& dims = map.grid.dims;
-    const Label own = map.material[static_cast<size_t>(map.grid.index(p[0], p[1], p[2]))];
-    for (size_t a = 0; a < 3; ++a) {
+    const Label own = map.material[map.grid.index(p[0], p[1], p[2])];
+    for (int a = 0; a < 3; ++a) {
         bool same[5];
         for (int o = -2; o <= 2; ++o) {
             auto q = p;
             q[a] = mirrored(p[a] + o, dims[a]);
-            same[o + 2] = map.material[static_cast<size_t>(map.grid.index(q[0], q[1], q[2]))] == own;
+            same[o + 2] = map.material[map.grid.index(q[0], q[1], q[2])] == own;
         }
         if (!((same[0] && same[1]) || (same[1] && same[3]) || (same[3] && same[4])))
             return true;
@@ -80,8 +80,8 @@ void for_band(const LabelMap<Label>& map, const Run& run, const Body& body)
                 const auto y = static_cast<int32_t>(row % ny), z = static_cast<int32_t>(z0 + row / ny);
                 const int64_t start = map.grid.index(0, y, z);
                 for (int32_t x = 0; x < nx; ++x)
-                    if (in_band(map.code[static_cast<size_t>(start + x)]))
-                        body(x, y, z, static_cast<size_t>(start + x));
+                    if (in_band(map.code[start + x]))
+                        body(x, y, z, start + x);
             }
         });
     }
@@ -105,14 +105,14 @@ void find_weights(LabelMap<Label>& map, const Run& run)
 {
     const CentreWeights centre(map.kernel);
     Steps steps(run, {{nullptr, 1}, {nullptr, 3}, {nullptr, 3}, {nullptr, 1}});
-    for_band(map, steps.next(), [&](int32_t x, int32_t y, int32_t z, size_t v) {
+    for_band(map, steps.next(), [&](int32_t x, int32_t y, int32_t z, int64_t v) {
         if (is_thin(map, {x, y, z}))
             map.code[v] = thin_bump(lead_at_centre(map, centre, {x, y, z}));
     });
     feed_back_volume(map, FeedbackRound::first, steps.next());
     feed_back_volume(map, FeedbackRound::second, steps.next());
     // A bump moves no other centre, so one pass in any order is exact.
-    for_band(map, steps.next(), [&](int32_t x, int32_t y, int32_t z, size_t v) {
+    for_band(map, steps.next(), [&](int32_t x, int32_t y, int32_t z, int64_t v) {
         const double lack = kMargin - lead_at_centre(map, centre, {x, y, z});
         if (lack > 0)
             map.code[v] = std::max(map.code[v], static_cast<uint8_t>(std::ceil(kWeightOne * lack)));

@@ -17,10 +17,16 @@ public:
     static constexpr int kCapacity = 15;
 
     MaterialSet() = default;
-    explicit MaterialSet(Material m) : count_(1) { item_[0] = static_cast<uint16_t>(m); }
+    explicit MaterialSet(Material m) : count_(1)
+    {
+        item_[0] = static_cast<uint16_t>(m);
+    }
 
     int size() const { return count_; }
-    Material operator[](int i) const { return item_[i]; }
+    Material operator[](int i) const
+    {
+        return item_[i];
+    }
     const uint16_t* begin() const { return item_; }
     const uint16_t* end() const { return item_ + count_; }
 

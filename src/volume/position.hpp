@@ -4,28 +4,28 @@
 #include "volume/grid.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace cleft
 {
 
 // Voxel centres are at integers. A point outside the box is moved to the nearest point of the box, NaN to its least
 // corner.
-inline std::array<double, 3> voxel_position(const Grid& grid, const Vec3& x)
+inline FixedArray<double, 3> voxel_position(const Grid& grid, const Vec3& x)
 {
-    std::array<double, 3> u;
-    for (size_t a = 0; a < 3; ++a) {
-        const double t = x[static_cast<int>(a)] / grid.spacing[static_cast<int>(a)];
+    FixedArray<double, 3> u;
+    for (int a = 0; a < 3; ++a) {
+        const double t = x[a] / grid.spacing[a];
         u[a] = (t > 0 ? std::min<double>(t, grid.dims[a]) : 0.0) - 0.5;
     }
     return u;
 }
 
-inline std::array<int32_t, 3> nearest_voxel(const Grid& grid, const std::array<double, 3>& u)
+inline FixedArray<int32_t, 3> nearest_voxel(const Grid& grid, const FixedArray<double, 3>& u)
 {
-    std::array<int32_t, 3> n;
-    for (size_t a = 0; a < 3; ++a)
+    FixedArray<int32_t, 3> n;
+    for (int a = 0; a < 3; ++a) {
         n[a] = std::min(static_cast<int32_t>(u[a] + 0.5), grid.dims[a] - 1);
+    }
     return n;
 }
 

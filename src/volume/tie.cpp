@@ -13,13 +13,13 @@ namespace
 double value_of(const Samples& samples, Material m)
 {
     const int i = samples.find(m);
-    return i < 0 ? 0.0 : samples.value[static_cast<size_t>(i)];
+    return i < 0 ? 0.0 : samples.value[i];
 }
 
 Vec3 gradient_of(const Samples& samples, Material m)
 {
     const int i = samples.find(m);
-    return i < 0 ? Vec3(0, 0, 0) : samples.gradient[static_cast<size_t>(i)];
+    return i < 0 ? Vec3(0, 0, 0) : samples.gradient[i];
 }
 
 // The equations f_i - f_0 = 0, i = 1 .. n, at a point; rows past n are zero.

@@ -23,7 +23,7 @@ namespace cleft
 
 struct Volume::Data {
     std::variant<LabelMap<uint8_t>, LabelMap<uint16_t>, IndicatorField> field;
-    std::vector<int32_t> labels;
+    Array<int32_t> labels;
 };
 
 namespace
@@ -31,11 +31,11 @@ namespace
 
 void check_grid(const Grid& grid)
 {
-    for (size_t a = 0; a < 3; ++a)
+    for (int a = 0; a < 3; ++a)
         if (grid.dims[a] < 1)
             throw Error(CLEFT_ERROR_ARGUMENT,
-                        "a volume needs at least one voxel along each axis, but the number along the " +
-                            ordinal(static_cast<int64_t>(a)) + " is " + std::to_string(grid.dims[a]));
+                        "a volume needs at least one voxel along each axis, but the number along the " + ordinal(a) +
+                            " is " + std::to_string(grid.dims[a]));
     for (int a = 0; a < 3; ++a)
         if (!(grid.spacing[a] > 0) || !std::isfinite(grid.spacing[a]))
             throw Error(CLEFT_ERROR_ARGUMENT, "the spacing along the " + ordinal(a) + " axis is " +
@@ -46,13 +46,13 @@ void check_grid(const Grid& grid)
 }
 
 template <class Label, class Value>
-LabelMap<Label> make_label_map(const Value* voxels, const Grid& grid, int kernel, const std::vector<int32_t>& labels,
+LabelMap<Label> make_label_map(const Value* voxels, const Grid& grid, int kernel, const Array<int32_t>& labels,
                                const Run& run)
 {
     LabelMap<Label> map;
     map.grid = grid;
     map.kernel = Hann(kernel);
-    map.material.resize(static_cast<size_t>(grid.size()) + kLanes);
+    map.material.resize(grid.size() + kLanes);
     Steps steps(run, {{nullptr, 2}, {nullptr, 10}, {nullptr, 80}});
     dense_materials(voxels, grid.size(), labels, map.material.data(), steps.next());
     find_depths(map, steps.next());
@@ -74,11 +74,11 @@ void store_labels(const void* voxels, const Grid& grid, int kernel, Volume::Data
 }
 
 // The names of the materials of K fields.
-std::vector<int32_t> indicator_labels(size_t fields, const std::vector<int32_t>& labels)
+Array<int32_t> indicator_labels(size_t fields, const Array<int32_t>& labels)
 {
     const size_t materials = fields == 1 ? 2 : fields;
     if (labels.empty()) {
-        std::vector<int32_t> numbers(materials);
+        Array<int32_t> numbers(materials);
         for (size_t i = 0; i < materials; ++i)
             numbers[i] = static_cast<int32_t>(i);
         return numbers;
@@ -95,7 +95,7 @@ std::vector<int32_t> indicator_labels(size_t fields, const std::vector<int32_t>&
 }
 
 template <class Value>
-void store_indicators(const std::vector<const Value*>& fields, const Grid& grid, const std::vector<int32_t>& labels,
+void store_indicators(const Array<const Value*>& fields, const Grid& grid, const Array<int32_t>& labels,
                       Volume::Data& data, const Run& run)
 {
     Stage stage(run, "volume", {{"volume: functions", 1}});
@@ -144,16 +144,16 @@ Volume Volume::from_labels(VoxelType type, const void* voxels, const Grid& grid,
     return Volume(std::move(data));
 }
 
-Volume Volume::from_indicators(const std::vector<const float*>& fields, const Grid& grid,
-                               const std::vector<int32_t>& labels, const Run& run)
+Volume Volume::from_indicators(const Array<const float*>& fields, const Grid& grid, const Array<int32_t>& labels,
+                               const Run& run)
 {
     auto data = std::make_unique<Data>();
     store_indicators(fields, grid, labels, *data, run);
     return Volume(std::move(data));
 }
 
-Volume Volume::from_indicators(const std::vector<const double*>& fields, const Grid& grid,
-                               const std::vector<int32_t>& labels, const Run& run)
+Volume Volume::from_indicators(const Array<const double*>& fields, const Grid& grid, const Array<int32_t>& labels,
+                               const Run& run)
 {
     auto data = std::make_unique<Data>();
     store_indicators(fields, grid, labels, *data, run);
@@ -170,16 +170,15 @@ const Grid& Volume::grid() const
     return std::visit([](const auto& field) -> const Grid& { return field.grid; }, data_->field);
 }
 
-const std::vector<int32_t>& Volume::labels() const { return data_->labels; }
+const Array<int32_t>& Volume::labels() const { return data_->labels; }
 
-std::vector<Material> Volume::listed() const
+Array<Material> Volume::listed() const
 {
-    std::vector<Material> materials(labels().size());
+    Array<Material> materials(labels().size());
     std::iota(materials.begin(), materials.end(), 0);
     if (is_label_map())
-        std::sort(materials.begin(), materials.end(), [&](Material a, Material b) {
-            return labels()[static_cast<size_t>(a)] < labels()[static_cast<size_t>(b)];
-        });
+        std::sort(materials.begin(), materials.end(),
+                  [&](Material a, Material b) { return labels()[a] < labels()[b]; });
     return materials;
 }
 
@@ -188,7 +187,7 @@ bool Volume::is_label_map() const { return !std::holds_alternative<IndicatorFiel
 int64_t Volume::indicator_count() const
 {
     const auto* indicators = std::get_if<IndicatorField>(&data_->field);
-    return indicators ? static_cast<int64_t>(indicators->field.size()) : 0;
+    return indicators ? indicators->field.count() : 0;
 }
 
 int Volume::kernel_width() const
@@ -208,14 +207,14 @@ Material Volume::voxel_material(int64_t voxel) const
     return std::visit([&](const auto& field) { return cleft::voxel_material(field, voxel); }, data_->field);
 }
 
-std::vector<int64_t> Volume::voxel_counts() const
+Array<int64_t> Volume::voxel_counts() const
 {
-    std::vector<int64_t> counts(labels().size(), 0);
+    Array<int64_t> counts(labels().size(), 0);
     const int64_t n = grid().size();
     std::visit(
         [&](const auto& field) {
             for (int64_t v = 0; v < n; ++v)
-                ++counts[static_cast<size_t>(cleft::voxel_material(field, v))];
+                ++counts[cleft::voxel_material(field, v)];
         },
         data_->field);
     return counts;

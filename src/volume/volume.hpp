@@ -4,12 +4,12 @@
 // A finished Volume is immutable; all const members may be called from many threads.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/run.hpp"
 #include "mesh/tet_mesh.hpp"
 #include "volume/grid.hpp"
 
 #include <memory>
-#include <vector>
 
 namespace cleft
 {
@@ -18,9 +18,9 @@ namespace cleft
 // A material without an entry has value 0 in a label map (label indicators are shares, never negative); for indicator
 // functions every material has an entry. Reuse one object a thread: the vectors keep their memory.
 struct Samples {
-    std::vector<Material> material;
-    std::vector<double> value;
-    std::vector<Vec3> gradient;  // filled by sample_gradient only
+    Array<Material> material;
+    Array<double> value;
+    Array<Vec3> gradient;  // filled by sample_gradient only
 
     size_t size() const { return material.size(); }
     // The entry of a material, or -1.
@@ -51,10 +51,10 @@ public:
     static Volume from_labels(VoxelType type, const void* voxels, const Grid& grid, int kernel, const Run& run);
     // K fields of grid.size() values each. K = 1 is a signed function, inside where > 0: material 0 has -f, material 1
     // has +f. `labels` (K values, or 2 for K = 1, or empty for 0 .. K-1) are what the materials are called.
-    static Volume from_indicators(const std::vector<const float*>& fields, const Grid& grid,
-                                  const std::vector<int32_t>& labels, const Run& run);
-    static Volume from_indicators(const std::vector<const double*>& fields, const Grid& grid,
-                                  const std::vector<int32_t>& labels, const Run& run);
+    static Volume from_indicators(const Array<const float*>& fields, const Grid& grid, const Array<int32_t>& labels,
+                                  const Run& run);
+    static Volume from_indicators(const Array<const double*>& fields, const Grid& grid, const Array<int32_t>& labels,
+                                  const Run& run);
 
     Volume(Volume&&) noexcept;
     Volume& operator=(Volume&&) noexcept;
@@ -62,9 +62,9 @@ public:
 
     const Grid& grid() const;
     // The user's value of each material. Materials of a label map are numbered as the voxels first have them.
-    const std::vector<int32_t>& labels() const;
+    const Array<int32_t>& labels() const;
     // The materials as users see them: ascending by label for a label map, in the order of the functions else.
-    std::vector<Material> listed() const;
+    Array<Material> listed() const;
     Material material_count() const { return static_cast<Material>(labels().size()); }
     bool is_label_map() const;
     // 0 for a label map, 1 for a signed function.
@@ -75,7 +75,7 @@ public:
     // The material that holds at the centre of a voxel: its own label in a label map.
     Material voxel_material(int64_t voxel) const;
     // Number of voxels of each material.
-    std::vector<int64_t> voxel_counts() const;
+    Array<int64_t> voxel_counts() const;
 
     Material material_at(const Vec3& x) const;
     void sample(const Vec3& x, Samples& out) const;

@@ -14,7 +14,7 @@ VoxelComponents find_runs(const Volume& volume, const Run& run)
 {
     const Grid& grid = volume.grid();
     VoxelComponents runs;
-    runs.of_voxel.reserve(static_cast<size_t>(grid.size()));
+    runs.of_voxel.reserve(grid.size());
     int64_t v = 0;
     for (int64_t row = 0; v < grid.size(); ++row) {
         if (row % grid.dims[1] == 0)
@@ -37,13 +37,12 @@ void join_rows(const VoxelComponents& runs, int64_t first, int64_t count, int64_
 {
     int32_t last_here = -1, last_there = -1;
     for (int64_t v = first; v < first + count; ++v) {
-        const int32_t here = runs.of_voxel[static_cast<size_t>(v)],
-                      there = runs.of_voxel[static_cast<size_t>(v - step)];
+        const int32_t here = runs.of_voxel[v], there = runs.of_voxel[v - step];
         if (here == last_here && there == last_there)
             continue;
         last_here = here;
         last_there = there;
-        if (runs.material[static_cast<size_t>(here)] == runs.material[static_cast<size_t>(there)])
+        if (runs.material[here] == runs.material[there])
             sets.join(here, there);
     }
 }
@@ -67,23 +66,23 @@ VoxelComponents voxel_components(const Volume& volume, const Run& run)
 {
     Steps steps(run, {{nullptr, 1}, {nullptr, 1}});
     VoxelComponents runs = find_runs(volume, steps.next());
-    const std::vector<int32_t> root = joined(runs, volume.grid(), steps.next()).take();
+    const Array<int32_t> root = joined(runs, volume.grid(), steps.next()).take();
     // A root comes before the other runs of its component.
     VoxelComponents out;
-    std::vector<int32_t> number(root.size());
-    for (size_t r = 0; r < root.size(); ++r) {
-        const auto up = static_cast<size_t>(root[r]);
+    Array<int32_t> number(root.size());
+    for (int32_t r = 0; r < root.count(); ++r) {
+        const int32_t up = root[r];
         if (up == r) {
             number[r] = static_cast<int32_t>(out.material.size());
             out.material.push_back(runs.material[r]);
             out.voxels.push_back(0);
         }
         number[r] = number[up];
-        out.voxels[static_cast<size_t>(number[r])] += runs.voxels[r];
+        out.voxels[number[r]] += runs.voxels[r];
     }
     out.of_voxel = std::move(runs.of_voxel);
     for (int32_t& r : out.of_voxel)
-        r = number[static_cast<size_t>(r)];
+        r = number[r];
     return out;
 }
 

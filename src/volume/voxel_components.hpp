@@ -1,6 +1,7 @@
 // Connected components of the voxels of one material.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/run.hpp"
 #include "volume/volume.hpp"
 
@@ -8,10 +9,10 @@ namespace cleft
 {
 
 struct VoxelComponents {
-    std::vector<int32_t> of_voxel;
+    Array<int32_t> of_voxel;
     // By component; components are in the order of their first voxels.
-    std::vector<Material> material;
-    std::vector<int64_t> voxels;
+    Array<Material> material;
+    Array<int64_t> voxels;
 };
 
 // Connected over faces.

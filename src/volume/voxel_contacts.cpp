@@ -12,7 +12,9 @@ namespace
 class Seen
 {
 public:
-    explicit Seen(const std::vector<std::array<Material, 2>>& pairs) : pairs_(pairs), seen_(pairs.size(), 0) {}
+    explicit Seen(const Array<std::array<Material, 2>>& pairs) : pairs_(pairs), seen_(pairs.size(), 0)
+    {
+    }
 
     void add(Material a, Material b)
     {
@@ -25,14 +27,14 @@ public:
         recent = pair;
         const auto at = std::lower_bound(pairs_.begin(), pairs_.end(), pair);
         if (at != pairs_.end() && *at == pair)
-            seen_[static_cast<size_t>(at - pairs_.begin())] = 1;
+            seen_[at - pairs_.begin()] = 1;
     }
 
-    std::vector<uint8_t> take() { return std::move(seen_); }
+    Array<uint8_t> take() { return std::move(seen_); }
 
 private:
-    const std::vector<std::array<Material, 2>>& pairs_;
-    std::vector<uint8_t> seen_;
+    const Array<std::array<Material, 2>>& pairs_;
+    Array<uint8_t> seen_;
     std::array<std::array<Material, 2>, 1024> recent_{};  // two times material 0: no pair
 };
 
@@ -47,8 +49,8 @@ void add_rows(const VoxelComponents& components, int64_t row, int64_t other, int
             continue;
         last_here = here[i];
         last_there = there[i];
-        const Material a = components.material[static_cast<size_t>(last_here)];
-        const Material b = components.material[static_cast<size_t>(last_there)];
+        const Material a = components.material[last_here];
+        const Material b = components.material[last_there];
         if (a != b)
             seen.add(a, b);
     }
@@ -56,8 +58,8 @@ void add_rows(const VoxelComponents& components, int64_t row, int64_t other, int
 
 }  // namespace
 
-std::vector<uint8_t> voxels_touch(const Grid& grid, const VoxelComponents& components,
-                                  const std::vector<std::array<Material, 2>>& pairs, const Run& run)
+Array<uint8_t> voxels_touch(const Grid& grid, const VoxelComponents& components,
+                            const Array<std::array<Material, 2>>& pairs, const Run& run)
 {
     Seen seen(pairs);
     const int32_t nx = grid.dims[0], ny = grid.dims[1], nz = grid.dims[2];

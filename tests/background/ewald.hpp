@@ -129,7 +129,7 @@ inline Vec3 near_particles(const Sum& sum, const ParticleSet& particles, size_t 
                     bool is_image = true;
                     for (int a = 0; a < 3; ++a) {
                         const int n = copy[static_cast<size_t>(a)];
-                        if (n != 0 && cleft::held(particles.walls[j], static_cast<size_t>(a)))
+                        if (n != 0 && cleft::held(particles.walls[j], a))
                             is_image = false;
                         x[a] = n == 0 ? x[a] : n < 0 ? -x[a] : 2 * sum.extent[a] - x[a];
                     }

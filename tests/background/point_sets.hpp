@@ -1,12 +1,12 @@
 // Points of a box for the tests of the background: the corners first, some points exactly on the walls.
 #pragma once
 
+#include "base/array.hpp"
 #include "base/vec.hpp"
 #include "support/random.hpp"
 
 #include <algorithm>
 #include <cstdint>
-#include <vector>
 
 namespace cleft_test
 {
@@ -20,10 +20,10 @@ inline Vec3 random_in_box(Random& random, const Vec3& extent)
 }
 
 // The corners of the box [0, extent], then random points of which one in ten lies on a wall.
-inline std::vector<Vec3> random_points(int count, const Vec3& extent, uint64_t seed)
+inline cleft::Array<Vec3> random_points(int count, const Vec3& extent, uint64_t seed)
 {
     Random random(seed);
-    std::vector<Vec3> points;
+    cleft::Array<Vec3> points;
     for (int c = 0; c < 8; ++c)
         points.push_back(Vec3(c & 1, (c >> 1) & 1, c >> 2).cwiseProduct(extent));
     while (static_cast<int>(points.size()) < count) {
@@ -36,9 +36,9 @@ inline std::vector<Vec3> random_points(int count, const Vec3& extent, uint64_t s
     return points;
 }
 
-inline std::vector<Vec3> cubic_lattice(int n)
+inline cleft::Array<Vec3> cubic_lattice(int n)
 {
-    std::vector<Vec3> points;
+    cleft::Array<Vec3> points;
     for (int k = 0; k <= n; ++k)
         for (int j = 0; j <= n; ++j)
             for (int i = 0; i <= n; ++i)
@@ -48,10 +48,10 @@ inline std::vector<Vec3> cubic_lattice(int n)
 
 // The cubic lattice and the centres of its cells, moved at random by `jitter` cells at most along each axis; points of
 // the walls stay on their walls.
-inline std::vector<Vec3> bcc_lattice(int n, double jitter, uint64_t seed)
+inline cleft::Array<Vec3> bcc_lattice(int n, double jitter, uint64_t seed)
 {
     Random random(seed);
-    std::vector<Vec3> points = cubic_lattice(n);
+    cleft::Array<Vec3> points = cubic_lattice(n);
     for (int k = 0; k < n; ++k)
         for (int j = 0; j < n; ++j)
             for (int i = 0; i < n; ++i)
@@ -87,8 +87,8 @@ public:
         throw_darts(static_cast<int>(10 * n * n * n), 0);
     }
 
-    std::vector<Vec3> points;
-    std::vector<double> size_at;
+    cleft::Array<Vec3> points;
+    cleft::Array<double> size_at;
 
 private:
     double wanted(const Vec3& x) const { return size_ + gradation_ * x.norm(); }
@@ -118,23 +118,23 @@ private:
         for (int k = cell(x.z() - radius); k <= cell(x.z() + radius); ++k)
             for (int j = cell(x.y() - radius); j <= cell(x.y() + radius); ++j)
                 for (int i = cell(x.x() - radius); i <= cell(x.x() + radius); ++i)
-                    visit(buckets_[static_cast<size_t>(i + cells_ * (j + cells_ * k))]);
+                    visit(buckets_[i + cells_ * (j + cells_ * k)]);
     }
 
     bool free_at(const Vec3& x)
     {
         bool is_free = true;
         const double radius = 0.8 * wanted(x);
-        for_buckets_near(x, radius, [&](const std::vector<int>& bucket) {
+        for_buckets_near(x, radius, [&](const cleft::Array<int>& bucket) {
             for (const int p : bucket)
-                is_free = is_free && (points[static_cast<size_t>(p)] - x).norm() >= radius;
+                is_free = is_free && (points[p] - x).norm() >= radius;
         });
         return is_free;
     }
 
     void add(const Vec3& x)
     {
-        buckets_[static_cast<size_t>(cell(x.x()) + cells_ * (cell(x.y()) + cells_ * cell(x.z())))].push_back(
+        buckets_[cell(x.x()) + cells_ * (cell(x.y()) + cells_ * cell(x.z()))].push_back(
             static_cast<int>(points.size()));
         points.push_back(x);
         size_at.push_back(wanted(x));
@@ -143,7 +143,7 @@ private:
     double size_, gradation_;
     int cells_;
     Random random_;
-    std::vector<std::vector<int>> buckets_;
+    cleft::Array<cleft::Array<int>> buckets_;
 };
 
 }  // namespace cleft_test

@@ -19,23 +19,23 @@ struct Summary {
     bool positive = true, all_used = true;
 };
 
-Summary summarize(const std::vector<Vec3>& points, const std::vector<Tet>& tets)
+Summary summarize(const Array<Vec3>& points, const Array<Tet>& tets)
 {
     Summary s;
-    std::vector<char> used(points.size(), 0);
+    Array<char> used(points.size(), 0);
     for (const Tet& t : tets) {
-        const auto p = [&](size_t i) { return points[static_cast<size_t>(t[i])]; };
+        const auto p = [&](size_t i) { return points[t[i]]; };
         s.volume += orient(p(0), p(1), p(2), p(3)) / 6;
         s.positive = s.positive && orient_sign(p(0), p(1), p(2), p(3)) > 0;
         for (const int32_t v : t)
-            used[static_cast<size_t>(v)] = 1;
+            used[v] = 1;
     }
     for (const char u : used)
         s.all_used = s.all_used && u;
     return s;
 }
 
-cleft_status refusal(const std::vector<Vec3>& points)
+cleft_status refusal(const Array<Vec3>& points)
 {
     try {
         delaunay(points, Run{});
@@ -46,7 +46,7 @@ cleft_status refusal(const std::vector<Vec3>& points)
 }
 
 // The mesh of a set that spans the box [0, extent] fills it with positive tetrahedra and uses every point.
-bool fills_box(const std::vector<Vec3>& points, const Vec3& extent)
+bool fills_box(const Array<Vec3>& points, const Vec3& extent)
 {
     const Summary s = summarize(points, delaunay(points, Run{}));
     return s.positive && s.all_used && std::abs(s.volume / extent.prod() - 1) < 1e-12;
@@ -62,10 +62,10 @@ static void random_points_fill_the_box(void**)
 
 static void scale_does_not_matter(void**)
 {
-    const std::vector<Vec3> points = random_points(2000, Vec3(1, 1, 1), 2);
-    const std::vector<Tet> tets = delaunay(points, Run{});
+    const Array<Vec3> points = random_points(2000, Vec3(1, 1, 1), 2);
+    const Array<Tet> tets = delaunay(points, Run{});
     for (const int exponent : {-600, -20, 20, 600}) {
-        std::vector<Vec3> scaled = points;
+        Array<Vec3> scaled = points;
         for (Vec3& p : scaled)
             p *= std::ldexp(1.0, exponent);
         assert_true(delaunay(scaled, Run{}) == tets);
@@ -97,9 +97,9 @@ static void jittered_lattice_is_exact_on_the_hull(void**)
 
 static void bad_points_are_refused(void**)
 {
-    std::vector<Vec3> points = random_points(50, Vec3(1, 1, 1), 6);
+    Array<Vec3> points = random_points(50, Vec3(1, 1, 1), 6);
     assert_int_equal(refusal({points[0], points[1], points[2]}), CLEFT_ERROR_ARGUMENT);
-    std::vector<Vec3> bad = points;
+    Array<Vec3> bad = points;
     bad[17].y() = std::numeric_limits<double>::quiet_NaN();
     assert_int_equal(refusal(bad), CLEFT_ERROR_NOT_FINITE);
     bad[17].y() = std::numeric_limits<double>::infinity();
@@ -111,7 +111,7 @@ static void bad_points_are_refused(void**)
 
 static void flat_sets_are_refused(void**)
 {
-    std::vector<Vec3> points = random_points(50, Vec3(1, 1, 1), 7);
+    Array<Vec3> points = random_points(50, Vec3(1, 1, 1), 7);
     for (Vec3& p : points)
         p.z() = 0.25;
     assert_int_equal(refusal(points), CLEFT_ERROR_ARGUMENT);
@@ -124,9 +124,9 @@ static void flat_sets_are_refused(void**)
 
 static void two_threads_at_once_agree_with_one(void**)
 {
-    const std::vector<Vec3> points = random_points(5000, Vec3(1, 1, 1), 8);
-    const std::vector<Tet> alone = delaunay(points, Run{});
-    std::vector<Tet> results[2];
+    const Array<Vec3> points = random_points(5000, Vec3(1, 1, 1), 8);
+    const Array<Tet> alone = delaunay(points, Run{});
+    Array<Tet> results[2];
     std::thread other([&] { results[0] = delaunay(points, Run{}); });
     results[1] = delaunay(points, Run{});
     other.join();

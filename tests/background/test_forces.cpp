@@ -18,30 +18,30 @@ ParticleSet in_tree_order(const ParticleSet& particles)
 {
     ParticleSet out;
     for (const int32_t i : tree_order(particles.x, Run()))
-        out.add(particles.x[static_cast<size_t>(i)], particles.walls[static_cast<size_t>(i)]);
+        out.add(particles.x[i], particles.walls[i]);
     return out;
 }
 
 // The force on each particle, unit charges, as relaxation has it.
-std::vector<Vec3> our_forces(const SizingField& field, const SizeSampler& size, const ParticleSet& particles)
+Array<Vec3> our_forces(const SizingField& field, const SizeSampler& size, const ParticleSet& particles)
 {
     const Run run;
-    const size_t n = particles.size();
-    std::vector<float> h(n), reach(n);
-    for (size_t i = 0; i < n; ++i) {
+    const int64_t n = particles.count();
+    Array<float> h(n), reach(n);
+    for (int64_t i = 0; i < n; ++i) {
         h[i] = size(particles.x[i]);
         reach[i] = kReach * h[i];
     }
     ParticleTree tree = make_tree(n);
     fit_boxes(tree, particles.x, reach, run);
-    std::vector<NearGroup> groups;
+    Array<NearGroup> groups;
     find_near(tree, particles, size.extent(), groups, run);
-    std::vector<Eigen::Vector3f> near(n);
+    Array<Eigen::Vector3f> near(n);
     near_repulsion(groups, particles, reach, size.extent(), near, run);
     LongWaves waves = make_long_waves(size, field.least(), field.greatest(), particles, run);
     solve_poisson(waves, particles, run);
-    std::vector<Vec3> force(n);
-    for (size_t i = 0; i < n; ++i) {
+    Array<Vec3> force(n);
+    for (int64_t i = 0; i < n; ++i) {
         const Eigen::Vector3f f = near[i] + near_attraction(size, particles.x[i], h[i]);
         force[i] = f.cast<double>() / static_cast<double>(h[i] * h[i]) +
                    field_at(waves, particles.x[i], static_cast<double>(reach[i]));
@@ -56,14 +56,14 @@ struct Agreement {
 
 // Of the components that can move a particle, each times h^2: the particle moves by a fixed share of that in units of
 // h.
-Agreement compare(const std::vector<Vec3>& ours, const std::vector<Vec3>& exact, const SizeSampler& size,
+Agreement compare(const Array<Vec3>& ours, const Array<Vec3>& exact, const SizeSampler& size,
                   const ParticleSet& particles)
 {
     double difference = 0, ours2 = 0, exact2 = 0, both = 0;
     for (size_t i = 0; i < particles.size(); ++i) {
         const double h = static_cast<double>(size(particles.x[i])), weight = h * h * h * h;
         for (int a = 0; a < 3; ++a)
-            if (!held(particles.walls[i], static_cast<size_t>(a))) {
+            if (!held(particles.walls[i], a)) {
                 const double f = ours[i][a], e = exact[i][a];
                 difference += weight * (f - e) * (f - e);
                 ours2 += weight * f * f;
@@ -79,7 +79,7 @@ Agreement agreement_in(const SizingField& field, double alpha)
     const SizeSampler size(field);
     const ParticleSet particles = in_tree_order(seed_particles(field, size, 0, Run()).particles);
     const ewald::Sum sum = ewald::make_sum(size, field.least(), alpha);
-    const std::vector<Vec3> exact = ewald::forces(sum, particles, 96);
+    const Array<Vec3> exact = ewald::forces(sum, particles, 96);
     const Agreement agreement = compare(our_forces(field, size, particles), exact, size, particles);
     print_message("%zu particles: error %.3f, correlation %.4f\n", particles.size(), agreement.error,
                   agreement.correlation);
@@ -111,12 +111,12 @@ static void a_wall_repels(void**)
     particles.add(Vec3(0.3, 8, 8), 0);
     particles.add(Vec3(8, 15.7, 8), 0);
     particles.add(Vec3(0, 15.7, 8), 1);  // in the wall x = 0
-    const std::vector<float> reach(3, 2 * kReach);
+    const Array<float> reach(3, 2 * kReach);
     ParticleTree tree = make_tree(3);
     fit_boxes(tree, particles.x, reach, Run());
-    std::vector<NearGroup> groups;
+    Array<NearGroup> groups;
     find_near(tree, particles, size.extent(), groups, Run());
-    std::vector<Eigen::Vector3f> force(3);
+    Array<Eigen::Vector3f> force(3);
     near_repulsion(groups, particles, reach, size.extent(), force, Run());
     assert_true(force[0].x() > 1 && std::abs(force[0].y()) < 1e-3F && std::abs(force[0].z()) < 1e-3F);
     assert_true(force[1].y() < -1 && std::abs(force[1].x()) < 1e-3F && std::abs(force[1].z()) < 1e-3F);

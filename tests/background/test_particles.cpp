@@ -87,8 +87,8 @@ double long_wave_power(const SizingField& field, const ParticleSet& particles)
 }
 
 struct Mesh {
-    std::vector<Vec3> points;
-    std::vector<Tet> tets;
+    Array<Vec3> points;
+    Array<Tet> tets;
 };
 
 Mesh delaunay_of(const SizingField& field)
@@ -100,11 +100,11 @@ Mesh delaunay_of(const SizingField& field)
 }
 
 // Volume over that of the box; negative if a tetrahedron is not positive.
-double filling(const std::vector<Vec3>& points, const std::vector<Tet>& tets, const Vec3& extent)
+double filling(const Array<Vec3>& points, const Array<Tet>& tets, const Vec3& extent)
 {
     double volume = 0;
     for (const Tet& t : tets) {
-        const auto p = [&](size_t i) { return points[static_cast<size_t>(t[i])]; };
+        const auto p = [&](size_t i) { return points[t[i]]; };
         const double six = orient(p(0), p(1), p(2), p(3));
         if (!(six > 0))
             return -1;
@@ -175,7 +175,7 @@ static void particles_of_walls_slide_in_them(void**)
     const SizeSampler size(field);
     const Vec3 extent = field.grid.extent();
     const ParticleSet seeds = seed_particles(field, size, 0, Run()).particles;
-    const std::vector<int32_t> order = tree_order(seeds.x, Run());
+    const Array<int32_t> order = tree_order(seeds.x, Run());
     ParticleSet particles = seeds;
     relax(particles, field, size, 3, Run());
     assert_int_equal(particles.size(), seeds.size());
@@ -185,7 +185,7 @@ static void particles_of_walls_slide_in_them(void**)
         assert_int_equal(particles.walls[i], seeds.walls[from]);
         for (int a = 0; a < 3; ++a) {
             const double x = particles.x[i][a];
-            if (held(particles.walls[i], static_cast<size_t>(a)))
+            if (held(particles.walls[i], a))
                 assert_true(x == seeds.x[from][a] && (x == 0 || x == extent[a]));
             else
                 assert_true(x > 0 && x < extent[a]);
@@ -226,9 +226,9 @@ static void threads_do_not_matter_and_the_seed_does(void**)
     two.threads = 2;
     ParticleOptions other;
     other.seed = 1;
-    const std::vector<Vec3> one = relaxed_particles(field, ParticleOptions(), Run());
+    const Array<Vec3> one = relaxed_particles(field, ParticleOptions(), Run());
     assert_true(one == relaxed_particles(field, ParticleOptions(), two));
-    const std::vector<Vec3> varied = relaxed_particles(field, other, Run());
+    const Array<Vec3> varied = relaxed_particles(field, other, Run());
     assert_true(one != varied);
     assert_true(varied == relaxed_particles(field, other, two));
     const double ratio = static_cast<double>(varied.size()) / static_cast<double>(one.size());

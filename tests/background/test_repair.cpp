@@ -15,7 +15,7 @@ using namespace cleft_test;
 namespace
 {
 
-TetMesh delaunay_mesh(std::vector<Vec3> points)
+TetMesh delaunay_mesh(Array<Vec3> points)
 {
     TetMesh mesh;
     mesh.tets = delaunay(points, Run{});
@@ -32,7 +32,7 @@ Shape shape_of(const TetMesh& mesh)
 {
     Shape s;
     for (const Tet& t : mesh.tets) {
-        const auto p = [&](size_t i) -> const Vec3& { return mesh.points[static_cast<size_t>(t[i])]; };
+        const auto p = [&](size_t i) -> const Vec3& { return mesh.points[t[i]]; };
         s.volume += orient(p(0), p(1), p(2), p(3)) / 6;
         s.positive = s.positive && orient_sign(p(0), p(1), p(2), p(3)) > 0;
         for (const double angle : dihedral_angles(p(0), p(1), p(2), p(3)))
@@ -49,9 +49,7 @@ double hull_area_off_box(const TetMesh& mesh, const Vec3& extent)
         for (size_t i = 0; i < 4; ++i) {
             if (neighbours[t][i] >= 0)
                 continue;
-            const auto p = [&](int k) -> const Vec3& {
-                return mesh.points[static_cast<size_t>(mesh.tets[t][static_cast<size_t>(kFaceCorners[i][k])])];
-            };
+            const auto p = [&](int k) -> const Vec3& { return mesh.points[mesh.tets[t][kFaceCorners[i][k]]]; };
             bool on_wall = false;
             for (int a = 0; a < 3; ++a)
                 for (const double wall : {0.0, extent[a]})
@@ -65,7 +63,7 @@ double hull_area_off_box(const TetMesh& mesh, const Vec3& extent)
 // Repairs a mesh of the box [0, extent] and says whether it is still one, with the same points on the same walls.
 bool repair_keeps_the_box(TetMesh& mesh, const Vec3& extent, const RepairOptions& options = {})
 {
-    const std::vector<Vec3> before = mesh.points;
+    const Array<Vec3> before = mesh.points;
     repair(mesh, options, Run{});
     const Shape shape = shape_of(mesh);
     bool walls_kept = mesh.points.size() == before.size();
@@ -136,7 +134,7 @@ static void any_scale_gives_the_same_mesh(void**)
 
 static void a_round_hull_keeps_its_points(void**)
 {
-    std::vector<Vec3> points;
+    Array<Vec3> points;
     for (const Vec3& p : PoissonPoints(0.08, 0, 5).points)
         if ((p - Vec3(0.5, 0.5, 0.5)).norm() < 0.5)
             points.push_back(p);

@@ -23,7 +23,7 @@ Validation check(const LabelledMesh& mesh, bool fills_box = true)
     return validate(mesh, fills_box, run);
 }
 
-std::vector<int64_t> counts(const Validation& v)
+Array<int64_t> counts(const Validation& v)
 {
     return {v.bad_index,
             v.repeated_corner,
@@ -91,7 +91,7 @@ void the_place_of_a_fault_is_told(void**)
 
 Validation check_case(const std::string& name)
 {
-    const std::vector<MeshCase> cases = mesh_cases();
+    const Array<MeshCase> cases = mesh_cases();
     const auto found = std::find_if(cases.begin(), cases.end(), [&](const MeshCase& c) { return c.name == name; });
     return check(found->mesh);
 }
@@ -121,7 +121,7 @@ void a_crack_along_an_interface_leaves_open_edges(void**)
     assert_int_equal(check(mesh).interface_faces, 4);
     assert_int_equal(check(mesh).open_interface_edges, 0);
     // With a corner of its own, the tetrahedron shares only the face opposite.
-    mesh.points.push_back(mesh.points[at(mesh.tets[t][0])]);
+    mesh.points.push_back(mesh.points[mesh.tets[t][0]]);
     mesh.tets[t][0] = static_cast<int32_t>(mesh.points.size()) - 1;
     assert_int_equal(check(mesh).interface_faces, 1);
     assert_int_equal(check(mesh).open_interface_edges, 3);
@@ -138,7 +138,7 @@ void bad_numbers_never_crash(void**)
     }
     for (const double bad : {kNan, HUGE_VAL, -HUGE_VAL}) {
         LabelledMesh mesh = good_mesh(3);
-        mesh.points[at(mesh.tets[7][2])][1] = bad;
+        mesh.points[mesh.tets[7][2]][1] = bad;
         const Validation v = check(mesh);
         assert_int_equal(v.non_finite, 1);
         assert_true(says(v, "is not finite"));

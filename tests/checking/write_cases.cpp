@@ -40,7 +40,7 @@ void write_measures(const std::string& path, const LabelledMesh& mesh)
     const Run run;
     const Validation v = validate(mesh, true, run);
     const Quality q = measure_quality(mesh.points, mesh.tets, run);
-    const std::vector<std::pair<const char*, double>> doubles = {
+    const Array<std::pair<const char*, double>> doubles = {
         {"volume", v.volume},
         {"box_volume", v.box_volume},
         {"hull_area", v.hull_area},
@@ -55,7 +55,7 @@ void write_measures(const std::string& path, const LabelledMesh& mesh)
         {"min_volume", q.min_volume},
         {"total_volume", q.total_volume},
     };
-    const std::vector<std::pair<const char*, int64_t>> counts = {
+    const Array<std::pair<const char*, int64_t>> counts = {
         {"tets", q.tets},
         {"repeated_corner", v.repeated_corner},
         {"negative", v.negative},

@@ -41,25 +41,24 @@ TetMesh background(size_t points)
     return mesh;
 }
 
-TetMesh renumbered(const TetMesh& mesh, const std::vector<int32_t>& number)
+TetMesh renumbered(const TetMesh& mesh, const Array<int32_t>& number)
 {
     TetMesh out = mesh;
     for (size_t v = 0; v < number.size(); ++v)
-        out.points[static_cast<size_t>(number[v])] = mesh.points[v];
+        out.points[number[v]] = mesh.points[v];
     for (Tet& t : out.tets)
         for (int32_t& v : t)
-            v = number[static_cast<size_t>(v)];
+            v = number[v];
     return out;
 }
 
-Centres unsnapped(const Volume& volume, const TetMesh& mesh, const std::vector<Material>& labels)
+Centres unsnapped(const Volume& volume, const TetMesh& mesh, const Array<Material>& labels)
 {
-    std::vector<MaterialSet> materials;
+    Array<MaterialSet> materials;
     for (const Material m : labels)
         materials.emplace_back(m);
-    Centres c{volume, mesh.tets, mesh.points, materials, SampleStore({}, std::vector<uint16_t>(labels.size(), 0)),
-              {},     {},        {},          {},        {},
-              {},     {}};
+    Centres c{volume, mesh.tets, mesh.points, materials, SampleStore({}, Array<uint16_t>(labels.size(), 0)), {}, {}, {},
+              {},     {},        {},          {}};
     list_centres(c, kRun);
     choose_fans(c, kRun);
     return c;
@@ -74,7 +73,7 @@ void place_cuts_at_random(Centres& c, Random& random)
 // Digit e of `state` in base 3: edge e stays cut, or its lower or its upper end takes over the materials of the other.
 void snap_by_state(Centres& c, int64_t state)
 {
-    const std::vector<MaterialSet> before = c.materials;
+    const Array<MaterialSet> before = c.materials;
     for (const CutEdge& e : c.edges) {
         const auto lower = static_cast<size_t>(e.lower), upper = static_cast<size_t>(e.upper);
         if (state % 3 == 1)
@@ -97,8 +96,8 @@ int64_t snap_states(const Centres& c)
 }
 
 // Labels up to renaming: each vertex has one of those before it, or the next new one.
-void for_each_labelling(size_t vertices, std::vector<Material>& labels, Material next,
-                        const std::function<void(const std::vector<Material>&)>& visit)
+void for_each_labelling(size_t vertices, Array<Material>& labels, Material next,
+                        const std::function<void(const Array<Material>&)>& visit)
 {
     if (labels.size() == vertices) {
         visit(labels);
@@ -111,11 +110,11 @@ void for_each_labelling(size_t vertices, std::vector<Material>& labels, Material
     }
 }
 
-double total_volume(const std::vector<Vec3>& points, const std::vector<Tet>& tets, double& least)
+double total_volume(const Array<Vec3>& points, const Array<Tet>& tets, double& least)
 {
     double sum = 0;
     for (const Tet& t : tets) {
-        const auto p = [&](size_t i) -> const Vec3& { return points[static_cast<size_t>(t[i])]; };
+        const auto p = [&](size_t i) -> const Vec3& { return points[t[i]]; };
         const double volume = orient(p(0), p(1), p(2), p(3)) / 6;
         least = std::min(least, volume);
         sum += volume;
@@ -124,20 +123,20 @@ double total_volume(const std::vector<Vec3>& points, const std::vector<Tet>& tet
 }
 
 // Area of the faces of one tetrahedron only; negative if a face has more than two.
-double hull_area(const std::vector<Vec3>& points, const std::vector<Tet>& tets)
+double hull_area(const Array<Vec3>& points, const Array<Tet>& tets)
 {
     std::map<std::array<int32_t, 3>, int> owners;
     for (const Tet& t : tets)
         for (const auto& corners : kFaceCorners) {
             std::array<int32_t, 3> f{};
             for (size_t k = 0; k < 3; ++k)
-                f[k] = t[static_cast<size_t>(corners[k])];
+                f[k] = t[corners[k]];
             std::sort(f.begin(), f.end());
             ++owners[f];
         }
     double area = 0;
     for (const auto& [f, count] : owners) {
-        const auto p = [&, &face = f](size_t i) -> const Vec3& { return points[static_cast<size_t>(face[i])]; };
+        const auto p = [&, &face = f](size_t i) -> const Vec3& { return points[face[i]]; };
         if (count > 2)
             return -1;
         if (count == 1)
@@ -191,13 +190,13 @@ Tally go_through_all(const TetMesh& original, bool all_orders)
     double least = 1;
     const double whole = total_volume(original.points, original.tets, least),
                  area = hull_area(original.points, original.tets);
-    std::vector<int32_t> number;
+    Array<int32_t> number;
     for (size_t v = 0; v < original.points.size(); ++v)
         number.push_back(static_cast<int32_t>(v));
     do {
         const TetMesh mesh = renumbered(original, number);
-        std::vector<Material> labels;
-        for_each_labelling(mesh.points.size(), labels, 0, [&](const std::vector<Material>& of_vertices) {
+        Array<Material> labels;
+        for_each_labelling(mesh.points.size(), labels, 0, [&](const Array<Material>& of_vertices) {
             const Centres whole_cuts = unsnapped(volume, mesh, of_vertices);
             for (int64_t state = 0; state < snap_states(whole_cuts); ++state) {
                 Centres c = whole_cuts;

@@ -58,7 +58,7 @@ struct Mended {
 
 Mended mended(LabelledMesh mesh)
 {
-    std::vector<int32_t> points(mesh.points.size());
+    Array<int32_t> points(mesh.points.size());
     std::iota(points.begin(), points.end(), 0);
     Metrics metrics;
     Run run;

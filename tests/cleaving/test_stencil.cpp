@@ -15,7 +15,7 @@ using cleft_test::Random;
 namespace
 {
 
-using Points = std::array<Vec3, kStencilPoints>;
+using Points = FixedArray<Vec3, kStencilPoints>;
 
 // All orders of the six cuts.
 std::vector<CutRanks> all_ranks()
@@ -32,7 +32,7 @@ std::vector<CutRanks> all_ranks()
 Points random_points(Random& random)
 {
     Points x;
-    const std::array<Vec3, 4> corners = {Vec3(0, 0, 0), Vec3(1, 0.1, 0), Vec3(0.2, 1.1, 0), Vec3(0.3, 0.2, 0.9)};
+    const FixedArray<Vec3, 4> corners = {Vec3(0, 0, 0), Vec3(1, 0.1, 0), Vec3(0.2, 1.1, 0), Vec3(0.3, 0.2, 0.9)};
     for (size_t p = 0; p < kStencilPoints; ++p) {
         double sum = 0;
         Vec3 at(0, 0, 0);
@@ -50,7 +50,7 @@ Points random_points(Random& random)
 double volume_of(const Points& x, const StencilTet& t) { return orient(x[t[0]], x[t[1]], x[t[2]], x[t[3]]) / 6; }
 
 template <size_t N>
-std::array<uint8_t, N> sorted(std::array<uint8_t, N> a)
+FixedArray<uint8_t, N> sorted(FixedArray<uint8_t, N> a)
 {
     std::sort(a.begin(), a.end());
     return a;
@@ -63,7 +63,7 @@ bool has_all_different_points(const StencilTet& t)
 }
 
 // Faces inside the fan come twice; those that come once are the triangles of the split surface.
-bool fills_surface(const std::array<StencilTet, 24>& tets, int count, const SplitSurface& surface)
+bool fills_surface(const FixedArray<StencilTet, 24>& tets, int count, const SplitSurface& surface)
 {
     std::map<StencilTriangle, int> seen;
     for (size_t i = 0; i < static_cast<size_t>(count); ++i)
@@ -97,7 +97,7 @@ void every_pattern_and_order_fans_with_positive_volumes(void**)
             const Points x = random_points(random);
             const double whole = volume_of(x, {0, 1, 2, 3});
             for (size_t a = 0; a < static_cast<size_t>(candidates.count); ++a) {
-                std::array<StencilTet, 24> tets;
+                FixedArray<StencilTet, 24> tets;
                 const int count = fan(surface, candidates.point[a], tets);
                 double sum = 0;
                 for (size_t i = 0; i < static_cast<size_t>(count); ++i) {
@@ -142,7 +142,7 @@ void flags_are_never_negative_and_add_up(void**)
     for (int trial = 0; trial < 20000; ++trial) {
         const Points x = points_of_closed_simplices(random);
         const double whole = volume_of(x, {0, 1, 2, 3});
-        std::array<size_t, 4> order = {0, 1, 2, 3};
+        FixedArray<size_t, 4> order = {0, 1, 2, 3};
         double sum = 0;
         do {
             const unsigned edge = 1u << order[0] | 1u << order[1], face = edge | 1u << order[2];
@@ -184,7 +184,7 @@ void cyclic_diagonals_leave_no_apex(void**)
 {
     // Cuts on 01, 12, 23, 30; each face has two. Ranks are those of the face, not of the tetrahedron.
     const CutMask cuts = 1u << 0 | 1u << 3 | 1u << 5 | 1u << 2;
-    const std::array<size_t, 4> ring = {0, 3, 5, 2};
+    const FixedArray<size_t, 4> ring = {0, 3, 5, 2};
     SplitSurface surface;
     for (size_t k = 0; k < 4; ++k) {
         CutRanks ranks{};
@@ -217,7 +217,7 @@ void table_lists_the_fans_of_all_apexes(void**)
             const Apexes candidates = apexes(cuts, surface);
             std::set<std::set<StencilTet>> expected, found;
             for (size_t a = 0; a < static_cast<size_t>(candidates.count); ++a) {
-                std::array<StencilTet, 24> tets;
+                FixedArray<StencilTet, 24> tets;
                 const int count = fan(surface, candidates.point[a], tets);
                 expected.insert(in_order(tets.data(), tets.data() + count));
             }
@@ -234,18 +234,18 @@ void table_lists_the_fans_of_all_apexes(void**)
 void both_sides_split_a_shared_face_alike(void**)
 {
     // Global names: corners 0 .. 2 of the face, its side k is opposite corner k; 3 is the other corner.
-    using NamedTriangle = std::array<int, 3>;
-    const std::array<std::array<uint8_t, 3>, 6> orders = {
+    using NamedTriangle = FixedArray<int, 3>;
+    const std::array<FixedArray<uint8_t, 3>, 6> orders = {
         {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
     for (unsigned face_cuts = 0; face_cuts < 8; ++face_cuts)
         for (const auto& order : orders) {
             std::set<std::set<NamedTriangle>> seen;
-            std::array<int, 4> name = {0, 1, 2, 3};  // of local corners
+            FixedArray<int, 4> name = {0, 1, 2, 3};  // of local corners
             do
                 for (unsigned other_cuts = 0; other_cuts < 8; ++other_cuts) {
                     CutMask cuts = 0;
                     CutRanks ranks{};
-                    std::array<int, kStencilPoints> names{};
+                    FixedArray<int, kStencilPoints> names{};
                     for (size_t e = 0; e < 6; ++e) {
                         const int i = name[static_cast<size_t>(kEdgeCorners[e][0])],
                                   j = name[static_cast<size_t>(kEdgeCorners[e][1])];

@@ -38,7 +38,7 @@ LabelVolume shell(double radius)
 
 LabelledMesh meshed(const LabelVolume& labels, const PipelineOptions& options)
 {
-    const Grid grid{labels.dims, Vec3(1, 1, 1)};
+    const Grid grid{{labels.dims}, Vec3(1, 1, 1)};
     const Volume volume = Volume::from_labels(VoxelType::uint8, labels.voxels.data(), grid, 5, Run());
     return mesh_from_sizing(volume, {compute_sizing(volume, options.sizing, Run())}, options, Run());
 }
@@ -120,7 +120,7 @@ static void half_a_voxel_keeps_what_is_one_thick(void**)
         at = at.cwiseMin(kSide - 3.5).cwiseMax(3.5);
     }
     const Volume volume =
-        Volume::from_labels(VoxelType::uint8, labels.voxels.data(), {labels.dims, Vec3(1, 1, 1)}, 5, Run());
+        Volume::from_labels(VoxelType::uint8, labels.voxels.data(), {{labels.dims}, Vec3(1, 1, 1)}, 5, Run());
     for (const BackgroundKind kind : kGraded) {
         PipelineOptions options;
         options.background.kind = kind;

@@ -32,7 +32,7 @@ Volume from_distances(const Scene& scene)
     std::vector<std::vector<float>> fields = {scene.outside_distance<float>()};
     for (size_t s = 0; s < scene.solids.size(); ++s)
         fields.push_back(scene.signed_distance<float>(s));
-    std::vector<const float*> pointers;
+    Array<const float*> pointers;
     for (const auto& field : fields)
         pointers.push_back(field.data());
     return Volume::from_indicators(pointers, grid, {}, Run());

@@ -23,12 +23,12 @@ constexpr int kSide = 32;
 Volume ball(const Vec3& centre, double radius)
 {
     const Grid grid{{kSide, kSide, kSide}, Vec3(1, 1, 1)};
-    std::vector<double> field;
+    Array<double> field;
     for (int32_t k = 0; k < kSide; ++k)
         for (int32_t j = 0; j < kSide; ++j)
             for (int32_t i = 0; i < kSide; ++i)
                 field.push_back(radius - (grid.centre(i, j, k) - centre).norm());
-    return Volume::from_indicators(std::vector<const double*>{field.data()}, grid, {}, Run());
+    return Volume::from_indicators(Array<const double*>{field.data()}, grid, {}, Run());
 }
 
 struct Loss {
@@ -78,7 +78,7 @@ void halves_of_a_ball_keep_their_volumes(void**)
     const double radius = 11.3, exact = 2 * M_PI / 3 * std::pow(radius, 3);
     const Vec3 centre(16.2, 15.7, 16.1);
     const Grid grid{{kSide, kSide, kSide}, Vec3(1, 1, 1)};
-    std::vector<double> outside, upper, lower;
+    Array<double> outside, upper, lower;
     for (int i = 0; i < kSide * kSide * kSide; ++i) {
         const Vec3 x = grid.centre(i % kSide, i / kSide % kSide, i / kSide / kSide) - centre;
         const double depth = radius - x.norm(), height = x.dot(Vec3(0.2, -0.1, 1).normalized());
@@ -86,12 +86,12 @@ void halves_of_a_ball_keep_their_volumes(void**)
         upper.push_back(std::min(depth, height));
         lower.push_back(std::min(depth, -height));
     }
-    const Volume volume = Volume::from_indicators(
-        std::vector<const double*>{outside.data(), upper.data(), lower.data()}, grid, {}, Run());
+    const Volume volume =
+        Volume::from_indicators(Array<const double*>{outside.data(), upper.data(), lower.data()}, grid, {}, Run());
     LabelledMesh mesh = cleave(volume, lattice_background(grid, 4, Run()), CleaveOptions(), Run());
-    const std::vector<double> before = material_volumes(mesh, 3);
+    const Array<double> before = material_volumes(mesh, 3);
     fit_volumes(mesh, volume, 20, Run());
-    const std::vector<double> after = material_volumes(mesh, 3);
+    const Array<double> after = material_volumes(mesh, 3);
     for (const size_t half : {size_t{1}, size_t{2}}) {
         assert_true(before[half] < 0.98 * exact);
         assert_true(std::abs(after[half] - exact) < 0.4 * std::abs(before[half] - exact));
@@ -102,10 +102,10 @@ void halves_of_a_ball_keep_their_volumes(void**)
 // Three materials in a row, and one that touches nothing.
 void offsets_give_what_is_missing(void**)
 {
-    const std::vector<Contact> contacts{{0, 1, 2.0}, {1, 2, 0.5}, {0, 1, 1.0}};
-    const std::vector<double> missing{3, -2, -1, 0};
-    const std::vector<double> offsets = material_offsets(contacts, missing);
-    std::vector<double> gained(4, 0);
+    const Array<Contact> contacts{{0, 1, 2.0}, {1, 2, 0.5}, {0, 1, 1.0}};
+    const Array<double> missing{3, -2, -1, 0};
+    const Array<double> offsets = material_offsets(contacts, missing);
+    Array<double> gained(4, 0);
     for (const Contact& c : contacts) {
         const auto a = static_cast<size_t>(c.first), b = static_cast<size_t>(c.second);
         gained[a] += c.area * (offsets[a] - offsets[b]);
@@ -120,11 +120,11 @@ void offsets_give_what_is_missing(void**)
 // A label that is not in the mesh misses what nothing can give; so do two that miss something together, be it rounding.
 void offsets_leave_out_what_nothing_can_give(void**)
 {
-    const std::vector<Contact> contacts{{0, 1, 2000.0}, {1, 2, 500.0}, {3, 4, 80.0}};
-    const std::vector<double> sound{3, -2, -1, 0.5, -0.5, 0};
-    const std::vector<double> expected = material_offsets(contacts, sound);
-    const auto agrees = [&](const std::vector<double>& missing, double tolerance) {
-        const std::vector<double> offsets = material_offsets(contacts, missing);
+    const Array<Contact> contacts{{0, 1, 2000.0}, {1, 2, 500.0}, {3, 4, 80.0}};
+    const Array<double> sound{3, -2, -1, 0.5, -0.5, 0};
+    const Array<double> expected = material_offsets(contacts, sound);
+    const auto agrees = [&](const Array<double>& missing, double tolerance) {
+        const Array<double> offsets = material_offsets(contacts, missing);
         for (const Contact& c : contacts) {
             const auto a = static_cast<size_t>(c.first), b = static_cast<size_t>(c.second);
             if (!(std::abs((offsets[a] - offsets[b]) - (expected[a] - expected[b])) < tolerance))
@@ -135,7 +135,7 @@ void offsets_leave_out_what_nothing_can_give(void**)
     assert_true(agrees({3, -2, -1, 0.5, -0.5, 27}, 1e-8));
     assert_true(agrees({3 + 1e-5, -2, -1, 0.5, -0.5 + 1e-5, 0}, 1e-6));
     assert_true(agrees({3 - 4, -2 - 5, -1 - 1, 0.5 + 1, -0.5 + 1, 0}, 1e-8));  // shared by areas: 2000, 2500, 500
-    const std::vector<double> rounding = material_offsets({{0, 1, 4096.0}}, {-0.0298532, 0.0298533});
+    const Array<double> rounding = material_offsets({{0, 1, 4096.0}}, {-0.0298532, 0.0298533});
     assert_true(std::abs(rounding[1] - rounding[0] - 0.0298532 / 4096) < 1e-9);
 }
 
@@ -145,9 +145,9 @@ void grains_have_the_volume_of_their_voxels(void**)
     const Grid grid{{28, 26, 24}, Vec3(1, 1.2, 0.9)};
     const Volume volume = Volume::from_labels(VoxelType::uint8, grains.voxels.data(), grid, 5, Run());
     LabelledMesh mesh = cleave(volume, lattice_background(grid, 2.2, Run()), CleaveOptions(), Run());
-    const std::vector<int64_t> voxels = volume.voxel_counts();
+    const Array<int64_t> voxels = volume.voxel_counts();
     const auto worst = [&] {
-        const std::vector<double> volumes = material_volumes(mesh, static_cast<Material>(voxels.size()));
+        const Array<double> volumes = material_volumes(mesh, static_cast<Material>(voxels.size()));
         double most = 0;
         for (size_t m = 0; m < voxels.size(); ++m)
             if (voxels[m] > 100)
@@ -167,7 +167,7 @@ void a_thin_sheet_has_the_volume_of_its_voxels(void**)
 {
     constexpr int32_t kWide = 34;
     const Grid grid{{kWide, kWide, kWide}, Vec3(1, 1, 1)};
-    std::vector<uint8_t> voxels;
+    Array<uint8_t> voxels;
     for (int32_t v = 0; v < kWide * kWide * kWide; ++v)
         voxels.push_back(v % kWide + v / kWide % kWide == kWide - 1);
     const Volume volume = Volume::from_labels(VoxelType::uint8, voxels.data(), grid, 5, Run());
@@ -179,12 +179,12 @@ void a_thin_sheet_has_the_volume_of_its_voxels(void**)
 void a_flat_interface_stays_flat(void**)
 {
     const Grid grid{{16, 16, 16}, Vec3(1, 1, 1)};
-    std::vector<double> field;
+    Array<double> field;
     for (int i = 0; i < 16 * 16 * 16; ++i)
         field.push_back(grid.centre(i % 16, i / 16 % 16, i / 256).dot(Vec3(0.3, 0.2, 1).normalized()) - 9.1);
-    const Volume volume = Volume::from_indicators(std::vector<const double*>{field.data()}, grid, {}, Run());
+    const Volume volume = Volume::from_indicators(Array<const double*>{field.data()}, grid, {}, Run());
     LabelledMesh mesh = cleave(volume, lattice_background(grid, 2.2, Run()), CleaveOptions(), Run());
-    const std::vector<Vec3> before = mesh.points;
+    const Array<Vec3> before = mesh.points;
     fit_volumes(mesh, volume, 20, Run());
     double furthest = 0;
     for (size_t i = 0; i < before.size(); ++i)

@@ -64,7 +64,7 @@ LabelledMesh improved(int32_t n, int materials, const Value& value, const Improv
 {
     const Grid grid{{n, n, n}, Vec3(1, 1, 1)};
     std::vector<std::vector<double>> fields(static_cast<size_t>(materials));
-    std::vector<const double*> pointers;
+    Array<const double*> pointers;
     for (int m = 0; m < materials; ++m) {
         for (int32_t i = 0; i < n * n * n; ++i)
             fields[static_cast<size_t>(m)].push_back(value(grid.centre(i % n, i / n % n, i / n / n), m));

@@ -15,24 +15,24 @@ using cleft_test::Random;
 namespace
 {
 
-using Face = std::array<int32_t, 3>;
+using Face = FixedArray<int32_t, 3>;
 
 Face sorted_face(const Tet& t, size_t corner)
 {
     Face f{};
     for (size_t k = 0; k < 3; ++k)
-        f[k] = t[static_cast<size_t>(kFaceCorners[corner][k])];
+        f[k] = t[kFaceCorners[corner][k]];
     std::sort(f.begin(), f.end());
     return f;
 }
 
-std::vector<std::array<int32_t, 4>> neighbours_by_map(const std::vector<Tet>& tets)
+Array<FixedArray<int32_t, 4>> neighbours_by_map(const Array<Tet>& tets)
 {
-    std::map<Face, std::vector<int32_t>> owners;
+    std::map<Face, Array<int32_t>> owners;
     for (size_t t = 0; t < tets.size(); ++t)
         for (size_t i = 0; i < 4; ++i)
             owners[sorted_face(tets[t], i)].push_back(static_cast<int32_t>(t));
-    std::vector<std::array<int32_t, 4>> result(tets.size(), {-1, -1, -1, -1});
+    Array<FixedArray<int32_t, 4>> result(tets.size(), {-1, -1, -1, -1});
     for (size_t t = 0; t < tets.size(); ++t)
         for (size_t i = 0; i < 4; ++i)
             for (const int32_t owner : owners[sorted_face(tets[t], i)])
@@ -41,13 +41,13 @@ std::vector<std::array<int32_t, 4>> neighbours_by_map(const std::vector<Tet>& te
     return result;
 }
 
-void shuffle_tets(std::vector<Tet>& tets, Random& random)
+void shuffle_tets(Array<Tet>& tets, Random& random)
 {
     for (size_t i = tets.size(); i > 1; --i)
         std::swap(tets[i - 1], tets[random.below(i)]);
 }
 
-bool refuses(const std::vector<Tet>& tets, int64_t point_count)
+bool refuses(const Array<Tet>& tets, int64_t point_count)
 {
     try {
         tet_neighbours(tets, point_count);
@@ -59,12 +59,11 @@ bool refuses(const std::vector<Tet>& tets, int64_t point_count)
 
 void faces_look_outward(void**)
 {
-    const std::array<Vec3, 4> x = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
+    const FixedArray<Vec3, 4> x = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
     assert_true(orient(x[0], x[1], x[2], x[3]) > 0);
     for (size_t i = 0; i < 4; ++i) {
         const int* f = kFaceCorners[i];
-        const double side =
-            orient(x[static_cast<size_t>(f[0])], x[static_cast<size_t>(f[1])], x[static_cast<size_t>(f[2])], x[i]);
+        const double side = orient(x[f[0]], x[f[1]], x[f[2]], x[i]);
         assert_true(side < 0);
     }
 }
@@ -94,13 +93,13 @@ void two_threads_find_the_same(void**)
 void a_crowded_point_is_no_trouble(void**)
 {
     const int32_t rim = 20000;
-    std::vector<Tet> tets;
+    Array<Tet> tets;
     for (int32_t i = 0; i < rim; ++i)
         tets.push_back({0, 1, 2 + i, 2 + (i + 1) % rim});
     const auto neighbours = tet_neighbours(tets, rim + 2);
     bool around = true;
     for (int32_t i = 0; i < rim; ++i) {
-        const auto& n = neighbours[static_cast<size_t>(i)];
+        const auto& n = neighbours[i];
         around = around && n[2] == (i + 1) % rim && n[3] == (i + rim - 1) % rim && n[0] == -1 && n[1] == -1;
     }
     assert_true(around);
@@ -121,7 +120,7 @@ void axes_freeze_by_the_sides_that_a_point_lies_in(void**)
     const Vec3 extent(3, 2, 1);
     const TetMesh mesh = jittered_bcc(extent, {4, 3, 2});
     const auto neighbours = tet_neighbours(mesh.tets, static_cast<int64_t>(mesh.points.size()));
-    const std::vector<uint8_t> frozen = frozen_axes(mesh.points, mesh.tets, neighbours);
+    const Array<uint8_t> frozen = frozen_axes(mesh.points, mesh.tets, neighbours);
     std::set<unsigned> met;
     for (size_t p = 0; p < mesh.points.size(); ++p) {
         unsigned expected = 0;
@@ -136,10 +135,10 @@ void axes_freeze_by_the_sides_that_a_point_lies_in(void**)
 
 void a_slanted_hull_freezes_all_axes(void**)
 {
-    const std::vector<Vec3> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    const std::vector<Tet> tets = {{0, 1, 2, 3}};
-    const std::vector<uint8_t> frozen = frozen_axes(points, tets, tet_neighbours(tets, 4));
-    assert_true(frozen == std::vector<uint8_t>({7, 7, 7, 7}));
+    const Array<Vec3> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const Array<Tet> tets = {{0, 1, 2, 3}};
+    const Array<uint8_t> frozen = frozen_axes(points, tets, tet_neighbours(tets, 4));
+    assert_true(frozen == Array<uint8_t>({7, 7, 7, 7}));
 }
 
 }  // namespace

@@ -110,9 +110,9 @@ void ordering_takes_degenerate_meshes(void**)
     assert_true(same(ordered(renumbered(mesh, random)), ordered(mesh)));
 }
 
-void strip_but(LabelledMesh& mesh, const std::vector<char>& keep)
+void strip_but(LabelledMesh& mesh, const Array<char>& keep)
 {
-    strip(mesh.points, mesh.tets, mesh.material, [&](int32_t m) { return keep[at(m)] != 0; });
+    strip(mesh.points, mesh.tets, mesh.material, [&](int32_t m) { return keep[m] != 0; });
 }
 
 void stripping_leaves_the_kept_materials(void**)
@@ -153,20 +153,20 @@ void parts_are_joined_by_faces(void**)
 size_t parts_by_filling(const LabelledMesh& mesh)
 {
     const auto neighbours = tet_neighbours(mesh.tets, static_cast<int64_t>(mesh.points.size()));
-    std::vector<char> seen(mesh.tets.size(), 0);
+    Array<char> seen(mesh.tets.size(), 0);
     size_t parts = 0;
-    for (size_t start = 0; start < mesh.tets.size(); ++start) {
+    for (int64_t start = 0; start < mesh.tets.count(); ++start) {
         parts += !seen[start];
-        std::vector<size_t> stack = {start};
+        Array<int64_t> stack = {start};
         while (!stack.empty()) {
-            const size_t t = stack.back();
+            const int64_t t = stack.back();
             stack.pop_back();
             if (seen[t])
                 continue;
             seen[t] = 1;
             for (const int32_t n : neighbours[t])
-                if (n >= 0 && mesh.material[at(n)] == mesh.material[t])
-                    stack.push_back(at(n));
+                if (n >= 0 && mesh.material[n] == mesh.material[t])
+                    stack.push_back(n);
         }
     }
     return parts;

@@ -24,14 +24,14 @@ Interfaces extract(const LabelledMesh& mesh, int threads = 1)
 
 Vec3 twice_area(const LabelledMesh& mesh, const Triangle& t)
 {
-    const Vec3& a = mesh.points[at(t[0])];
-    return (mesh.points[at(t[1])] - a).cross(mesh.points[at(t[2])] - a);
+    const Vec3& a = mesh.points[t[0]];
+    return (mesh.points[t[1]] - a).cross(mesh.points[t[2]] - a);
 }
 
 // Six times the volume between a triangle and the origin.
 double six_volumes(const LabelledMesh& mesh, const Triangle& t)
 {
-    return mesh.points[at(t[0])].dot(mesh.points[at(t[1])].cross(mesh.points[at(t[2])]));
+    return mesh.points[t[0]].dot(mesh.points[t[1]].cross(mesh.points[t[2]]));
 }
 
 Triangle sorted(Triangle t)
@@ -40,13 +40,13 @@ Triangle sorted(Triangle t)
     return t;
 }
 
-std::map<Triangle, std::vector<Material>> materials_of_faces(const LabelledMesh& mesh)
+std::map<Triangle, Array<Material>> materials_of_faces(const LabelledMesh& mesh)
 {
-    std::map<Triangle, std::vector<Material>> faces;
+    std::map<Triangle, Array<Material>> faces;
     for (size_t t = 0; t < mesh.tets.size(); ++t)
         for (const auto& f : kFaceCorners) {
             const Tet& tet = mesh.tets[t];
-            faces[sorted({tet[at(f[0])], tet[at(f[1])], tet[at(f[2])]})].push_back(mesh.material[t]);
+            faces[sorted({tet[f[0]], tet[f[1]], tet[f[2]]})].push_back(mesh.material[t]);
         }
     return faces;
 }
@@ -70,10 +70,10 @@ void triangles_are_those_between_two_materials(void**)
     for (size_t i = 0; i < between; ++i) {
         const auto& materials = faces[sorted(found.triangles[i])];
         assert_true(found.pairs[i][0] < found.pairs[i][1]);
-        assert_true(materials == std::vector<Material>({found.pairs[i][0], found.pairs[i][1]}));
+        assert_true(materials == Array<Material>({found.pairs[i][0], found.pairs[i][1]}));
     }
     for (size_t i = 0; i < hull; ++i)
-        assert_true(faces[sorted(found.hull[i])] == std::vector<Material>({found.hull_region[i]}));
+        assert_true(faces[sorted(found.hull[i])] == Array<Material>({found.hull_region[i]}));
 }
 
 // By the divergence theorem the triangles around a material, wound outward, give its volume.
@@ -81,17 +81,16 @@ void winding_gives_the_volume_of_each_material(void**)
 {
     const LabelledMesh mesh = good_mesh(4);
     const Interfaces found = extract(mesh);
-    std::array<double, 4> by_surface{}, by_tets{};
+    FixedArray<double, 4> by_surface{}, by_tets{};
     for (size_t i = 0; i < found.triangles.size(); ++i) {
-        by_surface[at(found.pairs[i][0])] += six_volumes(mesh, found.triangles[i]);
-        by_surface[at(found.pairs[i][1])] -= six_volumes(mesh, found.triangles[i]);
+        by_surface[found.pairs[i][0]] += six_volumes(mesh, found.triangles[i]);
+        by_surface[found.pairs[i][1]] -= six_volumes(mesh, found.triangles[i]);
     }
     for (size_t i = 0; i < found.hull.size(); ++i)
-        by_surface[at(found.hull_region[i])] += six_volumes(mesh, found.hull[i]);
+        by_surface[found.hull_region[i]] += six_volumes(mesh, found.hull[i]);
     for (size_t t = 0; t < mesh.tets.size(); ++t) {
         const Tet& c = mesh.tets[t];
-        by_tets[at(mesh.material[t])] +=
-            orient(mesh.points[at(c[0])], mesh.points[at(c[1])], mesh.points[at(c[2])], mesh.points[at(c[3])]);
+        by_tets[mesh.material[t]] += orient(mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]], mesh.points[c[3]]);
     }
     for (size_t m = 0; m < 4; ++m)
         assert_true(near(by_surface[m], by_tets[m], 1e-11));
@@ -111,10 +110,10 @@ void hull_triangles_know_their_side(void**)
 {
     const LabelledMesh mesh = good_mesh(3);
     const Interfaces found = extract(mesh);
-    std::array<Vec3, 7> sums;
+    FixedArray<Vec3, 7> sums;
     sums.fill(Vec3(0, 0, 0));
     for (size_t i = 0; i < found.hull.size(); ++i)
-        sums[static_cast<size_t>(found.hull_side[i])] += twice_area(mesh, found.hull[i]) / 2;
+        sums[static_cast<int>(found.hull_side[i])] += twice_area(mesh, found.hull[i]) / 2;
     const Vec3 expected[7] = {{-2, 0, 0}, {2, 0, 0}, {0, -3, 0}, {0, 3, 0}, {0, 0, -6}, {0, 0, 6}, {0, 0, 0}};
     for (size_t side = 0; side < 7; ++side)
         assert_true((sums[side] - expected[side]).norm() < 1e-12);
@@ -129,7 +128,7 @@ void other_is_a_triangle_in_no_side(void**)
     assert_true(found.hull_side.back() == Side::other);
     // Sides are recognized by exact coordinates.
     mesh = good_mesh(1);
-    mesh.points[at(side_point(mesh))][2] = 1e-15;
+    mesh.points[side_point(mesh)][2] = 1e-15;
     found = extract(mesh);
     assert_true(std::count(found.hull_side.begin(), found.hull_side.end(), Side::other) >= 4);
 }

@@ -16,14 +16,14 @@ using cleft_test::Random;
 namespace
 {
 
-using Points = std::array<Vec3, 4>;
+using Points = FixedArray<Vec3, 4>;
 constexpr double kPi = 3.14159265358979323846;
 
 const Points kRegular = {Vec3(1, 1, 1), Vec3(-1, 1, -1), Vec3(1, -1, -1), Vec3(-1, -1, 1)};
 const Points kCorner = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
 
 double least_sine(const Points& x) { return cleft::least_sine(x[0], x[1], x[2], x[3]); }
-std::array<double, 6> dihedral_angles(const Points& x) { return cleft::dihedral_angles(x[0], x[1], x[2], x[3]); }
+FixedArray<double, 6> dihedral_angles(const Points& x) { return cleft::dihedral_angles(x[0], x[1], x[2], x[3]); }
 double radius_ratio(const Points& x) { return cleft::radius_ratio(x[0], x[1], x[2], x[3]); }
 
 Points random_tet(Random& random)
@@ -41,17 +41,17 @@ Points corners(const TetMesh& mesh, size_t t)
 {
     Points x;
     for (size_t i = 0; i < 4; ++i)
-        x[i] = mesh.points[static_cast<size_t>(mesh.tets[t][i])];
+        x[i] = mesh.points[mesh.tets[t][i]];
     return x;
 }
 
 // The angle at an edge between the parts of two other edges across it.
 double angle_across(const Points& x, size_t edge)
 {
-    const Vec3& a = x[static_cast<size_t>(kEdgeCorners[edge][0])];
-    const Vec3 along = (x[static_cast<size_t>(kEdgeCorners[edge][1])] - a).normalized();
-    Vec3 v = x[static_cast<size_t>(kEdgeOpposite[edge][0])] - a;
-    Vec3 w = x[static_cast<size_t>(kEdgeOpposite[edge][1])] - a;
+    const Vec3& a = x[kEdgeCorners[edge][0]];
+    const Vec3 along = (x[kEdgeCorners[edge][1]] - a).normalized();
+    Vec3 v = x[kEdgeOpposite[edge][0]] - a;
+    Vec3 w = x[kEdgeOpposite[edge][1]] - a;
     v -= v.dot(along) * along;
     w -= w.dot(along) * along;
     return 180 / kPi * std::acos(v.dot(w) / (v.norm() * w.norm()));
@@ -70,8 +70,8 @@ double radius_ratio_by_centres(const Points& x)
     const double circumradius = Vec3(rows.inverse() * right).norm();
     double area = 0;
     for (const auto& f : kFaceCorners) {
-        const Vec3& a = x[static_cast<size_t>(f[0])];
-        area += (x[static_cast<size_t>(f[1])] - a).cross(x[static_cast<size_t>(f[2])] - a).norm() / 2;
+        const Vec3& a = x[f[0]];
+        area += (x[f[1]] - a).cross(x[f[2]] - a).norm() / 2;
     }
     return circumradius / (3 * (3 * orient(x[0], x[1], x[2], x[3]) / 6 / area));
 }
@@ -82,7 +82,7 @@ void known_tetrahedra(void**)
         assert_true(near(angle, 180 / kPi * std::acos(1.0 / 3), 1e-12));
     assert_true(near(least_sine(kRegular), std::sqrt(8.0) / 3, 1e-14));
     assert_true(near(radius_ratio(kRegular), 1, 1e-14));
-    const std::array<double, 6> angles = dihedral_angles(kCorner);
+    const FixedArray<double, 6> angles = dihedral_angles(kCorner);
     for (size_t e = 0; e < 3; ++e)
         assert_true(near(angles[e], 90, 1e-12));
     for (size_t e = 3; e < 6; ++e)
@@ -94,7 +94,7 @@ void measures_agree_with_other_formulas(void**)
     Random random(1);
     for (int round = 0; round < 500; ++round) {
         const Points x = random_tet(random);
-        const std::array<double, 6> angles = dihedral_angles(x);
+        const FixedArray<double, 6> angles = dihedral_angles(x);
         double least = 1;
         for (size_t e = 0; e < 6; ++e) {
             assert_true(near(angles[e], angle_across(x, e), 1e-5));
@@ -135,7 +135,7 @@ void shape_does_not_depend_on_size(void**)
 }
 
 // With ranks in between, as numpy.percentile has it.
-double percentile_by_sorting(std::vector<double> values, double share)
+double percentile_by_sorting(Array<double> values, double share)
 {
     std::sort(values.begin(), values.end());
     const double rank = share * static_cast<double>(values.size() - 1);
@@ -147,15 +147,14 @@ double percentile_by_sorting(std::vector<double> values, double share)
 void the_summary_is_that_of_all_tetrahedra(void**)
 {
     const TetMesh mesh = jittered_bcc(Vec3(3, 2, 1), {9, 8, 11}, 0.13);
-    std::vector<double> ratios, angles, edges, edge_ratios, volumes;
+    Array<double> ratios, angles, edges, edge_ratios, volumes;
     int64_t below_20 = 0, below_15 = 0, above_165 = 0;
     for (size_t t = 0; t < mesh.tets.size(); ++t) {
         const Points x = corners(mesh, t);
-        std::vector<double> lengths, own;
+        Array<double> lengths, own;
         for (size_t e = 0; e < 6; ++e) {
             own.push_back(angle_across(x, e));
-            lengths.push_back(
-                (x[static_cast<size_t>(kEdgeCorners[e][0])] - x[static_cast<size_t>(kEdgeCorners[e][1])]).norm());
+            lengths.push_back((x[kEdgeCorners[e][0]] - x[kEdgeCorners[e][1]]).norm());
         }
         std::sort(own.begin(), own.end());
         std::sort(lengths.begin(), lengths.end());
@@ -191,15 +190,15 @@ void the_summary_is_that_of_all_tetrahedra(void**)
     assert_true(near(q.mean_edge, sum / static_cast<double>(edges.size()), 1e-12));
     assert_true(near(q.min_volume, *std::min_element(volumes.begin(), volumes.end()), 1e-15));
     assert_true(near(q.total_volume, 6, 1e-12));
-    std::array<int64_t, 36> histogram{};
+    FixedArray<int64_t, 36> histogram{};
     for (const double angle : angles)
-        ++histogram[static_cast<size_t>(angle / 5)];
+        ++histogram[static_cast<int>(angle / 5)];
     assert_true(histogram == q.dihedral_histogram);
 }
 
 void bad_tetrahedra_are_counted(void**)
 {
-    const std::vector<Vec3> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0.05}, {1, 1, 0}};
+    const Array<Vec3> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0.05}, {1, 1, 0}};
     const Run run;
     Quality q = measure_quality(points, {{0, 1, 2, 3}, {0, 1, 2, 3}}, run);
     assert_int_equal(q.below_5, 2);

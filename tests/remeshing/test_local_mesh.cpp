@@ -20,7 +20,7 @@ namespace
 LocalMesh local(const TetMesh& mesh) { return LocalMesh(mesh.points, mesh.tets, {}, Run{}); }
 
 // A box, and a heap of tetrahedra of it whose hull is ragged.
-std::vector<TetMesh> meshes()
+Array<TetMesh> meshes()
 {
     TetMesh box = jittered_bcc(Vec3(4, 3, 2), {4, 3, 2}, 0.1);
     TetMesh ragged = box;
@@ -35,7 +35,7 @@ bool knows_its_neighbours(const LocalMesh& mesh, const TetMesh& plain)
     const auto neighbours = tet_neighbours(plain.tets, static_cast<int64_t>(plain.points.size()));
     for (int32_t t = 0; t < mesh.slot_count(); ++t)
         for (int corner = 0; corner < 4; ++corner)
-            if (mesh.neighbour(t, corner) != neighbours[static_cast<size_t>(t)][static_cast<size_t>(corner)])
+            if (mesh.neighbour(t, corner) != neighbours[t][corner])
                 return false;
     return true;
 }
@@ -55,9 +55,9 @@ bool stars_are_right(const LocalMesh& mesh)
     return entries == corners;
 }
 
-std::vector<Tet> sorted_tets(LocalMesh mesh)
+Array<Tet> sorted_tets(LocalMesh mesh)
 {
-    std::vector<Tet> tets = mesh.take().tets;
+    Array<Tet> tets = mesh.take().tets;
     for (Tet& t : tets)
         std::sort(t.begin(), t.end());
     std::sort(tets.begin(), tets.end());
@@ -75,7 +75,7 @@ static void neighbours_and_frozen_axes_are_those_of_the_plain_mesh(void**)
         const auto neighbours = tet_neighbours(plain.tets, static_cast<int64_t>(plain.points.size()));
         const auto frozen = frozen_axes(plain.points, plain.tets, neighbours);
         for (int32_t v = 0; v < mesh.point_count(); ++v)
-            assert_int_equal(mesh.frozen(v), frozen[static_cast<size_t>(v)]);
+            assert_int_equal(mesh.frozen(v), frozen[v]);
     }
 }
 
@@ -123,7 +123,7 @@ static void an_operation_can_be_taken_back(void**)
 {
     const TetMesh plain = jittered_bcc(Vec3(3, 3, 3), {3, 3, 3}, 0.15);
     LocalMesh mesh = local(plain);
-    const std::vector<Tet> before = sorted_tets(mesh);
+    const Array<Tet> before = sorted_tets(mesh);
     Cavity cavity;
     int done = 0;
     for (int32_t t = 0; t < mesh.slot_count(); ++t) {
@@ -206,18 +206,18 @@ static void gradients_are_those_of_the_quality(void**)
 {
     Random random(8);
     const auto point = [&] { return Vec3(random.unit(), random.unit(), random.unit()); };
-    std::vector<double> quality;
-    std::vector<Vec3> gradient;
+    Array<double> quality;
+    Array<Vec3> gradient;
     int compared = 0;
     for (int i = 0; i < 3000; ++i) {
-        const std::vector<Vec3> points{point(), point(), point(), point()};
+        const Array<Vec3> points{point(), point(), point(), point()};
         if (!(orient(points[0], points[1], points[2], points[3]) > 0.02))
             continue;
         for (int32_t v = 0; v < 4; ++v) {
             const LocalMesh mesh(points, {{0, 1, 2, 3}}, {}, Run{});
             TetStar star;
             star.load(mesh, v);
-            const Vec3 x = points[static_cast<size_t>(v)];
+            const Vec3 x = points[v];
             star.gradients_at(x, quality, gradient);
             assert_int_equal(quality.size(), 1);
             assert_true(quality[0] == star.worst_at(x, -1));

@@ -9,16 +9,16 @@ using namespace sizing_test;
 namespace
 {
 
-std::vector<int32_t> random_sites(const Grid& grid, double share, uint64_t seed)
+Array<int32_t> random_sites(const Grid& grid, double share, uint64_t seed)
 {
     Random random(seed);
-    std::vector<int32_t> sites(static_cast<size_t>(grid.size()));
+    Array<int32_t> sites(grid.size());
     for (size_t v = 0; v < sites.size(); ++v)
         sites[v] = random.uniform() < share ? static_cast<int32_t>(v) : -1;
     return sites;
 }
 
-std::vector<int32_t> transformed(const Grid& grid, std::vector<int32_t> sites, int threads)
+Array<int32_t> transformed(const Grid& grid, Array<int32_t> sites, int threads)
 {
     Run run;
     run.threads = threads;
@@ -33,12 +33,12 @@ Vec3 centre_of(const Grid& grid, int32_t voxel)
 }
 
 // The greatest excess, relative, of the distance to the site found over the distance to the nearest of all.
-double worst_excess(const Grid& grid, const std::vector<int32_t>& sites, const std::vector<int32_t>& nearest)
+double worst_excess(const Grid& grid, const Array<int32_t>& sites, const Array<int32_t>& nearest)
 {
     double worst = 0;
     for (int32_t v = 0; v < static_cast<int32_t>(nearest.size()); ++v) {
-        const int32_t site = nearest[static_cast<size_t>(v)];
-        if (site < 0 || sites[static_cast<size_t>(site)] != site)
+        const int32_t site = nearest[v];
+        if (site < 0 || sites[site] != site)
             return INFINITY;
         const Vec3 x = centre_of(grid, v);
         double least = INFINITY;
@@ -81,7 +81,7 @@ void does_not_depend_on_threads(void**)
 void without_sites_finds_none(void**)
 {
     const Grid grid = grid_of(6, 5, 4);
-    const std::vector<int32_t> none(static_cast<size_t>(grid.size()), -1);
+    const Array<int32_t> none(grid.size(), -1);
     assert_true(transformed(grid, none, 1) == none);
 }
 

@@ -12,7 +12,7 @@ using namespace sizing_test;
 namespace
 {
 
-std::vector<float> limited(const Grid& grid, double gradation, std::vector<float> h, int threads = 1)
+Array<float> limited(const Grid& grid, double gradation, Array<float> h, int threads = 1)
 {
     Run run;
     run.threads = threads;
@@ -21,10 +21,10 @@ std::vector<float> limited(const Grid& grid, double gradation, std::vector<float
 }
 
 // Values as of a segmented image: sizes of a wide range at a few voxels, the greatest elsewhere.
-std::vector<float> scattered(const Grid& grid, double share, double least, double greatest, uint64_t seed)
+Array<float> scattered(const Grid& grid, double share, double least, double greatest, uint64_t seed)
 {
     Random random(seed);
-    std::vector<float> h(static_cast<size_t>(grid.size()), static_cast<float>(greatest));
+    Array<float> h(grid.size(), static_cast<float>(greatest));
     for (float& value : h)
         if (random.uniform() < share)
             value = static_cast<float>(least * std::pow(greatest / least, random.uniform()));
@@ -32,7 +32,7 @@ std::vector<float> scattered(const Grid& grid, double share, double least, doubl
 }
 
 // The exact envelope at one voxel.
-double envelope(const Grid& grid, double gradation, const std::vector<float>& h, int32_t i, int32_t j, int32_t k)
+double envelope(const Grid& grid, double gradation, const Array<float>& h, int32_t i, int32_t j, int32_t k)
 {
     double least = INFINITY;
     size_t v = 0;
@@ -48,7 +48,7 @@ struct Excess {
 };
 
 // Of limited values over the exact envelope, relative, at random voxels.
-Excess excess(const Grid& grid, double gradation, const std::vector<float>& h, int samples)
+Excess excess(const Grid& grid, double gradation, const Array<float>& h, int samples)
 {
     const auto result = limited(grid, gradation, h);
     Random random(11);
@@ -56,7 +56,7 @@ Excess excess(const Grid& grid, double gradation, const std::vector<float>& h, i
     for (int n = 0; n < samples; ++n) {
         const auto at = VoxelCoordinates(grid).of(static_cast<int32_t>(random.next() % h.size()));
         const double exact = envelope(grid, gradation, h, at[0], at[1], at[2]);
-        const double e = result[static_cast<size_t>(grid.index(at[0], at[1], at[2]))] / exact - 1;
+        const double e = result[grid.index(at[0], at[1], at[2])] / exact - 1;
         found.least = std::min(found.least, e);
         found.greatest = std::max(found.greatest, e);
         found.mean += e / samples;
@@ -100,7 +100,7 @@ void is_lipschitz_between_neighbours(void**)
 void keeps_values_that_are_lipschitz(void**)
 {
     const Grid grid = grid_of(30, 31, 32);
-    const std::vector<float> constant(static_cast<size_t>(grid.size()), 2.5F);
+    const Array<float> constant(grid.size(), 2.5F);
     assert_true(limited(grid, 0.3, constant) == constant);
     const auto once = limited(grid, 0.3, scattered(grid, 0.01, 1, 30, 2));
     const auto twice = limited(grid, 0.3, once);

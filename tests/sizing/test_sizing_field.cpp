@@ -15,7 +15,7 @@ namespace
 
 SizingField field_of(const Labels& labels, const SizingOptions& options, int threads = 1)
 {
-    std::vector<int32_t> names;  // material m is called 10 m
+    Array<int32_t> names;  // material m is called 10 m
     for (int32_t m = 0; m < 20; ++m)
         names.push_back(10 * m);
     Run run;
@@ -103,8 +103,8 @@ void size_min_holds_for_features(void**)
 void explicit_sizes_go_below_a_voxel_unless_size_min_is_given(void**)
 {
     const Labels labels = ball(grid_of(30, 30, 30), {15, 15, 15}, 8);
-    std::vector<float> user(labels.values.size(), 100.0F);
-    user[static_cast<size_t>(labels.grid.index(2, 3, 4))] = 0.3F;
+    Array<float> user(labels.values.size(), 100.0F);
+    user[labels.grid.index(2, 3, 4)] = 0.3F;
     SizingOptions by_interface, by_label, by_user;
     by_interface.interface_size = 0.3;
     by_label.label_sizes = {{10, 0.3}};
@@ -148,13 +148,13 @@ void a_users_field_is_combined_by_minimum(void**)
 {
     const Labels labels = ball(grid_of(40, 40, 40), {20, 20, 20}, 10);
     const SizingField without = field_of(labels, {});
-    std::vector<float> user(labels.values.size(), 1e6F);
+    Array<float> user(labels.values.size(), 1e6F);
     SizingOptions options;
     options.user = user.data();
     assert_true(field_of(labels, options).h == without.h);
-    user[static_cast<size_t>(labels.grid.index(5, 5, 5))] = 1.0F;
+    user[labels.grid.index(5, 5, 5)] = 1.0F;
     const SizingField with = field_of(labels, options);
-    assert_true(with.h[static_cast<size_t>(labels.grid.index(5, 5, 5))] == 1.0F);
+    assert_true(with.h[labels.grid.index(5, 5, 5)] == 1.0F);
     for (size_t v = 0; v < with.h.size(); ++v)
         assert_true(with.h[v] <= without.h[v] * (1 + 1e-5F));
     for (const float bad : {0.0F, -1.0F, NAN, INFINITY}) {
@@ -203,13 +203,12 @@ void refuses_bad_options(void**)
 
 void at_interpolates_and_clamps(void**)
 {
-    SizingField field{grid_of(4, 3, 2, {1, 2, 4}), std::vector<float>(24), 0.3};
+    SizingField field{grid_of(4, 3, 2, {1, 2, 4}), Array<float>(24), 0.3};
     const auto linear = [](const Vec3& x) { return 1 + 0.5 * x[0] + 0.25 * x[1] + 0.125 * x[2]; };
     for (int32_t k = 0; k < 2; ++k)
         for (int32_t j = 0; j < 3; ++j)
             for (int32_t i = 0; i < 4; ++i)
-                field.h[static_cast<size_t>(field.grid.index(i, j, k))] =
-                    static_cast<float>(linear(field.grid.centre(i, j, k)));
+                field.h[field.grid.index(i, j, k)] = static_cast<float>(linear(field.grid.centre(i, j, k)));
     Random random(1);
     for (int n = 0; n < 1000; ++n) {
         const double a = random.uniform(), b = random.uniform(), c = random.uniform();
@@ -272,7 +271,7 @@ void too_many_tets_raise_the_least_size(void**)
 void values_are_taken_as_they_are(void**)
 {
     const Grid grid = grid_of(2, 2, 2);
-    std::vector<double> values{1, 2, 3, 4, 5, 6, 7, 8};
+    Array<double> values{1, 2, 3, 4, 5, 6, 7, 8};
     const SizingField field = sizing_from_values(grid, values.data());
     for (size_t v = 0; v < values.size(); ++v)
         assert_true(field.h[v] == static_cast<float>(values[v]));

@@ -1,6 +1,7 @@
 // Good meshes, and the same meshes broken in one way each.
 #pragma once
 
+#include "base/array.hpp"
 #include "mesh/adjacency.hpp"
 #include "support/bcc.hpp"
 
@@ -9,7 +10,6 @@
 namespace cleft_test
 {
 
-using cleft::at;
 using cleft::LabelledMesh;
 using cleft::Tet;
 using cleft::Vec3;
@@ -18,7 +18,7 @@ inline Vec3 centroid(const LabelledMesh& mesh, size_t t)
 {
     Vec3 sum(0, 0, 0);
     for (const int32_t p : mesh.tets[t])
-        sum += mesh.points[at(p)];
+        sum += mesh.points[p];
     return sum / 4;
 }
 
@@ -39,10 +39,10 @@ inline LabelledMesh good_mesh(int materials, const Vec3& extent = Vec3(3, 2, 1),
 inline size_t inner_tet(const LabelledMesh& mesh)
 {
     const auto neighbours = cleft::tet_neighbours(mesh.tets, static_cast<int64_t>(mesh.points.size()));
-    const std::vector<uint8_t> frozen = cleft::frozen_axes(mesh.points, mesh.tets, neighbours);
+    const cleft::Array<uint8_t> frozen = cleft::frozen_axes(mesh.points, mesh.tets, neighbours);
     for (size_t t = mesh.tets.size() / 2; t < mesh.tets.size(); ++t) {
         const Tet& tet = mesh.tets[t];
-        if (!frozen[at(tet[0])] && !frozen[at(tet[1])] && !frozen[at(tet[2])] && !frozen[at(tet[3])])
+        if (!frozen[tet[0]] && !frozen[tet[1]] && !frozen[tet[2]] && !frozen[tet[3]])
             return t;
     }
     return mesh.tets.size();
@@ -64,7 +64,7 @@ inline void remove_tet(LabelledMesh& mesh, size_t t)
 inline void repeat_point(LabelledMesh& mesh)
 {
     int32_t& corner = mesh.tets[inner_tet(mesh)][0];
-    mesh.points.push_back(mesh.points[at(corner)]);
+    mesh.points.push_back(mesh.points[corner]);
     corner = static_cast<int32_t>(mesh.points.size()) - 1;
 }
 
@@ -74,7 +74,7 @@ inline void make_t_junction(LabelledMesh& mesh)
     const size_t t = inner_tet(mesh);
     const Tet old = mesh.tets[t];
     const auto middle = static_cast<int32_t>(mesh.points.size());
-    mesh.points.push_back((mesh.points[at(old[0])] + mesh.points[at(old[1])]) / 2);
+    mesh.points.push_back((mesh.points[old[0]] + mesh.points[old[1]]) / 2);
     mesh.tets[t][1] = middle;
     add_tet(mesh, {middle, old[1], old[2], old[3]}, mesh.material[t]);
 }
@@ -83,12 +83,11 @@ inline void make_t_junction(LabelledMesh& mesh)
 inline void fold(LabelledMesh& mesh)
 {
     const Tet tet = mesh.tets[inner_tet(mesh)];
-    const Vec3 x = mesh.points[at(tet[0])];
-    const Vec3 opposite = (mesh.points[at(tet[1])] + mesh.points[at(tet[2])] + mesh.points[at(tet[3])]) / 3;
-    mesh.points[at(tet[0])] = x + 1.5 * (opposite - x);
+    const Vec3 x = mesh.points[tet[0]];
+    const Vec3 opposite = (mesh.points[tet[1]] + mesh.points[tet[2]] + mesh.points[tet[3]]) / 3;
+    mesh.points[tet[0]] = x + 1.5 * (opposite - x);
     for (Tet& t : mesh.tets)
-        if (cleft::orient(mesh.points[at(t[0])], mesh.points[at(t[1])], mesh.points[at(t[2])], mesh.points[at(t[3])]) <
-            0)
+        if (cleft::orient(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]]) < 0)
             std::swap(t[2], t[3]);
 }
 
@@ -96,14 +95,14 @@ inline void fold(LabelledMesh& mesh)
 inline void crowd_a_face(LabelledMesh& mesh)
 {
     const Tet old = mesh.tets[inner_tet(mesh)];
-    mesh.points.push_back(mesh.points[at(old[3])] + Vec3(0.01, 0.02, 0.01));
+    mesh.points.push_back(mesh.points[old[3]] + Vec3(0.01, 0.02, 0.01));
     add_tet(mesh, {old[0], old[1], old[2], static_cast<int32_t>(mesh.points.size()) - 1}, 0);
 }
 
 // A tetrahedron of no volume over the two triangles of a square of the hull.
 inline void add_flat_tet(LabelledMesh& mesh)
 {
-    const auto lower_side = [&](int32_t p) { return mesh.points[at(p)][2] == 0; };
+    const auto lower_side = [&](int32_t p) { return mesh.points[p][2] == 0; };
     Tet flat{};
     size_t corners = 0;
     for (const Tet& t : mesh.tets)  // the two tetrahedra of a square come one after the other
@@ -127,7 +126,7 @@ inline int32_t side_point(const LabelledMesh& mesh)
 inline LabelledMesh renumbered(const LabelledMesh& mesh, Random& random)
 {
     const auto shuffled = [&](size_t count) {
-        std::vector<int32_t> order(count);
+        cleft::Array<int32_t> order(count);
         for (size_t i = 0; i < count; ++i) {
             order[i] = static_cast<int32_t>(i);
             std::swap(order[i], order[random.below(i + 1)]);
@@ -136,19 +135,19 @@ inline LabelledMesh renumbered(const LabelledMesh& mesh, Random& random)
     };
     LabelledMesh out;
     out.points.resize(mesh.points.size());
-    const std::vector<int32_t> number = shuffled(mesh.points.size());
+    const cleft::Array<int32_t> number = shuffled(mesh.points.size());
     for (size_t p = 0; p < mesh.points.size(); ++p)
-        out.points[at(number[p])] = mesh.points[p];
+        out.points[number[p]] = mesh.points[p];
     for (const int32_t t : shuffled(mesh.tets.size())) {
-        Tet tet = mesh.tets[at(t)];
+        Tet tet = mesh.tets[t];
         std::rotate(tet.begin() + 1, tet.begin() + 1 + static_cast<std::ptrdiff_t>(random.below(3)), tet.end());
         if (random.below(2)) {
             std::swap(tet[0], tet[1]);
             std::swap(tet[2], tet[3]);
         }
         for (int32_t& p : tet)
-            p = number[at(p)];
-        add_tet(out, tet, mesh.material[at(t)]);
+            p = number[p];
+        add_tet(out, tet, mesh.material[t]);
     }
     return out;
 }
@@ -159,9 +158,9 @@ struct MeshCase {
     std::string fault;  // what the first fault must say; empty for a good mesh
 };
 
-inline std::vector<MeshCase> mesh_cases()
+inline cleft::Array<MeshCase> mesh_cases()
 {
-    std::vector<MeshCase> cases;
+    cleft::Array<MeshCase> cases;
     for (const int materials : {1, 2, 5})
         cases.push_back({"good_" + std::to_string(materials), good_mesh(materials), ""});
     cases.push_back({"far_away", good_mesh(3), ""});
@@ -185,8 +184,8 @@ inline std::vector<MeshCase> mesh_cases()
     broken("crowded", "more than two tetrahedra", crowd_a_face);
     broken("flat", "is flat", add_flat_tet);
     broken("unused_point", "is in no tetrahedron", [](LabelledMesh& m) { m.points.push_back(Vec3(1, 1, 0.5)); });
-    broken("dented", "has nothing behind it", [](LabelledMesh& m) { m.points[at(side_point(m))][2] += 0.01; });
-    broken("wavy_side", "a volume of", [](LabelledMesh& m) { m.points[at(side_point(m))][2] += 1e-6; });
+    broken("dented", "has nothing behind it", [](LabelledMesh& m) { m.points[side_point(m)][2] += 0.01; });
+    broken("wavy_side", "a volume of", [](LabelledMesh& m) { m.points[side_point(m)][2] += 1e-6; });
     broken("repeated_corner", "names a point twice", [](LabelledMesh& m) { m.tets[40][2] = m.tets[40][1]; });
     broken("several", "is at the place of the", [](LabelledMesh& m) {
         make_t_junction(m);

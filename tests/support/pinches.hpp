@@ -18,12 +18,11 @@ struct Pinches {
 };
 
 // Plain sorting and searching.
+template <class Tets>  // an array of four corners each
 class PinchCounter
 {
 public:
-    using Corners = std::array<int32_t, 4>;
-
-    PinchCounter(const std::vector<Corners>& tets, const std::vector<int32_t>& labels) : tets_(tets), labels_(labels)
+    PinchCounter(const Tets& tets, const std::vector<int32_t>& labels) : tets_(tets), labels_(labels)
     {
         join_over_faces();
     }
@@ -131,7 +130,7 @@ private:
     template <size_t n>
     bool share_beside(int32_t a, int32_t b, const std::array<int32_t, n>& simplex) const
     {
-        const Corners& other = tets_[static_cast<size_t>(b)];
+        const auto& other = tets_[static_cast<size_t>(b)];
         return label(a) == label(b) && std::all_of(simplex.begin(), simplex.end(), [&](int32_t v) {
                    return std::find(other.begin(), other.end(), v) != other.end();
                });
@@ -139,14 +138,15 @@ private:
 
     int32_t label(int32_t tet) const { return labels_[static_cast<size_t>(tet)]; }
 
-    const std::vector<Corners>& tets_;
+    const Tets& tets_;
     const std::vector<int32_t>& labels_;
     std::vector<std::vector<int32_t>> neighbours_;
 };
 
-inline Pinches count_pinches(const std::vector<std::array<int32_t, 4>>& tets, const std::vector<int32_t>& labels)
+template <class Tets>
+Pinches count_pinches(const Tets& tets, const std::vector<int32_t>& labels)
 {
-    return PinchCounter(tets, labels).count();
+    return PinchCounter<Tets>(tets, labels).count();
 }
 
 }  // namespace cleft_test

@@ -22,9 +22,9 @@ struct Fields {
                 for (int32_t i = 0; i < grid.dims[0]; ++i)
                     values.back().push_back(f(grid.centre(i, j, k)));
     }
-    Volume volume(const std::vector<int32_t>& labels = {}, int threads = 1) const
+    Volume volume(const Array<int32_t>& labels = {}, int threads = 1) const
     {
-        std::vector<const double*> pointers;
+        Array<const double*> pointers;
         for (const auto& field : values)
             pointers.push_back(field.data());
         Run run;
@@ -200,7 +200,7 @@ static void float_and_double_fields_are_the_same(void**)
 {
     const Fields fields = two_spheres();
     std::vector<std::vector<float>> copies;
-    std::vector<const float*> pointers;
+    Array<const float*> pointers;
     for (const auto& field : fields.values) {
         copies.emplace_back();
         for (const double f : field)
@@ -245,7 +245,7 @@ static void one_sided_functions_hold_one_material(void**)
     assert_true(fields.volume().single_material_near(Vec3(4, 4, 4), 1e6));
 }
 
-static Refusal refusal_of(Fields fields, const std::vector<int32_t>& labels = {})
+static Refusal refusal_of(Fields fields, const Array<int32_t>& labels = {})
 {
     return refusal([&] { fields.volume(labels); });
 }
@@ -271,7 +271,7 @@ static void bad_arguments_are_refused(void**)
     Fields flat = fields;
     flat.grid.dims[0] = 0;
     assert_int_equal(refusal_of(flat).status, CLEFT_ERROR_ARGUMENT);
-    const std::vector<const float*> null{nullptr};
+    const Array<const float*> null{nullptr};
     assert_int_equal(refusal([&] { Volume::from_indicators(null, fields.grid, {}, Run()); }).status, CLEFT_ERROR_NULL);
 }
 
