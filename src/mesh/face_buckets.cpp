@@ -50,6 +50,7 @@ void FaceBuckets::for_faces_of(size_t tet, int64_t point_count, const Visit& vis
 FaceBuckets::FaceBuckets(const Array<Tet>& tets, int64_t point_count, const Run& run, const Array<uint8_t>* among)
     : tets_(tets), among_(among), start_(large_array(point_count + 1, uint32_t{0}))
 {
+    CLEFT_ASSERT(!among || among->count() == point_count);
     if (tets.size() >= kMostTets)
         throw Error(CLEFT_ERROR_TOO_LARGE, "a mesh of 2^30 or more tetrahedra is too large for 32-bit face numbers");
     for (size_t t = 0; t < tets.size(); ++t) {

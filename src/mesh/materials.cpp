@@ -51,6 +51,7 @@ private:
 Array<double> material_volumes(const Array<Vec3>& points, const Array<Tet>& tets, const Array<Material>& material,
                                Material material_count)
 {
+    CLEFT_ASSERT(material.size() == tets.size());
     Array<double> volumes(material_count, 0.0);
     for (size_t t = 0; t < tets.size(); ++t)
         if (tets[t][0] >= 0)

@@ -48,6 +48,7 @@ Tet least_corners_first(Tet t)
 // Points of a curve are near each other, so the order of the corners is a spatial order of tetrahedra too.
 void order_tets(LabelledMesh& mesh, const Run& run)
 {
+    CLEFT_ASSERT(mesh.material.size() == mesh.tets.size());
     Array<uint32_t> start(mesh.points.size() + 1, 0);
     for (const Tet& tet : mesh.tets)
         ++start[int64_t{tet[0]} + 1];

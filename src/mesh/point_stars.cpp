@@ -61,6 +61,7 @@ void PointStars::remove(int32_t v, int32_t t)
     int32_t* first = pool_.data() + list.begin;
     int32_t* last = first + list.size;
     int32_t* found = std::find(first, last, t);
+    CLEFT_ASSERT(found != last);
     if (found == last)
         return;
     *found = last[-1];

@@ -41,6 +41,7 @@ QuadraticTet MiddleNodes::nodes(const Tet& tet, size_t point_count) const
     std::copy(tet.begin(), tet.end(), out.begin());
     for (size_t edge = 0; edge < 6; ++edge) {
         const auto found = std::lower_bound(edges_.begin(), edges_.end(), edge_of(tet, edge)) - edges_.begin();
+        CLEFT_ASSERT(edges_[found] == edge_of(tet, edge));
         out[4 + edge] = static_cast<int32_t>(int64_t(point_count) + found);
     }
     return out;

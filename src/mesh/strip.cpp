@@ -25,6 +25,7 @@ void drop_unused_points(Array<Vec3>& points, Array<Tet>& tets)
 void strip(Array<Vec3>& points, Array<Tet>& tets, Array<int32_t>& regions,
            const std::function<bool(int32_t region)>& keeps)
 {
+    CLEFT_ASSERT(regions.size() == tets.size());
     size_t kept = 0;
     for (size_t t = 0; t < tets.size(); ++t) {
         if (!keeps(regions[t]))
