@@ -53,6 +53,7 @@ void sweep_plane(const Grid& grid, uint8_t* distance, int32_t z, int step, int g
 // Two sweeps, each over the 13 neighbours that come before, are exact in this norm.
 void chessboard_distance(const Grid& grid, uint8_t* distance, int greatest, const Run& run)
 {
+    CLEFT_ASSERT(greatest <= 254);
     const int32_t nz = grid.dims[2];
     for (int32_t z = 0; z < nz; ++z) {
         run.report(0.5 * z / nz);

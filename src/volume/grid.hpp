@@ -21,6 +21,7 @@ struct Grid {
     }
     int64_t index(int32_t i, int32_t j, int32_t k) const
     {
+        CLEFT_ASSERT(has(i, j, k));
         return i + int64_t{dims[0]} * (j + int64_t{dims[1]} * k);
     }
     Vec3 centre(int32_t i, int32_t j, int32_t k) const { return Vec3(i + 0.5, j + 0.5, k + 0.5).cwiseProduct(spacing); }

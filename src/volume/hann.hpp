@@ -32,6 +32,7 @@ class Hann
 public:
     explicit Hann(int width) : width_(width)
     {
+        CLEFT_ASSERT(width >= 2 && width <= kLanes);
         for (int i = 0; i < width; ++i) {
             const double angle = 2 * kPi * (i - 0.5 * (width - 1)) / width;
             mean_[i] = static_cast<float>(1.0 / width);

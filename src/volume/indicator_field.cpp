@@ -27,6 +27,7 @@ struct CubicWeights {
 
     void add(int32_t voxel, double weight, double slope)
     {
+        CLEFT_ASSERT(voxel >= first && voxel < first + count);
         w[voxel - first] += weight;
         dw[voxel - first] += slope;
     }
@@ -122,6 +123,7 @@ void name_materials(const IndicatorField& field, Samples& out)
 template <class Value>
 Material greatest(int64_t count, const Value& value)
 {
+    CLEFT_ASSERT(count > 0);
     Material best = 0;
     auto most = value(0);
     for (Material i = 1; i < count; ++i) {

@@ -33,6 +33,7 @@ public:
     LabelBlock(const LabelMap<Label>& map, const FixedArray<int32_t, 3>& first, int width)
         : width_(width), size_(width * width * width)
     {
+        CLEFT_ASSERT(width <= kGreatestWidth);
         const auto& dims = map.grid.dims;
         bool inside = true;
         for (int a = 0; a < 3; ++a)

@@ -137,6 +137,7 @@ VoxelShare<Label> voxel_share(const LabelMap<Label>& map, const PointWeights& at
         const int material = next_values(block, at, values.f[values.count]);
         if (material < 0)
             break;
+        CLEFT_ASSERT(values.count < kGreatestMaterials);
         values.material[values.count++] = static_cast<Label>(material);
     }
     add_bumps(map, at, p, values);

@@ -61,6 +61,7 @@ bool next_share(LabelBlock<Label>& block, const BlockWeights& weights, Shares& o
     if (material < 0)
         return false;
     constexpr double kStep = 1.0 / kWeightOne;
+    CLEFT_ASSERT(out.count < kGreatestShares);
     const int k = out.count++;
     out.material[k] = material;
     out.value[k] = kStep * f.total();
@@ -180,6 +181,7 @@ void sample_shares(const LabelMap<Label>& map, const Vec3& x, Samples& out)
             sum_gradient += Eigen::Map<const Vec3>(shares.gradient[entries[i]]);
     }
     // The nearest voxel at least has a share.
+    CLEFT_ASSERT(sum > 0);
     out.material.resize(count);
     out.value.resize(count);
     if (WithGradient)

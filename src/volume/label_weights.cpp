@@ -114,6 +114,7 @@ void find_weights(LabelMap<Label>& map, const Run& run)
     // A bump moves no other centre, so one pass in any order is exact.
     for_band(map, steps.next(), [&](int32_t x, int32_t y, int32_t z, int64_t v) {
         const double lack = kMargin - lead_at_centre(map, centre, {x, y, z});
+        CLEFT_ASSERT(std::ceil(kWeightOne * lack) <= kBumpGreatest);
         if (lack > 0)
             map.code[v] = std::max(map.code[v], static_cast<uint8_t>(std::ceil(kWeightOne * lack)));
     });

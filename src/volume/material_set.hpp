@@ -19,12 +19,14 @@ public:
     MaterialSet() = default;
     explicit MaterialSet(Material m) : count_(1)
     {
+        CLEFT_ASSERT(m >= 0 && m < UINT16_MAX);
         item_[0] = static_cast<uint16_t>(m);
     }
 
     int size() const { return count_; }
     Material operator[](int i) const
     {
+        CLEFT_ASSERT(i >= 0 && i < count_);
         return item_[i];
     }
     const uint16_t* begin() const { return item_; }

@@ -25,6 +25,7 @@ inline FixedArray<int32_t, 3> nearest_voxel(const Grid& grid, const FixedArray<d
     FixedArray<int32_t, 3> n;
     for (int a = 0; a < 3; ++a) {
         n[a] = std::min(static_cast<int32_t>(u[a] + 0.5), grid.dims[a] - 1);
+        CLEFT_ASSERT(n[a] >= 0);
     }
     return n;
 }

@@ -30,6 +30,7 @@ struct TieEquations {
 
     TieEquations(const Samples& samples, const Material* material, int count) : n(count - 1)
     {
+        CLEFT_ASSERT(n >= 1 && n <= 3);
         const double f0 = value_of(samples, material[0]);
         const Vec3 g0 = gradient_of(samples, material[0]);
         for (int i = 0; i < n; ++i) {

@@ -72,6 +72,7 @@ VoxelComponents voxel_components(const Volume& volume, const Run& run)
     Array<int32_t> number(root.size());
     for (int32_t r = 0; r < root.count(); ++r) {
         const int32_t up = root[r];
+        CLEFT_ASSERT(up <= r);
         if (up == r) {
             number[r] = static_cast<int32_t>(out.material.size());
             out.material.push_back(runs.material[r]);

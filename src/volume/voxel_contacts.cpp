@@ -14,10 +14,12 @@ class Seen
 public:
     explicit Seen(const Array<std::array<Material, 2>>& pairs) : pairs_(pairs), seen_(pairs.size(), 0)
     {
+        CLEFT_ASSERT(std::is_sorted(pairs.begin(), pairs.end()));
     }
 
     void add(Material a, Material b)
     {
+        CLEFT_ASSERT(a != b);
         // Few different pairs follow one another: most are among the last ones met.
         const std::array<Material, 2> pair{std::min(a, b), std::max(a, b)};
         std::array<Material, 2>& recent =
