@@ -46,6 +46,7 @@ struct MedialAxis {
             if (at[a] + 1 < grid.dims[a])
                 candidates[count++] = nearest[voxel + stride[a]];
         }
+        CLEFT_ASSERT(candidates[0] >= 0);
         double least = INFINITY;
         for (size_t c = 0; c < count; ++c) {
             if (c > 0 && candidates[c] == candidates[c - 1])

@@ -16,6 +16,7 @@ void transform_row(int32_t* row, int32_t first, int32_t n)
 {
     int32_t last = -1;
     for (int32_t i = 0; i < n; ++i) {
+        CLEFT_ASSERT(row[i] < 0 || row[i] == first + i);
         if (row[i] >= 0)
             last = row[i];
         row[i] = last;
@@ -117,6 +118,7 @@ void transform_column(const Columns& columns, int32_t* site, const double* heigh
     for (int32_t y = 0; y < n; ++y) {
         while (p + 1 < size && start[p + 1] < y)
             ++p;
+        CLEFT_ASSERT(p < size && held[p] >= 0);
         site[y] = held[p];
     }
 }

@@ -177,6 +177,7 @@ void ConeScan::take(const FixedArray<const ConeRow*, 4>& from, Scratch& s, ConeR
         const int32_t pick = s.pick[i];
         if (pick < 0)
             continue;
+        CLEFT_ASSERT(from[pick / 3]);
         const ConeRow& row = *from[pick / 3];
         const int32_t c = i + pick % 3, o = i + 1;
         own.x[o] = row.x[c];
@@ -322,6 +323,7 @@ private:
 
 void limit_gradient(const Grid& grid, double gradation, Array<float>& h, const Run& run)
 {
+    CLEFT_ASSERT(h.count() == grid.size() && gradation > 0);
     constexpr std::array<Scan, 4> kScans{{{{1, 1, 1}}, {{-1, -1, -1}}, {{1, -1, 1}}, {{-1, 1, -1}}}};
     Steps steps(run, Array<Step>(kScans.size() + 3, {"sizing: gradation", 1}));
     Array<int32_t> apex(h.size());

@@ -20,6 +20,7 @@ struct Code {
 
     uint16_t pack() const
     {
+        CLEFT_ASSERT(faces > 0 && faces < 8);
         return static_cast<uint16_t>((((gradient[2] + 9) * kSteps + gradient[1] + 9) * kSteps + gradient[0] + 9) * 8 +
                                      faces);
     }
@@ -98,6 +99,7 @@ int other_sides(const Rows& rows, int32_t i)
 
 Code code_of(const Rows& rows, int32_t i, int sides)
 {
+    CLEFT_ASSERT(sides != 0);
     Code code{own_share_gradient(rows, i), 0};
     for (int a = 0; a < 3; ++a) {
         const int g = code.gradient[a];

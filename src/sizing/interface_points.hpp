@@ -29,6 +29,7 @@ public:
     // Of a voxel at an interface.
     const InterfacePoint& operator[](int64_t voxel) const
     {
+        CLEFT_ASSERT(contains(voxel));
         return table_[codes_[voxel]];
     }
     // Bit 2a: the neighbour before along axis a is of another material; bit 2a + 1: the one after.

@@ -16,6 +16,7 @@ constexpr int kMedialSteps = 63;
 
 inline uint8_t pack_medial(int axis, double part)
 {
+    CLEFT_ASSERT(part >= 0 && part <= 1);
     return static_cast<uint8_t>((axis + 1) << 6 | static_cast<int>(part * kMedialSteps + 0.5));
 }
 
@@ -28,6 +29,7 @@ inline uint8_t pack_medial(const FixedArray<int, 3>& halves)
 // The place, relative to the voxel's centre.
 inline Vec3 medial_offset(uint8_t held, const Vec3& spacing)
 {
+    CLEFT_ASSERT(held != 0);
     if (held <= kMedialSteps) {
         const int halves = held - 1;
         return 0.5 * Vec3(halves % 3 - 1, halves / 3 % 3 - 1, halves / 9 - 1).cwiseProduct(spacing);

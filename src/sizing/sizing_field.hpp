@@ -26,6 +26,7 @@ struct SizingField {
 // In the header because particles ask for it a hundred times each.
 inline double SizingField::at(const Vec3& x) const
 {
+    CLEFT_ASSERT(h.count() == grid.size());
     const float* corner = h.data();
     double t[3];
     int64_t step[3];

@@ -28,6 +28,7 @@ public:
         const auto k = static_cast<int32_t>((voxel + 0.5) * per_plane_);
         const auto in_plane = static_cast<int32_t>(voxel - k * plane_);
         const auto j = static_cast<int32_t>((in_plane + 0.5) * per_row_);
+        CLEFT_ASSERT(in_plane >= j * row_ && in_plane < (j + 1) * row_);
         return {in_plane - j * row_, j, k};
     }
 
