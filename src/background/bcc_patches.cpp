@@ -14,6 +14,7 @@ using Index = FixedArray<int32_t, 3>;
 
 int64_t flat(const Index& i, const Index& dims)
 {
+    CLEFT_ASSERT(i[0] < dims[0] && i[1] < dims[1] && i[2] < dims[2]);
     return i[0] + int64_t{dims[0]} * (i[1] + int64_t{dims[1]} * i[2]);
 }
 

@@ -18,6 +18,7 @@ class Lattice
 public:
     Lattice(const Vec3& extent, const FixedArray<int32_t, 3>& cells) : extent_(extent), n_(cells)
     {
+        CLEFT_ASSERT(corner_count() + cell_count() <= INT32_MAX);
     }
 
     int64_t corner_count() const { return int64_t{n_[0] + 1} * (n_[1] + 1) * (n_[2] + 1); }

@@ -132,6 +132,7 @@ private:
             join_wall(centre_[leaf], outward(facet(cell, axis, side), side));
         } else if (tree_.is_leaf(other)) {
             const int32_t own = centre_[leaf], far = centre_[other];
+            CLEFT_ASSERT(cell.level - tree_.cells[other].level <= 1);
             if (tree_.cells[other].level < cell.level)
                 join_coarser(own, far, outward(facet(cell, axis, side), side), cell, axis);
             else if (side == 1)
@@ -148,6 +149,7 @@ private:
             const int along_u = c == 1 || c == 2, along_v = c >= 2;
             at[c] = points_.corner(cell, side << axis | along_u << u | along_v << v);
             out.corner[c] = points_.number(at[c]);
+            CLEFT_ASSERT(out.corner[c] >= 0);
         }
         for (size_t c = 0; c < 4; ++c) {
             const auto& a = at[c];
@@ -191,6 +193,7 @@ private:
             if (at[u] == (odd_u ? high : low)[u] && at[v] == (odd_v ? high : low)[v])
                 start = c;
         }
+        CLEFT_ASSERT(start >= 0);
         for (int half = 1; half < 3; ++half) {
             const int32_t a = f.corner[start], b = f.corner[(start + half) % 4], c = f.corner[(start + half + 1) % 4];
             tets_.push_back({own, a, b, c});

@@ -44,6 +44,7 @@ void split(Octree& tree, int32_t cell)
                     "the sizes ask for more than 60 million octree cells: set a greater size or "
                     "size_min");
     const OctreeCell parent = tree.cells[cell];
+    CLEFT_ASSERT(parent.first_child < 0);
     tree.cells[cell].first_child = first;
     for (int32_t child = 0; child < 8; ++child)
         tree.cells.push_back(

@@ -92,6 +92,7 @@ ParticleTree make_tree(int64_t points)
 
 void fit_boxes(ParticleTree& tree, const Array<Vec3>& points, const Array<float>& reach, const Run& run)
 {
+    CLEFT_ASSERT(points.size() == reach.size());
     parallel_for(run, tree.leaves.count(), 1024, [&](int64_t begin, int64_t end) {
         for (int64_t leaf = begin; leaf < end; ++leaf) {
             ParticleTree::Node& node = tree.nodes[tree.leaves[leaf]];

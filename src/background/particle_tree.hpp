@@ -42,6 +42,7 @@ void for_leaves_near(const ParticleTree& tree, const Eigen::AlignedBox3d& box, d
     const auto end = static_cast<int32_t>(tree.nodes.size());
     for (int32_t n = 0; n < end;) {
         const ParticleTree::Node& node = tree.nodes[n];
+        CLEFT_ASSERT(node.next > n);
         const Vec3 gap = (node.box.min() - box.max()).cwiseMax(box.min() - node.box.max()).cwiseMax(0.0);
         if (gap.squaredNorm() >= reach * reach) {
             n = node.next;

@@ -61,6 +61,7 @@ void read_sizes(const ParticleSet& particles, const SizeSampler& size, bool attr
 
 double moved(double x, double by, double length, double clearance)
 {
+    CLEFT_ASSERT(std::isfinite(by));
     const double margin = std::min(clearance, 0.5 * length);
     return std::clamp(x + by, margin, length - margin);
 }

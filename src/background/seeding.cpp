@@ -37,6 +37,7 @@ public:
             moment_ = Vec3::Zero();
         }
         charge_ += charge;
+        CLEFT_ASSERT(charge_ >= 0 && charge_ < 1);
         moment_ += charge * x;
     }
 
