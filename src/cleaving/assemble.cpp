@@ -137,6 +137,7 @@ public:
             mesh_.tets[out][i] = numbering_.vertex[corners[i]];
             x[i] = c_.point(corners[i]);
         }
+        CLEFT_ASSERT(orient_sign(x[0], x[1], x[2], x[3]) > 0);
         mesh_.material[out] = MaterialChooser(c_, corners).choose_whole(c_.kept[tet], x, scratch_);
         return 1;
     }
@@ -151,6 +152,7 @@ public:
                 mesh_.tets[out][k] = id[t[k]];
                 x[k] = mesh_.points[id[t[k]]];
             }
+            CLEFT_ASSERT(orient_sign(x[0], x[1], x[2], x[3]) > 0);
             mesh_.material[out++] =
                 tets.size() == 1 ? chooser.choose_whole(c_.kept[m.tet], x, scratch_) : chooser.choose(t, x, scratch_);
         }

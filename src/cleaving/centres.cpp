@@ -35,9 +35,11 @@ Vec3 Centres::quadruple_point(const MixedTet& m) const
 void Centres::place_cut(CutEdge& e, Samples& scratch) const
 {
     const MaterialSet &a = materials_of(e.lower), &b = materials_of(e.upper);
+    CLEFT_ASSERT(disjoint(a, b));
     const EdgeTie tie{
         point(e.lower), point(e.upper), a, b, samples.difference(e.lower, a, b), samples.difference(e.upper, a, b)};
     e.t = find_cut(volume, tie, scratch);
+    CLEFT_ASSERT(e.t >= kLeastCut && e.t <= kGreatestCut);
 }
 
 }  // namespace cleft

@@ -88,6 +88,8 @@ Array<Change> changes_at(const LabelledMesh& mesh, const PointStars::Range& star
 
 Harm HarmCheck::harm(const Change& change)
 {
+    CLEFT_ASSERT(std::all_of(change.tets.begin(), change.tets.end(),
+                             [&](int32_t t) { return mesh_.material[t] == change.from; }));
     const Array<int32_t> rest = touching(change, change.from), near = touching(change, change.to);
     if (rest.empty() || near.empty())
         return Harm::adds_or_loses;

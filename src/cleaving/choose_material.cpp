@@ -58,6 +58,7 @@ Material MaterialChooser::choose(const StencilTet& t, const FixedArray<Vec3, 4>&
             greatest = value;
         }
     }
+    CLEFT_ASSERT(best >= 0);
     return best;
 }
 

@@ -129,6 +129,7 @@ private:
         int32_t e = first_edge_[lower];
         while (c_.edges[e].upper != upper)
             ++e;
+        CLEFT_ASSERT(e < first_edge_[int64_t{lower} + 1]);
         return e;
     }
 
@@ -188,6 +189,7 @@ private:
         const auto edge = [&](int i, int j) { return m.edges[kEdgeBetween[i][j]]; };
         TripleFace face{{edge(corner[0], corner[1]), edge(corner[1], corner[2]), edge(corner[2], corner[0])}};
         std::sort(face.edges.begin(), face.edges.end());
+        CLEFT_ASSERT(face.edges[0] >= 0);
         return face;
     }
 

@@ -77,6 +77,7 @@ int32_t Link::number(int32_t point)
         place = base_ + next;
         vertices_.push_back({point, next});
     }
+    CLEFT_ASSERT(place - base_ < vertices_.count());
     return place - base_;
 }
 

@@ -144,6 +144,7 @@ private:
         give(change.tets, change.to);
         const auto count = change.tets.count();
         tets_of_[change.from] -= count;
+        CLEFT_ASSERT(tets_of_[change.from] > 0);  // no label loses its last tetrahedron
         tets_of_[change.to] += count;
         changed_ += count;
         for (const int32_t v : points_of(mesh_, change)) {

@@ -35,6 +35,7 @@ bool PinchCheck::load(const CutStar& star, const MaterialSet& before)
         for (const int32_t w : c_.corners(part.tet))
             if (w != star.vertex())
                 triangle[i++] = place_[w];
+        CLEFT_ASSERT(i == 3);
         triangles_.push_back(triangle);
     }
     return true;

@@ -50,6 +50,7 @@ public:
     // Forgets everything added from a span on.
     void drop(const Span& span)
     {
+        CLEFT_ASSERT(span.begin + span.count == values_.size());
         values_.resize(span.begin);
     }
 

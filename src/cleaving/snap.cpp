@@ -146,7 +146,11 @@ private:
 
     void take_best()
     {
+        CLEFT_ASSERT(std::isfinite(best_shape_.cost));  // all tetrahedra around are positive
+        CLEFT_ASSERT(std::includes(best_.materials.begin(), best_.materials.end(), before_.materials.begin(),
+                                   before_.materials.end()));
         if (before_.materials.size() == 1) {
+            CLEFT_ASSERT(vertices_of_[before_.materials[0]] > 1);
             --vertices_of_[before_.materials[0]];
         }
         keep_materials();

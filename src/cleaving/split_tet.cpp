@@ -55,6 +55,7 @@ SplitTet split_tet(const Centres& c, const MixedTet& mixed)
     if (split.cuts == kAllCuts)
         x[kQuadruplePoint] = c.quadruple_point(mixed);
     split.stencils = c.stencils.stencils(split.cuts, diagonals(split.cuts, rank_cuts(c, mixed, split.cuts)));
+    CLEFT_ASSERT(split.stencils.begin < split.stencils.end);  // lemma 2 of stencil.hpp
     return split;
 }
 

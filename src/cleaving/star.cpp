@@ -15,6 +15,7 @@ namespace
 int64_t place_in(const Tet& corners, int32_t v)
 {
     const auto place = std::find(corners.begin(), corners.end(), v) - corners.begin();
+    CLEFT_ASSERT(place < 4);
     return place;
 }
 
