@@ -45,10 +45,33 @@ struct Cavity {
             taken_tets.push_back(mesh.tet(t));
             taken_materials.push_back(mesh.material(t));
         }
+        CLEFT_ASSERT(fills_the_same(mesh));
         mesh.replace(old_tets, new_tets, new_materials, created);
     }
     // As long as nothing but points has changed since. The tetrahedra get new numbers, those in `old_tets`.
     void undo(LocalMesh& mesh) { mesh.replace(created, taken_tets, taken_materials, old_tets); }
+
+private:
+    // The new tetrahedra are positive, and have the volume of the old ones, up to rounding.
+    bool fills_the_same(const LocalMesh& mesh) const
+    {
+        double before = 0, after = 0, longest = 0;
+        const auto six_volumes = [&](const Tet& t) {
+            const Vec3& a = mesh.point(t[0]);
+            for (const int32_t v : t)
+                longest = std::max(longest, (mesh.point(v) - a).norm());
+            return orient(a, mesh.point(t[1]), mesh.point(t[2]), mesh.point(t[3]));
+        };
+        for (const Tet& t : taken_tets)
+            before += six_volumes(t);
+        bool all_positive = true;
+        for (const Tet& t : new_tets) {
+            const double volume = six_volumes(t);
+            all_positive = all_positive && volume > 0;
+            after += volume;
+        }
+        return all_positive && std::abs(after - before) <= 1e-9 * longest * longest * longest;
+    }
 };
 
 }  // namespace cleft

@@ -147,6 +147,7 @@ void Contraction::load_boundary(const LocalMesh& mesh, int32_t v, const Array<in
             for (const int k : kFaceCorners[corner])
                 if (tet[k] != v)
                     (pair[0] < 0 ? pair[0] : pair[1]) = tet[k];
+            CLEFT_ASSERT(pair[0] >= 0 && pair[1] >= 0);
             std::sort(pair.begin(), pair.end());
             out.triangles.push_back(pair);
         }

@@ -125,6 +125,7 @@ bool lone_tets_are_backed(const LocalMesh& mesh, const EdgeRing& ring, const std
     if (ring.closed && arc_count == 1)
         return true;
     for (size_t k = 0; k < arc_count; ++k) {
+        CLEFT_ASSERT(arcs[k].size >= 2);
         if (arcs[k].size > 2)
             continue;
         const auto first = std::find(ring.points.begin(), ring.points.end(), arcs[k].points[0]) - ring.points.begin();
@@ -178,11 +179,13 @@ bool remove_face(LocalMesh& mesh, int32_t t, int corner, Cavity& cavity, double 
     if (mesh.is_boundary(t, corner))
         return false;
     const int32_t n = mesh.neighbour(t, corner);
+    CLEFT_ASSERT(n >= 0);
     const Tet& v = mesh.tet(t);
     const int32_t a = v[corner];
     const int32_t x = v[kFaceCorners[corner][0]], y = v[kFaceCorners[corner][1]], z = v[kFaceCorners[corner][2]];
     const Tet& w = mesh.tet(n);
     const int32_t b = w[0] ^ w[1] ^ w[2] ^ w[3] ^ x ^ y ^ z;
+    CLEFT_ASSERT(b != a && has_corner(w, b));
     const double old_worst = std::max(share * std::min(mesh.quality(t), mesh.quality(n)), kLeastSine);
     const std::array<Tet, 3> made{Tet{a, b, x, y}, Tet{a, b, y, z}, Tet{a, b, z, x}};
     for (const Tet& tet : made)

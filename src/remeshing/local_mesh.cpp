@@ -20,6 +20,7 @@ constexpr double kUnknown = 2;  // no quality
 // The other two corners of a tetrahedron at the edge a b, in the order that makes a, b, c, d positive.
 Hinge hinge(const Tet& v, int32_t t, int32_t a, int32_t b)
 {
+    CLEFT_ASSERT(has_corner(v, a) && has_corner(v, b));
     for (size_t e = 0; e < 6; ++e) {
         const int32_t from = v[kEdgeCorners[e][0]], to = v[kEdgeCorners[e][1]];
         if (!((from == a && to == b) || (from == b && to == a)))
@@ -79,6 +80,7 @@ LocalMesh::LocalMesh(Array<Vec3> points, Array<Tet> tets, Array<Material> materi
       stars_(tets_, points_.size(), run),
       quality_(large_array(tets_.size(), kUnknown))
 {
+    CLEFT_ASSERT(materials_.empty() || materials_.size() == tets_.size());
     freeze_hull(run);
 }
 
@@ -127,6 +129,7 @@ void LocalMesh::ring(int32_t t, int corner_a, int corner_b, EdgeRing& out) const
     for (const int32_t n : star(out.a))
         if (has_corner(tet(n), out.b))
             left.push_back(hinge(tet(n), n, out.a, out.b));
+    CLEFT_ASSERT(!left.empty());
     // It begins at the hinge that no other leads to, if there is one, else at t.
     auto first = std::find_if(left.begin(), left.end(), [&](const Hinge& h) { return h.tet == t; });
     for (auto h = left.begin(); h != left.end(); ++h)
@@ -155,11 +158,13 @@ void LocalMesh::move(int32_t v, const Vec3& to)
     points_[v] = to;
     for (const int32_t t : star(v)) {
         quality_[t] = kUnknown;
+        CLEFT_ASSERT(quality(tet(t)) > 0);
     }
 }
 
 int32_t LocalMesh::add_point(const Vec3& x, uint8_t frozen)
 {
+    CLEFT_ASSERT(x.allFinite());
     points_.push_back(x);
     frozen_.push_back(frozen);
     stars_.add_point();
@@ -169,7 +174,9 @@ int32_t LocalMesh::add_point(const Vec3& x, uint8_t frozen)
 void LocalMesh::replace(const Array<int32_t>& old_tets, const Array<Tet>& new_tets,
                         const Array<Material>& new_materials, Array<int32_t>& created)
 {
+    CLEFT_ASSERT(new_tets.size() == new_materials.size());
     for (const int32_t t : old_tets) {
+        CLEFT_ASSERT(alive(t));
         for (const int32_t v : tet(t))
             stars_.remove(v, t);
         tets_[t][0] = -1;

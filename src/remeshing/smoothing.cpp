@@ -33,6 +33,7 @@ Mat3 free_axes(uint8_t frozen)
 // The shortest vector in the convex hull of the active gradients improves all of them (Gilbert's iteration).
 Vec3 Smoother::ascent_direction(double worst) const
 {
+    CLEFT_ASSERT(quality_.size() == gradient_.size());
     Vec3 shortest(0, 0, 0);
     bool any = false;
     for (size_t i = 0; i < quality_.size() && !any; ++i)

@@ -38,6 +38,7 @@ void TetStar::begin(int64_t capacity)
 
 void TetStar::add(const LocalMesh& mesh, const Tet& tet, int corner)
 {
+    CLEFT_ASSERT(corner < 4);  // the point, or the end of the edge, is a corner
     Lanes& lanes = lanes_[size_ / kLanes];
     for (size_t c = 0; c < 3; ++c) {
         const Vec3& x = mesh.point(tet[kFaceCorners[corner][c]]);
