@@ -111,6 +111,7 @@ Array<Tet> CompoundOperations::tets_around(const Tet& corners) const
 
 bool CompoundOperations::attempt(int32_t t, int operation)
 {
+    CLEFT_ASSERT(t >= 0);  // what was taken back has the same corners again
     moves_.clear();
     attempt_began_ = ++clock_;
     if (operation < 6) {
