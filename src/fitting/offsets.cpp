@@ -20,6 +20,7 @@ Contact& contact_of(Array<Contact>& contacts, const std::array<Material, 2>& pai
         std::lower_bound(contacts.begin(), contacts.end(), pair, [](const Contact& c, const auto& wanted) {
             return c.first != wanted[0] ? c.first < wanted[0] : c.second < wanted[1];
         });
+    CLEFT_ASSERT(found != contacts.end() && found->first == pair[0] && found->second == pair[1]);
     return *found;
 }
 

@@ -46,6 +46,7 @@ FitMove move_of(const Residual& residual, uint8_t frozen)
 int64_t VolumeCorrector::apply(const Array<Residual>& residuals, Array<FitPoint>& points, VolumeDeficits& deficits,
                                const Run& run)
 {
+    CLEFT_ASSERT(residuals.size() == points.size());
     int64_t held = 0;
     for (size_t i = 0; i < points.size(); ++i) {
         run.check_at(i, 1 << 12);
