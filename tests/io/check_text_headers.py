@@ -377,7 +377,7 @@ def test_vtk_by_hand():
         ),
     )
     refused(FORMAT, "more values", write("h.vtk", vtk_text(grid, points + " 5")))
-    refused(FORMAT, "1 values are missing", write("h.vtk", vtk_text(grid, points.rsplit(" ", 1)[0])))
+    refused(FORMAT, "1 value is missing", write("h.vtk", vtk_text(grid, points.rsplit(" ", 1)[0])))
     refused(FORMAT, "POINT_DATA are 61", write("h.vtk", vtk_text(grid, points.replace("60", "61"))))
     refused(
         FORMAT,
