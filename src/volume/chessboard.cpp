@@ -1,3 +1,5 @@
+// The distance in the maximum norm by two raster sweeps over the voxels. Depths of label maps and of blocks of
+// indicator functions come from it.
 #include "volume/chessboard.hpp"
 
 #include <algorithm>
@@ -9,6 +11,7 @@ namespace
 {
 
 // distance[x] = min(distance[x], 1 + min(other[x - 1 .. x + 1]))
+// Three plain loops, none with a condition inside, so that compilers can vectorize them.
 void relax_from_row(uint8_t* distance, const uint8_t* other, int32_t nx)
 {
     const auto relax = [](uint8_t d, uint8_t o) { return std::min(d, static_cast<uint8_t>(o + 1)); };
@@ -22,6 +25,7 @@ void relax_from_row(uint8_t* distance, const uint8_t* other, int32_t nx)
 
 void relax_along_row(uint8_t* distance, int32_t nx, int step, int greatest)
 {
+    // The distance on the way along the row is kept in a register: each voxel needs the one before.
     int last = greatest;
     for (int32_t i = 0; i < nx; ++i) {
         uint8_t& d = distance[step > 0 ? i : nx - 1 - i];
@@ -53,6 +57,7 @@ void sweep_plane(const Grid& grid, uint8_t* distance, int32_t z, int step, int g
 // Two sweeps, each over the 13 neighbours that come before, are exact in this norm.
 void chessboard_distance(const Grid& grid, uint8_t* distance, int greatest, const Run& run)
 {
+    // One less than the greatest byte: a sweep adds 1 before it takes the minimum, and 255 + 1 would become 0.
     CLEFT_ASSERT(greatest <= 254);
     const int32_t nz = grid.dims[2];
     for (int32_t z = 0; z < nz; ++z) {

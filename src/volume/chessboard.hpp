@@ -9,8 +9,8 @@
 namespace cleft
 {
 
-// On entry 0 or `greatest` (at most 254); on return min(greatest, distance to the nearest 0) in grid steps.
-// `fraction` is what it reports as the progress of the stage.
+// On entry 0 or `greatest` (at most 254); on return min(greatest, distance to the nearest 0) in grid steps. One thread
+// does it, since each row needs the one before. The progress of `run` goes from 0 to 1.
 void chessboard_distance(const Grid& grid, uint8_t* distance, int greatest, const Run& run);
 
 }  // namespace cleft

@@ -1,3 +1,4 @@
+// Splits the affine of a user into the spacing of the grid and what the local frame does not know (decision 1).
 #include "volume/frame.hpp"
 
 #include "base/error.hpp"
@@ -24,6 +25,7 @@ Grid checked_grid(const int64_t dims[3])
         if (dims[axis] < 1)
             throw Error(CLEFT_ERROR_ARGUMENT,
                         voxels_along(axis) + std::to_string(dims[axis]) + "; it must be at least 1");
+        // A quarter of the range: sums of a few indices along one axis stay within int32_t.
         if (dims[axis] > INT32_MAX / 4)
             throw Error(CLEFT_ERROR_TOO_LARGE,
                         voxels_along(axis) + std::to_string(dims[axis]) + ", too many for 32-bit numbering");
@@ -35,6 +37,7 @@ Grid checked_grid(const int64_t dims[3])
 }
 
 // Exact for a column along an axis, and safe from overflow.
+// A spacing of 0.1 must stay 0.1, and the square of a length may overflow where the length does not.
 double length_of(const Vec3& column)
 {
     const double most = column.cwiseAbs().maxCoeff();
@@ -47,8 +50,11 @@ Vec3 Frame::to_local(const Vec3& world) const
 {
     Vec3 local = inverse * (world - offset);
     const Vec3 extent = grid.extent();
+    // The affine far from the origin has lost digits before its inverse sees the point, so 1e-9 alone would not do
+    // there.
     const double rounding = 2 * std::numeric_limits<double>::epsilon() * world.cwiseAbs().maxCoeff();
     const double tolerance = 1e-9 * extent.maxCoeff() + rounding * inverse.cwiseAbs().maxCoeff();
+    // Later stages compare coordinates with 0 and the extent exactly: only an exact one keeps its point in the wall.
     for (int axis = 0; axis < 3; ++axis) {
         if (std::abs(local[axis]) < tolerance)
             local[axis] = 0;
@@ -83,8 +89,11 @@ Frame make_frame(const int64_t dims[3], const double* affine)
                         "the affine has no length along the " + ordinal(axis) + " axis of the voxels");
         frame.linear.col(axis) = columns.col(axis) / frame.grid.spacing[axis];
     }
+    // The columns have length 1 here, so this is the volume of a cell with unit edges. Below the limit, the inverse
+    // would lose six or more of sixteen digits.
     if (std::abs(frame.linear.determinant()) < 1e-6)
         throw Error(CLEFT_ERROR_ARGUMENT, "the affine flattens the volume: its columns lie in one plane");
+    // The affine places the centre of the first voxel. The box begins at its least corner, half a voxel before.
     frame.offset = origin - columns * Vec3(0.5, 0.5, 0.5);
     frame.inverse = frame.linear.inverse();
     check_limits(frame);

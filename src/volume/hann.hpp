@@ -48,8 +48,11 @@ public:
     template <bool WithSlopes>
     void weights(const FixedArray<double, 3>& u, KernelWeights& out) const
     {
+        // The fourth lane is unused: with it, the compiler makes one vector of the three axes.
         alignas(16) float phi[4] = {}, sine[4], cosine[4];
         for (int a = 0; a < 3; ++a) {
+            // A cast truncates towards zero, which is the floor of positive numbers only. The shift is enough for
+            // widths up to 8.
             constexpr int kPositive = 4;
             out.first[a] = static_cast<int32_t>(u[a] - 0.5 * width_ + (1 + kPositive)) - kPositive;
             phi[a] = static_cast<float>(u[a] - (out.first[a] + 0.5 * (width_ - 1)));

@@ -1,3 +1,4 @@
+// Marks the blocks of voxels in which one function surely wins. Most of a volume is such, and stages skip it.
 #include "volume/indicator_blocks.hpp"
 
 #include "base/parallel.hpp"
@@ -16,9 +17,11 @@ namespace
 {
 
 constexpr int kSide = kBlock + 4;  // the voxels that the interpolation inside a block looks at
+// What a byte of chessboard_distance() can hold, nearly. Deeper blocks answer false for reaches beyond 1,000 voxels.
 constexpr int kGreatestDepth = 250;
 
 // The value at a voxel, or past the grid where the line through the outermost two values leads.
+// The same continuation as in indicator_field.cpp: the bound below holds for what is sampled.
 double extended(const float* field, const Grid& grid, FixedArray<int32_t, 3> p, int axis = 0)
 {
     if (axis == 3)

@@ -1,3 +1,5 @@
+// Finds inputs that leave open who holds a voxel: masks with gaps or overlaps, and functions that are equal all over a
+// region.
 #include "volume/indicator_claims.hpp"
 
 #include "base/counted.hpp"
@@ -13,6 +15,7 @@ namespace cleft
 namespace
 {
 
+// Voxels per chunk: enough that handing one out costs nothing beside it.
 constexpr int64_t kVoxelsClaimed = int64_t{1} << 16;
 
 using Fields = Array<Array<float>>;
@@ -60,6 +63,7 @@ void check_masks(const Fields& fields, float low, int64_t voxels, const Run& run
                     share(unclaimed) + "none of the " + std::to_string(fields.size()) +
                         " masks that are given as indicator functions: give the outside its own mask, or make one "
                         "label map of all masks");
+    // An overlap is no error: functions always decide by the greatest value. But users of masks seldom mean it.
     const int64_t shared = count_voxels(voxels, run, [&](int64_t v) { return claims(v) > 1; });
     if (shared > 0)
         run.warn(share(shared) +
@@ -83,6 +87,8 @@ Array<uint8_t> ties(const Fields& fields, int64_t voxels, const Run& run)
 }
 
 // Are the voxels before and after it along each axis tied too?
+// A sheet of ties one voxel thick is an interface that happens to pass through centres. A region is thicker along every
+// axis.
 bool is_inner(const Array<uint8_t>& tied, const Grid& grid, int64_t voxel)
 {
     int64_t stride = 1, rest = voxel;

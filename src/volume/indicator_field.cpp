@@ -1,3 +1,4 @@
+// Interpolates indicator functions, with the one that is the rest of the others evaluated from them.
 #include "volume/indicator_field.hpp"
 
 #include "base/stage.hpp"
@@ -38,6 +39,7 @@ struct CubicWeights {
 CubicWeights cubic_weights(double u, int32_t n)
 {
     CubicWeights out;
+    // One plane of voxels: the function is constant across it.
     if (n == 1) {
         out.count = 1;
         out.w[0] = 1;
@@ -137,8 +139,12 @@ Material greatest(int64_t count, const Value& value)
 }
 
 // See IndicatorField::rest.
+// Equality is exact on purpose. Who makes such a function by negating a maximum loses no bit, and a near miss is
+// another function.
 int32_t find_rest(const Array<Array<float>>& field, const Run& run)
 {
+    // Some milliseconds per function. The loop ends early for functions that have no such field, since the candidates
+    // run out.
     constexpr size_t kVoxelsACheck = size_t{1} << 20;
     Array<Material> candidates(field.size());
     std::iota(candidates.begin(), candidates.end(), 0);

@@ -17,6 +17,7 @@ namespace cleft
 namespace
 {
 
+// Values per chunk: small enough that the error of the lowest chunk, which is the one reported, comes soon.
 constexpr int64_t kValuesChecked = int64_t{1} << 16;
 
 // What the values of a field, or of several, are like.
@@ -72,6 +73,7 @@ Array<Array<float>> bounded_values(const Array<const Value*>& fields, const Grid
     const Run of_ranges = steps.next();
     for (size_t k = 0; k < fields.size(); ++k)
         range.add(range_of(fields[k], grid, k, of_ranges));
+    // A field of sentinels alone has no magnitude of its own; 1 keeps their signs.
     const double far = range.greatest > 0 ? kFarValue * range.greatest : 1;
     if (range.far > 0)
         warn_of_far_values(range.far, far, run);

@@ -9,6 +9,7 @@
 namespace cleft
 {
 
+// The cube around a voxel that the widest kernel, of 6 voxels, reaches: three voxels to each side.
 constexpr int kGreatestWidth = 7;
 constexpr int kGreatestVolume = kGreatestWidth * kGreatestWidth * kGreatestWidth;
 // Room for the voxels of a cube, one after the other, and a chunk more; whole chunks, so that rows of it stay aligned.
@@ -56,6 +57,8 @@ public:
     // 15 of the cube for every chunk, zero where another material is. Returns the material, or -1 if there is none
     // left.
     template <class Visit>
+    // Materials come in the order of their first voxels in the cube, which depends on the data alone. One pass per
+    // material is cheap: around most points there are two or three.
     int next(const Visit& visit)
     {
         unsigned mask = 0;
@@ -74,6 +77,7 @@ public:
     }
 
 private:
+    // Most cubes are inside the grid. A dense copy makes all further passes contiguous.
     void copy_rows(const LabelMap<Label>& map, const FixedArray<int32_t, 3>& first)
     {
         const int64_t row = map.grid.dims[0], slice = row * map.grid.dims[1];
@@ -88,6 +92,7 @@ private:
                 std::memcpy(weight_ + at, weight + y * row + z * slice, kLanes);
             }
     }
+    // At the walls, the map continues as its mirror image (label_map.hpp).
     void copy_mirrored(const LabelMap<Label>& map, const FixedArray<int32_t, 3>& first)
     {
         int32_t index[3][kGreatestWidth];

@@ -15,9 +15,14 @@ namespace cleft
 namespace
 {
 
+// Each point stands for the octant of a voxel around it.
 constexpr int kPoints = 8;  // at (+-1/4, +-1/4, +-1/4) in a voxel
-constexpr int kBox = 2;     // the feedback looks at voxels this far away
+// A box less wide would see less than the kernel blurs; a wider one would let parts pay for each other.
+constexpr int kBox = 2;  // the feedback looks at voxels this far away
+// A is multiplied by exp(kGain * lack): a material that lacks a tenth of its box gains 35 %. A smaller gain leaves more
+// to fitting. A greater one overshoots where labels alternate (damped() below).
 constexpr double kGain = 3;
+// The bound spares the smooth interfaces of most volumes, where the second round only refines the first.
 constexpr double kOvershoot = 0.15;  // of the logarithm of a weight; less is let be
 constexpr double kShareOne = 255;    // shares are kept in bytes
 
@@ -103,6 +108,8 @@ void add_bumps(const LabelMap<Label>& map, const PointWeights& at, const FixedAr
 }
 
 // Gives each point softly to the best two there; share[k] sums to one over the materials.
+// Near a plane across an axis, at distance d, (f1 - f2) / (f1 + f2) is 4 d / width. With `soft` = width / 2 the part
+// becomes 1/2 + 2 d. That is the part of an octant of side 1/2 on this side of the plane.
 template <class Label>
 void divide_points(const PointValues<Label>& values, float soft, float* share)
 {
@@ -169,6 +176,7 @@ VoxelShare<Label> voxel_share(const LabelMap<Label>& map, const PointWeights& at
 
 // The shares of the planes around the one that is worked on, as structure of arrays. Rows have kBox mirrored voxels
 // before and behind, so that whole lanes can be read around any voxel.
+// All shares would take 6 bytes per voxel, or 9 with two-byte labels; a window of planes keeps the peak of memory low.
 template <class Label>
 struct ShareWindow {
     ShareWindow(const Grid& g, int32_t planes_) : grid(g), planes(planes_), row(int64_t{g.dims[0]} + 2 * kBox)
@@ -230,6 +238,7 @@ void fill_row(const LabelMap<Label>& map, const PointWeights& at, int32_t y, int
 
 // Half a voxel of the outermost ones: the box has sides of four voxels.
 constexpr int kBoxWeight[kLanes] = {1, 2, 2, 2, 1};
+// The sum over a box is at most 64 * 255 in magnitude, so 16-bit lanes hold it.
 constexpr int kBoxRows = 25;
 constexpr double kBoxTotal = 8 * 8 * 8;
 
@@ -261,6 +270,8 @@ double damped(double first, double change)
 {
     if (first * change > 0 || std::abs(change) < std::max(kOvershoot, std::abs(first)))
         return change;
+    // The secant through the errors before and after the first round; both have opposite signs here, so it lies
+    // between.
     return first * change / (first - change);
 }
 
@@ -294,6 +305,7 @@ void feed_back_volume(LabelMap<Label>& map, FeedbackRound round, const Run& run)
     const auto [nx, ny, nz] = map.grid.dims;
     const PointWeights at(map.kernel);
     // Shares run ahead of the correction: no share is taken from a weight of this round.
+    // Otherwise the result would depend on the order of the rows, and so on the threads.
     const int32_t ahead = std::max(kBox, at.reach);
     ShareWindow<Label> window(map.grid, std::min(nz, kBox + kSlab + ahead));
     const auto rows = [&, ny = ny](int32_t z0, int32_t z1, const auto& body) {

@@ -24,6 +24,8 @@ namespace cleft
 // The greatest A bounds what B can be asked for: the weights of the kernel add up to one, so at a voxel centre no other
 // material has more than the greatest A. A byte always holds the B that keeps the centre, and leaves codes for the
 // depth of voxels that need none.
+// The least A is a quarter. It bounds how far feedback weakens a voxel: with A = 0 everywhere around a point, no
+// material would have a share there. The greatest is 2.9, and leaves 64 codes for depths.
 constexpr int kWeightOne = 64;
 constexpr int kWeightLeast = 16;
 constexpr int kWeightGreatest = 184;
@@ -56,8 +58,11 @@ struct LabelMap {
 // i, or the index of the voxel of which the voxel i outside 0 .. n-1 is a mirror image.
 inline int32_t mirrored(int32_t i, int32_t n)
 {
+    // Nearly all indices are inside, and a division costs more than the rest.
     if (i >= 0 && i < n)
         return i;
+    // The mirror lies between voxels: the image of voxel 0 is -1, and the pattern repeats after 2 n. A grid of one
+    // voxel needs several reflections.
     const int64_t period = 2 * int64_t{n};
     const int64_t m = ((i % period) + period) % period;
     return static_cast<int32_t>(m < n ? m : period - 1 - m);

@@ -1,3 +1,5 @@
+// Shares of the materials at a point of a label map. All of a run goes through here, so it works on whole chunks of
+// voxels and takes a short way deep inside a material.
 #include "volume/label_sample.hpp"
 
 #include "volume/label_block.hpp"
@@ -12,6 +14,7 @@ namespace cleft
 namespace
 {
 
+// The widest kernel covers six voxels along each axis, and each may have a label of its own.
 constexpr int kGreatestShares = 6 * 6 * 6;
 
 // What one point sees: f_k of every material around it, in order of discovery.
@@ -81,6 +84,8 @@ struct Corners {
         int64_t step[3][2];
         const int64_t stride[3] = {1, grid.dims[0], int64_t{grid.dims[0]} * grid.dims[1]};
         for (int a = 0; a < 3; ++a) {
+            // Truncation is the floor here, since u is at least -1/2. Past the wall the mirror image of a corner is the
+            // corner next to it, so that clamping is enough.
             const int32_t low = static_cast<int32_t>(u[a] + 1) - 1;
             offset[a] = u[a] - low;
             step[a][0] = stride[a] * std::max(low, 0);
@@ -95,6 +100,7 @@ template <bool WithGradient, class Label>
 void add_bumps(const LabelMap<Label>& map, const FixedArray<double, 3>& u, Shares& out)
 {
     const Corners corners(map.grid, u);
+    // Most points have no bump around: only parts that are thin, and centres that lost their label, have one.
     int any = 0;
     for (const int64_t v : corners.voxel)
         any |= bump_of(map.code[v]);
@@ -139,6 +145,7 @@ void find_shares(const LabelMap<Label>& map, const FixedArray<double, 3>& u, Sha
 }
 
 // Ascending by material, without those that have no share.
+// Samples promises this order. It also makes the sum below independent of which voxel was met first.
 void order(Shares& s, int* entries, int& count)
 {
     count = 0;
@@ -166,6 +173,7 @@ void sample_shares(const LabelMap<Label>& map, const Vec3& x, Samples& out)
     const auto u = voxel_position(map.grid, x);
     const auto nearest = voxel_at(map.grid, u);
     if (depth_of(map.code[nearest]) >= map.reach())
+        // No voxel of another material is within reach of the kernel, so the share is exactly 1 and its gradient 0.
         return single(map.material[nearest], WithGradient, out);
 
     Shares shares;
@@ -191,6 +199,7 @@ void sample_shares(const LabelMap<Label>& map, const Vec3& x, Samples& out)
         out.material[i] = shares.material[k];
         out.value[i] = shares.value[k] / sum;
         if (WithGradient)
+            // The rule for quotients: shares add up to one, so their gradients add up to zero.
             out.gradient[i] =
                 (Eigen::Map<const Vec3>(shares.gradient[k]) - out.value[i] * sum_gradient).cwiseProduct(by_length) /
                 sum;

@@ -1,3 +1,5 @@
+// Finds which label values a volume has, and replaces them by dense numbers. Hash tables only look values up: the order
+// of the numbers comes from the voxels.
 #include "volume/label_values.hpp"
 
 #include "base/parallel.hpp"
@@ -15,9 +17,11 @@ namespace cleft
 namespace
 {
 
+// Voxels between two looks for too many labels and for a cancel: a grey-scale image is refused early, not at its end.
 constexpr int64_t kVoxelsListed = int64_t{1} << 18;
 
 // Sets and maps over all values of a small type are arrays; 32-bit values are hashed.
+// An array of 65,536 entries is faster than a hash, and 32-bit values have too many for an array.
 template <class Value>
 constexpr bool kIsSmall = sizeof(Value) <= 2;
 
@@ -91,6 +95,7 @@ private:
 template <class Value>
 Array<int32_t> distinct_labels(const Value* voxels, int64_t n, const Run& run)
 {
+    // One thread, since the numbers follow from which voxel comes first.
     ValueSet<Value> set;
     Value last = voxels[0];
     set.insert(last);

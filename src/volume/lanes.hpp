@@ -76,6 +76,7 @@ struct FloatChunk {
 };
 
 // A sum of products in four lanes. Factors are aligned to 16 bytes.
+// Sums of floats depend on their order: four products are added crosswise first, then to the lanes, in both versions.
 struct ChunkSum {
     __m128 lanes = _mm_setzero_ps();
 
@@ -95,6 +96,7 @@ struct ChunkSum {
 };
 
 // Sums of the first eight lanes of bytes.
+// A sum must stay within 16 bits; label_feedback.cpp says why its own does.
 struct WordSum {
     __m128i words = _mm_setzero_si128();
 
@@ -109,6 +111,7 @@ struct WordSum {
     void store(int16_t* p) const { _mm_storeu_si128(reinterpret_cast<__m128i*>(p), words); }
 };
 
+// The same operations for other processors. Compilers may vectorize these loops, but not reorder their sums.
 #else
 
 struct FloatRow {

@@ -39,6 +39,7 @@ double least_distance(const Frame& frame)
     return least;
 }
 
+// The greatest coordinate of a box is at a corner, whatever the affine does.
 double greatest_coordinate(const Frame& frame)
 {
     const Vec3 extent = frame.grid.extent();
@@ -56,6 +57,7 @@ void check_limits(const Frame& frame)
 {
     check_spacings(frame.grid.spacing);
     const double distance = greatest_coordinate(frame) / least_distance(frame);
+    // Written so that a NaN is refused too.
     if (!(distance <= kGreatestDistance))
         throw Error(CLEFT_ERROR_ARGUMENT, "the box of the volume reaches " + number_text(distance) +
                                               " spacings away from the origin, more than " +

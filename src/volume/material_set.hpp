@@ -36,6 +36,8 @@ public:
     bool unite(const MaterialSet& other)
     {
         uint16_t both[2 * kCapacity];
+        // Both are sorted, so equal sets are equal arrays: the order in which a vertex collected its materials does not
+        // show.
         const uint16_t* last = std::set_union(begin(), end(), other.begin(), other.end(), both);
         if (last - both > kCapacity)
             return false;

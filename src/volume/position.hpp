@@ -15,6 +15,8 @@ inline FixedArray<double, 3> voxel_position(const Grid& grid, const Vec3& x)
     FixedArray<double, 3> u;
     for (int a = 0; a < 3; ++a) {
         const double t = x[a] / grid.spacing[a];
+        // The comparison is false for NaN, which a minimum and a maximum would pass on, and an index made of it is
+        // undefined.
         u[a] = (t > 0 ? std::min<double>(t, grid.dims[a]) : 0.0) - 0.5;
     }
     return u;
@@ -24,6 +26,7 @@ inline FixedArray<int32_t, 3> nearest_voxel(const Grid& grid, const FixedArray<d
 {
     FixedArray<int32_t, 3> n;
     for (int a = 0; a < 3; ++a) {
+        // A cast truncates towards zero. This is the floor, since u is at least -1/2.
         n[a] = std::min(static_cast<int32_t>(u[a] + 0.5), grid.dims[a] - 1);
         CLEFT_ASSERT(n[a] >= 0);
     }

@@ -1,3 +1,4 @@
+// Root searches for ties: in a bracket on an edge, and by Newton steps near a vertex.
 #include "volume/tie.hpp"
 
 #include <cmath>
@@ -44,6 +45,7 @@ struct TieEquations {
 bool solve_leading(Mat3 m, const Vec3& r, int n, Vec3& y)
 {
     double scale = 1;
+    // Rows and columns past n become those of the identity, so that one 3 x 3 inverse serves all n.
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j)
             if (i >= n || j >= n)
@@ -51,6 +53,8 @@ bool solve_leading(Mat3 m, const Vec3& r, int n, Vec3& y)
         scale *= m.row(i).norm();
     }
     const double determinant = m.determinant();
+    // Two ties whose gradients are nearly parallel, or a function that is flat: a step would lead far away, and the
+    // caller keeps the place it has.
     if (!(std::abs(determinant) > 1e-6 * scale))
         return false;
     y = m.inverse() * r;
@@ -71,8 +75,10 @@ double find_cut(const Volume& volume, const EdgeTie& edge, Samples& scratch)
 {
     // More steps place cuts more exactly, but not interfaces: what is between the cuts is far further off.
     constexpr int kSteps = 2;
+    // Of the length of the edge: half of kLeastCut.
     constexpr double kTolerance = 0.01;
     double low = edge.difference_a, high = edge.difference_b;
+    // An end on the wrong side has no root to bracket. This happens where a vertex lies on the tie, and in noise.
     if (!(low > 0))
         return kLeastCut;
     if (!(high < 0))
@@ -86,6 +92,7 @@ double find_cut(const Volume& volume, const EdgeTie& edge, Samples& scratch)
         (f > 0 ? t_low : t_high) = t;
         (f > 0 ? low : high) = f;
         const double before = t;
+        // False position keeps the bracket, so the cut stays on its edge whatever the function does.
         t = t_low + (t_high - t_low) * low / (low - high);
         if (std::abs(t - before) < kTolerance)
             break;
@@ -111,6 +118,7 @@ std::optional<Vec3> newton_step(const Volume& volume, const Vec3& base, const Ve
 {
     volume.sample_gradient(at, scratch);
     const TieEquations tie(scratch, material, count);
+    // Frozen axes drop out of the step, so that a point in a wall stays in it exactly.
     const Mat3 masked = tie.jacobian * free.asDiagonal();
     Vec3 multiplier;
     if (!solve_leading(masked * masked.transpose(), -tie.residual - tie.jacobian * (base - at), tie.n, multiplier))

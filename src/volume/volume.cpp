@@ -1,3 +1,5 @@
+// The door of the folder: checks what a volume is made of, and sends each question to the label map or to the
+// functions.
 #include "volume/volume.hpp"
 
 #include "base/counted.hpp"
@@ -41,6 +43,8 @@ void check_grid(const Grid& grid)
             throw Error(CLEFT_ERROR_ARGUMENT, "the spacing along the " + ordinal(a) + " axis is " +
                                                   number_text(grid.spacing[a]) + ", not a positive finite number");
     const double voxels = double(grid.dims[0]) * double(grid.dims[1]) * double(grid.dims[2]);
+    // From C, make_frame() has refused far fewer. This bound only keeps Grid::size() and counts of bytes within
+    // int64_t.
     if (voxels > 0x1p56)
         throw std::bad_alloc();
 }
@@ -52,6 +56,7 @@ LabelMap<Label> make_label_map(const Value* voxels, const Grid& grid, int kernel
     LabelMap<Label> map;
     map.grid = grid;
     map.kernel = Hann(kernel);
+    // The surplus lets a sample read whole lanes at the last voxel too.
     map.material.resize(grid.size() + kLanes);
     Steps steps(run, {{nullptr, 2}, {nullptr, 10}, {nullptr, 80}});
     dense_materials(voxels, grid.size(), labels, map.material.data(), steps.next());
@@ -66,6 +71,8 @@ void store_labels(const void* voxels, const Grid& grid, int kernel, Volume::Data
     const auto* values = static_cast<const Value*>(voxels);
     Stage stage(run, "volume", {{"volume: labels", 10}, {"volume: smoothing", 90}});
     data.labels = distinct_labels(values, grid.size(), stage.next());
+    // Most volumes have few labels. One byte per voxel halves the memory of the map, which is worth a second
+    // instantiation.
     if (data.labels.size() <= 256)
         data.field = make_label_map<uint8_t>(values, grid, kernel, data.labels, stage.next());
     else
@@ -74,6 +81,7 @@ void store_labels(const void* voxels, const Grid& grid, int kernel, Volume::Data
 }
 
 // The names of the materials of K fields.
+// Fields without labels get 0 .. K-1, so that a material always has a value by which a caller can find it.
 Array<int32_t> indicator_labels(size_t fields, const Array<int32_t>& labels)
 {
     const size_t materials = fields == 1 ? 2 : fields;
@@ -176,6 +184,8 @@ Array<Material> Volume::listed() const
 {
     Array<Material> materials(labels().size());
     std::iota(materials.begin(), materials.end(), 0);
+    // Dense numbers follow the order of the voxels. Users look for a label by its value, so lists for them ascend by
+    // it.
     if (is_label_map())
         std::sort(materials.begin(), materials.end(),
                   [&](Material a, Material b) { return labels()[a] < labels()[b]; });

@@ -82,6 +82,7 @@ public:
     // Gradients are with respect to the local frame (world units).
     void sample_gradient(const Vec3& x, Samples& out) const;
     // True if only one material can be met within `reach` of x (conservative: false when not sure). Constant time.
+    // Stages skip their work there, so a false costs time but never changes a result.
     bool single_material_near(const Vec3& x, double reach) const;
 
     struct Data;

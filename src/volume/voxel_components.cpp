@@ -1,3 +1,5 @@
+// Connected pieces of equal voxels, by joining runs along x. The label report compares them with the pieces of the
+// mesh.
 #include "volume/voxel_components.hpp"
 
 #include "base/disjoint_sets.hpp"
@@ -33,6 +35,7 @@ VoxelComponents find_runs(const Volume& volume, const Run& run)
 }
 
 // Joins runs of one material that touch across the rows `step` voxels before.
+// Two long runs touch at many voxels; one join is enough, and the last pair is remembered for that.
 void join_rows(const VoxelComponents& runs, int64_t first, int64_t count, int64_t step, DisjointSets& sets)
 {
     int32_t last_here = -1, last_there = -1;

@@ -1,3 +1,5 @@
+// Which pairs of materials share a face or an edge of voxels. The label report tells with it which contacts the mesh
+// invented.
 #include "volume/voxel_contacts.hpp"
 
 #include <algorithm>
