@@ -1,3 +1,4 @@
+// The first two distance transforms of section 3 of the paper: from the interfaces to the medial axis, and back.
 #include "sizing/feature_size.hpp"
 
 #include "base/stage.hpp"
@@ -33,6 +34,8 @@ struct MedialAxis {
 
     // The distance from x, a point in the voxel (i, j, k), which the nearest medial voxel of the voxel or of one of its
     // neighbours holds.
+    // The transform is exact for centres of voxels, but places of the axis lie up to a step beside them. So another
+    // candidate may be nearer, and it is nearly always that of a neighbour.
     float distance(int32_t i, int32_t j, int32_t k, const Vec3& x) const
     {
         const FixedArray<int32_t, 3> at{i, j, k};
@@ -92,6 +95,7 @@ FeatureSizes read_at_interface(const MedialAxis& axis, const InterfacePoints& po
     FeatureSizes all;
     all.voxel.reserve(points.count());
     all.size.reserve(points.count());
+    // In the order of the chunks, so that voxels ascend for any number of threads.
     for (FeatureSizes& part : parts) {
         all.voxel.insert(all.voxel.end(), part.voxel.begin(), part.voxel.end());
         all.size.insert(all.size.end(), part.size.begin(), part.size.end());
@@ -125,11 +129,13 @@ FeatureSizes local_feature_sizes(const Labelling& labelling, const Run& run)
     if (points.count() == 0)
         return {};
     Array<uint8_t> medial = thin_medial_places(labelling, points, steps.next());
+    // A byte per voxel, which only the thin parts need; the arrays below are the peak of this stage.
     points.forget_sides();
     Array<int32_t> nearest(grid.size());
     mark_sites(nearest, [&](int32_t v) { return points.contains(v); });
     feature_transform(grid, nearest, steps.next());
     add_medial_places(labelling, points, nearest, medial, steps.next());
+    // The same array serves both transforms, since the second needs only `medial` of the first.
     const int64_t medial_voxels = mark_sites(nearest, [&](int32_t v) { return medial[v] != 0; });
     if (medial_voxels == 0)
         return without_medial_axis(points, grid.size());

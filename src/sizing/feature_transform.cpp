@@ -10,6 +10,7 @@ namespace
 {
 
 // Columns that are worked on together, so that a cache line of a strided read is used whole.
+// 16 numbers of 4 bytes fill a line of 64 bytes.
 constexpr int32_t kBlockWidth = 16;
 
 void transform_row(int32_t* row, int32_t first, int32_t n)
@@ -26,6 +27,7 @@ void transform_row(int32_t* row, int32_t first, int32_t n)
         const int32_t here = first + i;
         if (row[i] == here)
             next = here;
+        // Strictly nearer: of two sites at equal distance the lower one stays, whatever the direction of the pass.
         else if (next >= 0 && (row[i] < 0 || next - here < here - row[i]))
             row[i] = next;
     }
@@ -64,6 +66,8 @@ struct Columns {
 
     // Squared distance from the column (i, other) to the voxel that is `number` after the first of its row or plane,
     // within the plane that is orthogonal to the axis.
+    // Sites carry only their number. Multiplying by a reciprocal costs less than a division; the half keeps it exact
+    // (VoxelCoordinates says why).
     double squared_offset(int32_t number, int32_t i, int32_t other) const
     {
         const auto j = axis == 1 ? 0 : static_cast<int32_t>((number + 0.5) * per_row);
@@ -103,6 +107,8 @@ void transform_column(const Columns& columns, int32_t* site, const double* heigh
         while (size > 0) {
             const int32_t u = place[size - 1];
             from = 0.5 * (u + y) + (height[y] - height[u]) * half_inverse[y - u];
+            // A parabola that begins before the last one on the stack hides it completely. Each enters and leaves once,
+            // so the time is linear.
             if (from > start[size - 1])
                 break;
             from = -1;
@@ -116,6 +122,7 @@ void transform_column(const Columns& columns, int32_t* site, const double* heigh
         return;
     int32_t p = 0;
     for (int32_t y = 0; y < n; ++y) {
+        // An exact tie stays with the earlier parabola: the same site for any number of threads.
         while (p + 1 < size && start[p + 1] < y)
             ++p;
         CLEFT_ASSERT(p < size && held[p] >= 0);
@@ -151,6 +158,7 @@ void transform_columns(const Grid& grid, int axis, Array<int32_t>& nearest, cons
     const Columns columns(grid, axis);
     if (columns.length() == 1)
         return;
+    // Some 16,000 voxels, as in rows_per_chunk().
     const int64_t grain = std::max<int64_t>(1, 16384 / (int64_t{columns.length()} * kBlockWidth));
     parallel_with_progress(run, columns.count(), grain, [&](int64_t, int64_t begin, int64_t end) {
         ColumnScratch scratch(columns.length());
@@ -170,6 +178,7 @@ void feature_transform(const Grid& grid, Array<int32_t>& nearest, const Run& run
                                for (int64_t row = begin; row < end; ++row)
                                    transform_row(nearest.data() + row * n, static_cast<int32_t>(row * n), n);
                            });
+    // The order of the axes matters: each pass takes sites that are exact in the space of the axes before it.
     transform_columns(grid, 1, nearest, steps.next());
     transform_columns(grid, 2, nearest, steps.next());
 }

@@ -11,6 +11,7 @@ namespace cleft
 namespace
 {
 
+// A table of all codes takes 1.3 MB. Points and normals of all voxels would take 24 bytes for each.
 constexpr int kSteps = 19;  // the gradient along an axis is -9 .. 9: nine voxels on either side
 constexpr size_t kCodeCount = size_t{8} * kSteps * kSteps * kSteps;
 
@@ -35,11 +36,14 @@ InterfacePoint decode(const Code& code, const Vec3& spacing)
 {
     Vec3 normal;
     for (int a = 0; a < 3; ++a)
+        // Counts of voxels become a gradient in world units by the spacing; the share falls outwards, so the normal is
+        // its opposite.
         normal[a] = -code.gradient[a] / spacing[a];
     normal.normalize();
     double distance = INFINITY;
     for (int a = 0; a < 3; ++a)
         if (code.faces >> a & 1)
+            // The nearest of the planes: the point stays within the voxel, whatever the normal.
             distance = std::min(distance, 0.5 * spacing[a] * std::abs(normal[a]));
     InterfacePoint point;
     for (int a = 0; a < 3; ++a) {

@@ -20,6 +20,8 @@ struct Labelling {
 
 // The rows of voxels around a row that moves through the grid. Each row is read once while it is among the nine around
 // the current one. Past the faces of the grid the outermost voxels repeat.
+// Materials may be stored in one byte, in two, or follow from functions; reading a row at a time hides that at little
+// cost.
 class RowWindow
 {
 public:
@@ -36,6 +38,7 @@ public:
         const Grid& grid = labelling_.grid;
         j = std::clamp(j, 0, grid.dims[1] - 1);
         k = std::clamp(k, 0, grid.dims[2] - 1);
+        // Any three neighbouring numbers have different remainders, so rows around the current one never share a slot.
         const int slot = 3 * (k % 3) + j % 3;
         const int64_t number = j + int64_t{grid.dims[1]} * k;
         Material* first = rows_[slot].data() + 1;

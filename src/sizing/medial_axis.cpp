@@ -1,3 +1,5 @@
+// The places of the medial axis, between voxels whose nearest interface points differ. The paper starts its second
+// distance transform from them (section 3, Sizing Field).
 #include "sizing/medial_axis.hpp"
 
 namespace cleft
@@ -9,8 +11,12 @@ namespace
 // sphere would have branches to each stair. A place m between two voxels counts only if the two interface points p, q
 // subtend more than 120 degrees at m and are further apart than any stair (pruning of the integer medial axis), or, in
 // a sheet thinner than that, belong to opposite sides of it. Stairs are as high as the greatest spacing.
-constexpr double kStairLength = 4;        // in greatest spacings
-constexpr double kLeastSheet = 0.8;       // in voxels, each axis by its own spacing
+// A smaller length takes stairs of smooth surfaces for features, and makes sizes too small all along them. A greater
+// one leaves more parts to the rule of opposite sides.
+constexpr double kStairLength = 4;  // in greatest spacings
+// Less than one voxel, the thinnest sheet there is, by what interface points miss.
+constexpr double kLeastSheet = 0.8;  // in voxels, each axis by its own spacing
+// Of 148 degrees. Normals of two sides of a sheet differ by about 180, those along stairs by far less.
 constexpr double kOppositeSides = -0.85;  // cosine of the angle between the normals of two sides of a sheet
 
 struct Position {
@@ -22,6 +28,7 @@ bool is_medial(const Vec3& m, const Position& p, const Position& q, const Vec3& 
     const Vec3 to_p = p.point - m;
     const Vec3 to_q = q.point - m;
     const double dot = to_p.dot(to_q);
+    // The cosine of 120 degrees is -1/2. The comparison of squares saves two roots in the innermost loop.
     if (dot >= 0 || 4 * dot * dot <= to_p.squaredNorm() * to_q.squaredNorm())
         return false;
     const Vec3 apart = p.point - q.point;
@@ -64,6 +71,7 @@ public:
                     differ |= 1 << a;
             if (differ == 0)
                 continue;
+            // A crossing is known to a part of a step, a deepest voxel only to half a voxel: the crossing goes first.
             crossing({i, j, k}, site, differ, medial[i]);
             if (medial[i] == 0 && is_deepest(window, {i, j, k}, site))
                 medial[i] = middle_of_deepest({i, j, k}, site);
@@ -89,6 +97,8 @@ private:
     // The most frequent case, seen without their coordinates.
     bool are_alike(int32_t p, int32_t q) const
     {
+        // The number of a voxel one step away differs by at most 1 + row + plane. Taking whole planes off leaves what
+        // the other two axes add.
         const int64_t apart = std::abs(int64_t{p} - q);
         const int64_t planes = (apart + stride_[1] + 1) / stride_[2];
         const int64_t rest = std::abs(apart - planes * stride_[2]);
@@ -148,6 +158,8 @@ private:
         const Vec3 inward = centre(at) - point(site[0]);
         const double depth = inward.squaredNorm();
         // The likeliest neighbour first.
+        // Nearly all voxels have a deeper neighbour straight ahead. Components above 0.38 of the greatest count as a
+        // step, which the factor 1.3 makes of rounding.
         const Eigen::Vector3i ahead = (1.3 * inward / inward.cwiseAbs().maxCoeff()).array().round().cast<int>();
         if (is_deeper(window, at, site, ahead.cwiseMax(-1).cwiseMin(1), depth))
             return false;

@@ -1,3 +1,5 @@
+// Finds what one voxel carries: the parts of a material that no block of 2 x 2 x 2 voxels reaches, and without which it
+// would be connected differently.
 #include "sizing/one_voxel.hpp"
 
 #include "base/stage.hpp"
@@ -51,6 +53,8 @@ struct Adjacency {
 constexpr Adjacency kByFaces(false), kByCorners(true);
 
 // In how many parts the places are, joined as said; parts that do not reach `touched` do not count.
+// A material is connected over faces, as the pieces of the report are. What surrounds it is then connected over corners
+// too: otherwise a closed surface would not separate.
 int count_parts(Neighbourhood places, const Adjacency& joined, Neighbourhood touched)
 {
     int parts = 0;
@@ -72,6 +76,7 @@ Neighbourhood alike(RowWindow& window, int32_t i, int32_t j, int32_t k)
 {
     const Material own = window.row(j, k)[i];
     Neighbourhood bits = 0;
+    // Downwards, since each bit is pushed in from below: the first ends as the highest.
     for (int32_t z = 1; z >= -1; --z)
         for (int32_t y = 1; y >= -1; --y) {
             const Material* row = window.row(j + y, k + z) + i;
@@ -92,8 +97,11 @@ bool is_one_voxel_thick(Neighbourhood own)
 bool matters(Neighbourhood own)
 {
     const Neighbourhood others = own & ~kCentre;
+    // At most one neighbour: removing the end of a rod changes no topology, and would shorten the rod bit by bit.
     if ((others & (others - 1)) == 0)
         return true;
+    // For connection over faces, digital topology looks at the faces and edges of the neighbourhood only. A way through
+    // a corner is too long to count as near.
     constexpr Neighbourhood kCorners = 1u | 1u << 2 | 1u << 6 | 1u << 8 | 1u << 18 | 1u << 20 | 1u << 24 | 1u << 26;
     const Neighbourhood faces = kByFaces.of_place[13];
     return count_parts(others & ~kCorners, kByFaces, faces) != 1 || count_parts(kAll & ~own, kByCorners, kAll) != 1;
@@ -124,6 +132,7 @@ Array<uint8_t> near_one_voxel_parts(const Labelling& labelling, const Run& run)
         const Neighbourhood own = alike(window, i, j, k);
         thin[voxel] = is_one_voxel_thick(own) && matters(own);
     });
+    // A second pass, so that no thread reads what another one writes.
     const int64_t y = grid.strides()[1], z = grid.strides()[2];
     for_each_voxel(labelling, steps.next(), [&](RowWindow&, int32_t i, int32_t j, int32_t k, int64_t voxel) {
         near[voxel] = thin[voxel] || (i > 0 && thin[voxel - 1]) || (i + 1 < grid.dims[0] && thin[voxel + 1]) ||

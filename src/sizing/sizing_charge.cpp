@@ -14,6 +14,7 @@ double density(double h) { return 1 / (h * h * h); }
 
 // A voxel among others of about its size stands for its surroundings. Where sizes jump, as in user-supplied fields,
 // one small value counts as what interpolation makes of it: a spike around the centre of its voxel.
+// A field of gradation 0.3 stays below it between neighbours wherever h is at least 0.6 voxels.
 constexpr float kSmooth = 1.5F;  // greatest over least size
 
 bool jumps(const Array<float>& h, int64_t a, int64_t b)
@@ -60,6 +61,7 @@ public:
 
 private:
     // A spike takes a few cells for each halving of the distance to it; a bound for fields that jump everywhere.
+    // A spike that is cut off at these bounds counts for too little; the stages that follow have bounds of their own.
     static constexpr int kMostCells = 4000, kMostHalvings = 150;
 
     bool jumps_around(int64_t voxel) const

@@ -20,6 +20,7 @@ namespace
 // their Delaunay mesh. Particles on the walls count for the half, quarter or eighth of their surroundings that is in
 // the box, so that the charge of the box is that of its particles, and their share of tetrahedra likewise.
 constexpr double kParticlesPerCharge = 1.75;
+// Numbers that are told before a run, and the memory for them, rest on this product.
 constexpr double kTetsPerParticle = 5.9;
 
 }  // namespace
@@ -33,6 +34,7 @@ void check_sizing_grid(const Grid& grid)
     if (!(grid.spacing.minCoeff() > 0) || !grid.spacing.allFinite())
         throw Error(CLEFT_ERROR_ARGUMENT, "the spacing of a sizing field must be positive and finite");
     const double voxels = static_cast<double>(grid.dims[0]) * grid.dims[1] * grid.dims[2];
+    // The transforms keep numbers of voxels in 32 bits.
     if (voxels > std::numeric_limits<int32_t>::max())
         throw Error(CLEFT_ERROR_TOO_LARGE, "a sizing field can have at most 2147483647 voxels");
 }

@@ -33,6 +33,7 @@ inline double SizingField::at(const Vec3& x) const
     int64_t stride = 1;
     for (int a = 0; a < 3; ++a) {
         const int32_t n = grid.dims[a];
+        // The order of the arguments makes a NaN 0 instead of an index.
         const double u = std::min(std::max(0.0, x[a] / grid.spacing[a] - 0.5), static_cast<double>(n - 1));
         const int32_t low = std::min(static_cast<int32_t>(u), std::max(n - 2, 0));
         t[a] = u - low;

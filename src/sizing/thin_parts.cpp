@@ -1,3 +1,5 @@
+// Gives thin parts a place of the medial axis by counting voxels, where two interface points are too near to tell
+// sides.
 #include "sizing/thin_parts.hpp"
 
 #include "sizing/medial_axis.hpp"
@@ -20,6 +22,8 @@ public:
         const int64_t voxel = grid_.index(at[0], at[1], at[2]);
         if (is_single(voxel))
             return singles_prevail(window, at) ? pack_medial({0, 0, 0}) : 0;
+        // A sheet of two voxels has one pair, and normals that tell its sides (medial_axis.cpp). Rods of two voxels
+        // have two pairs, and normals that point aslant.
         int pairs = 0;
         int towards_next = -1;
         for (int a = 0; a < 3; ++a) {
@@ -28,6 +32,7 @@ public:
             if (end > 0)
                 towards_next = a;
         }
+        // Only the first voxel of a pair holds the place, which lies half-way to the second.
         if (pairs < 2 || towards_next < 0 || has_inner_neighbour(window, at))
             return 0;
         return pack_medial(towards_next, 0.5);

@@ -1,3 +1,4 @@
+// Lets the stage read the materials of a Volume, which it knows only as a Labelling.
 #include "sizing/volume_sizing.hpp"
 
 #include "sizing/compute.hpp"
