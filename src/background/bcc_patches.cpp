@@ -1,3 +1,4 @@
+// Finds where h has its greatest value all around, and fills these places with one body-centred cubic lattice.
 #include "background/bcc_patches.hpp"
 
 #include "base/parallel.hpp"
@@ -44,6 +45,7 @@ Index nearest(const BccPatches& lattice, const Vec3& x, double shift, double& di
 }
 
 // Whether h is constant at x and a little more than half a cell away from it along each axis.
+// A point beside a gradient must not be in the lattice: half a cell away it would meet particles of other distances.
 bool is_constant_near(const SizeSampler& size, const Vec3& x, double constant, const Vec3& cell)
 {
     const auto is_constant = [&](const Vec3& p) { return size(p) >= 0.999 * constant; };
@@ -123,6 +125,7 @@ namespace
 // it must. All zero if some side would have to be stretched by more than a tenth.
 Index cells_between_walls(const Vec3& extent, double wanted)
 {
+    // A lattice stretched by a tenth has angles a few degrees worse. More would cost what the lattice is there for.
     constexpr double kStretch = 0.1;
     const Vec3 exact = extent / wanted;
     Index best{};
@@ -138,6 +141,7 @@ Index cells_between_walls(const Vec3& extent, double wanted)
             misfit += std::log(stretch);
             cells[a] = static_cast<int32_t>(std::min(count, 1e9));
         }
+        // Choices of equal misfit, as a cube has them, are not to be told apart by rounding: the first one wins.
         if (fits && std::abs(misfit) < least_misfit - 1e-12) {
             least_misfit = std::abs(misfit);
             best = cells;
@@ -151,6 +155,7 @@ Index cells_between_walls(const Vec3& extent, double wanted)
 BccPatches constant_size_patches(const SizingField& field, const SizeSampler& size, const Run& run)
 {
     const double greatest = *std::max_element(field.h.begin(), field.h.end());
+    // A cell holds two points, so this side gives the density that particles have elsewhere.
     const double wanted = greatest * std::cbrt(2 / kParticleDensity[3]);
     BccPatches lattice;
     lattice.extent = size.extent();

@@ -17,6 +17,8 @@ namespace cleft
 {
 
 // Particles per h^D on a part of the box of dimension D: a corner, an edge, a face, the inside.
+// The inside has what relaxed particles need for a mean edge of h. On a face, a triangular lattice of edge h would have
+// 1.15.
 constexpr std::array<double, 4> kParticleDensity{1.0, 1.0, 1.2, 1.75};
 
 // Thickness, in h, of the layer of a part of dimension D that the particles on its border stand for.

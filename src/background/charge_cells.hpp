@@ -80,6 +80,7 @@ void walk_cells(const BoxPart<D>& part, const SizeSampler& size, const CurveCell
 template <size_t D>
 Array<CurveCell<D>> curve_tasks(const BoxPart<D>& part, const SizeSampler& size, uint64_t variation)
 {
+    // In h: some 100 to 900 particles in a task, which depends on the field alone and not on the threads.
     constexpr double kTaskSize = 8;
     Array<CurveCell<D>> tasks;
     walk_cells(part, size, root_cell(part, size.extent(), variation), kTaskSize,

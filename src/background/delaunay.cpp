@@ -1,3 +1,4 @@
+// Delaunay tetrahedra by TetGen, with all checks around it that TetGen does not make (decision 8).
 #include "background/delaunay.hpp"
 
 #ifdef CLEFT_WITH_TETGEN
@@ -33,6 +34,7 @@ void check_points(const Array<Vec3>& points)
 }
 
 // Three corners of the widest triangle met, then any point off its plane (exactly).
+// TetGen asserts that points are not in one plane, and a failed assertion would end the program.
 bool all_in_one_plane(const Array<Vec3>& points)
 {
     const Vec3& a = points[0];
@@ -64,6 +66,7 @@ double safe_scale(const Array<Vec3>& points)
 // TetGen keeps its error bounds in global variables.
 Array<Tet> run_tetgen_alone(Array<Vec3>& scaled, const Run& run)
 {
+    // Users may mesh in several threads, each with a context of its own. Here they wait for each other.
     static std::mutex one_at_a_time;
     const std::lock_guard<std::mutex> lock(one_at_a_time);
     run.check();
@@ -111,6 +114,7 @@ void make_positive(Array<Tet>& tets, const Array<Vec3>& points, const Run& run)
         const Tet& v = tets[t];
         const auto corner = [&](size_t i) -> const Vec3& { return points[v[i]]; };
         const int sign = orient_sign(corner(0), corner(1), corner(2), corner(3));
+        // All stages that follow rely on positive tetrahedra. A wrong one is reported here, where its cause is known.
         if (sign < 0)
             throw Error(CLEFT_ERROR_INTERNAL, "TetGen returned an inverted tetrahedron");
         flat[t] = sign == 0;

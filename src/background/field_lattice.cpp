@@ -58,6 +58,7 @@ TetMesh field_lattice(const SizingField& field, const LatticeOptions& options, c
 // for, which is half of their thickness. A field that is constant asks for nothing of the kind.
 void warn_of_coarse_lattice(const SizingField& field, double scale, const Run& run)
 {
+    // A lattice that is less than a tenth coarser resolves nearly the same, and needs no warning.
     constexpr double kCoarse = 1.1;
     if (scale > kCoarse && field.least() < field.greatest())
         run.warn("the lattice has one size, " + number_text(field.least()) +

@@ -11,6 +11,8 @@ namespace cleft
 {
 
 // The reach R of a particle in units of its h.
+// A sphere of this radius holds some 36 particles. A greater reach costs with its cube, and a smaller one needs a finer
+// grid for the waves.
 constexpr float kReach = 1.7F;
 
 }  // namespace cleft

@@ -37,6 +37,7 @@ inline std::array<CurveCell<2>, 4> divided(const CurveCell<2>& cell)
     return {{{o, {y, x}}, {o + x, {x, y}}, {o + x + y, {x, y}}, {o + x + 2 * y, {-y, -x}}}};
 }
 
+// The edges of each part say how the curve turns in it, so no table of states is needed.
 inline std::array<CurveCell<3>, 8> divided(const CurveCell<3>& cell)
 {
     const Vec3 x = 0.5 * cell.edge[0], y = 0.5 * cell.edge[1], z = 0.5 * cell.edge[2], &o = cell.corner;

@@ -15,6 +15,7 @@ constexpr int kBitsPerRound = 3;
 constexpr int kMostRounds = 9;  // 8^9 are more points than there can be
 constexpr uint64_t kStream = 0;
 
+// The hash of the index alone: the order does not depend on threads, nor on what the program draws.
 int rounds_from_the_last(uint64_t index)
 {
     const uint64_t drawn = hashed(kStream, index);

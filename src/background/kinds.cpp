@@ -54,6 +54,7 @@ ExpectedTets expected_tets(const SizingField& field, const BackgroundOptions& op
     const double all = row_of(options.kind).expected_tets(field, options, run);
     if (keep.empty())
         return {all, all};
+    // A graded background has more tetrahedra where h is small, a lattice the same number everywhere.
     const double share = is_graded(options.kind)
                              ? expected_background_tets(field, volume, keep) / expected_background_tets(field)
                              : kept_share_of_voxels(volume, keep);

@@ -1,3 +1,4 @@
+// Cells of a body-centred cubic lattice between the walls of a box, as tetrahedra.
 #include "background/lattice.hpp"
 
 #include "background/bcc_cell.hpp"
@@ -82,6 +83,7 @@ void emit_octahedron(int32_t low, int32_t high, const FixedArray<int32_t, 4>& fa
 
 // At a wall: the pyramid over the face, cut along a diagonal whose direction alternates from cell to cell. `face` is
 // wound so that the apex lies behind it.
+// The alternation leaves the wall without a preferred direction.
 void emit_pyramid(int32_t apex, const FixedArray<int32_t, 4>& face, bool odd, Array<Tet>& tets)
 {
     const size_t s = odd ? 1 : 0;
@@ -100,12 +102,14 @@ FixedArray<int32_t, 3> cell_counts(const Vec3& extent, double size)
         points *= 2 * (n + 1);
         cells[axis] = static_cast<int32_t>(std::min(n, 1e9));
     }
+    // The product is eight times the number of corners; corners and centres together are a quarter of it.
     if (points > 4.0 * INT32_MAX)
         throw Error(CLEFT_ERROR_TOO_LARGE,
                     "a lattice of size " + number_text(size) + " would have more than 2147483647 points");
     return cells;
 }
 
+// Four tetrahedra around each of six faces, half of which belong to the cell behind; at a wall two in the cell.
 constexpr double kTetsACell = 12;
 
 }  // namespace

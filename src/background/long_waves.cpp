@@ -1,3 +1,5 @@
+// The smooth part of the field by cosine transforms, as products with dense matrices (decision 14). The paper solves a
+// Poisson equation here too (section 3, Particle Systems).
 #include "background/long_waves.hpp"
 
 #include "background/forces.hpp"
@@ -18,6 +20,7 @@ using Cells = LongWaves::Cells;
 int64_t cell_count(const Cells& cells) { return int64_t{cells[0]} * cells[1] * cells[2]; }
 
 // Quadratic B-spline around the cell of x on one axis, mirrored at the walls: three cells, weights and slopes.
+// Quadratic, since the force is a derivative of it: that of a linear one would jump between cells.
 struct Spline {
     FixedArray<int32_t, 3> cell;
     FixedArray<float, 3> weight, slope;
@@ -53,6 +56,7 @@ void deposit(const Vec3& x, float charge, const Vec3& extent, const Cells& cells
 }
 
 // Few chunks of particles, each with a grid of its own; the grids are added up in their order.
+// Their number follows from that of the particles, so that sums of floats are the same for any number of threads.
 Array<float> particle_charge(const LongWaves& waves, const ParticleSet& particles, const Run& run)
 {
     constexpr int64_t kMostGrids = 16, kLeastParticles = 4096;
@@ -74,6 +78,7 @@ Array<float> particle_charge(const LongWaves& waves, const ParticleSet& particle
 }
 
 // The integral of h^-3 over a brick: Gauss's rule on parts small enough.
+// The value at the centre alone can miss most of the charge where h changes within a cell.
 double integral(const SizeSampler& size, const Vec3& centre, const Vec3& sides)
 {
     const double widest = sides.maxCoeff(), h = static_cast<double>(size(centre));
@@ -110,6 +115,7 @@ double sinc(double x) { return std::abs(x) < 1e-8 ? 1 : std::sin(x) / x; }
 
 // cos(k x) at the cell centres by wave number and cell, divided by the transform of what a charge is spread over: a
 // power of the cell.
+// Spreading and reading each blur the waves. The division takes the blur back, so that the grid need not be finer.
 Matrix cosines(int32_t waves, int32_t cells, int power)
 {
     Matrix m(waves, cells);
@@ -167,12 +173,15 @@ Array<float> potential_waves(const LongWaves& waves, const LongWaves::Level& lev
 // The least reach: that of the smallest particles, but not so small that the grid costs more than the particles.
 double finest_reach(const Vec3& extent, double smallest, double particles)
 {
+    // The work grows with its fourth power (decision 14).
     constexpr int32_t kMostCells = 80;  // along an axis
+    // A finer grid would cost more than the near forces of its particles.
     constexpr double kCellsPerParticle = 2;
     const double most = std::clamp(kCellsPerParticle * particles, 512.0, std::pow(kMostCells, 3));
     double reach = smallest;
     const auto cells = [&](int axis) { return std::max(1.0, std::ceil(2 * extent[axis] / reach)); };
     while (cells(0) * cells(1) * cells(2) > most || std::max({cells(0), cells(1), cells(2)}) > kMostCells)
+        // Steps small enough that the grid comes out within a sixth of the bound.
         reach *= 1.05;
     return reach;
 }
@@ -185,6 +194,7 @@ Array<LongWaves::Level> make_levels(const Vec3& extent, double finest, double la
         level.reach = reach;
         for (int a = 0; a < 3; ++a) {
             level.cells[a] = std::max(1, static_cast<int32_t>(std::ceil(2 * extent[a] / reach)));
+            // The power 3 is that of a quadratic spline, whose transform is the cube of that of a cell.
             level.from_waves[a] = cosines(level.cells[a], level.cells[a], 3).transpose();
         }
         if (cell_count(level.cells) == 1)
@@ -216,6 +226,7 @@ Vec3 field_of(const LongWaves::Level& level, const Vec3& x, const Vec3& extent)
 
 double brick_error(const Cells& cells, const Array<float>& particles, const Array<float>& charge)
 {
+    // Single cells hold half a particle or so. A brick of 64 holds enough of them to show a density.
     constexpr int32_t kSide = 4;
     const Cells bricks{(cells[0] + kSide - 1) / kSide, (cells[1] + kSide - 1) / kSide, (cells[2] + kSide - 1) / kSide};
     Array<double> excess(cell_count(bricks), 0), all(excess.size(), 0);
@@ -266,6 +277,7 @@ LongWaves make_long_waves(const SizeSampler& size, double least_size, double gre
     FixedArray<Matrix, 3> from_cells;
     for (int a = 0; a < 3; ++a) {
         waves.to_waves[a] = cosines(cells[a], cells[a], 3);
+        // The background is given as means over cells: power 1.
         from_cells[a] = cosines(cells[a], cells[a], 1);
     }
     waves.background_waves = transformed(from_cells, waves.background, run);
@@ -286,6 +298,7 @@ double solve_poisson(LongWaves& waves, const ParticleSet& particles, const Run& 
 }
 
 // Between two levels the second moment of the cloud is kept.
+// A particle's reach seldom is that of a level. The mixture then is as wide as the cloud of the particle's own reach.
 Vec3 field_at(const LongWaves& waves, const Vec3& x, double reach)
 {
     if (waves.levels.empty())

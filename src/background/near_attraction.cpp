@@ -1,3 +1,5 @@
+// The pull of the background on a particle within its reach, by a quadrature whose sample points are the same for all
+// particles.
 #include "background/near_attraction.hpp"
 
 #include "background/forces.hpp"
@@ -66,6 +68,8 @@ CLEFT_WIDE_VECTORS void read_charges(const SizeSampler::Table& table, const std:
         const int32_t last = table.last[a], stride = table.stride[a];
         for (size_t n = 0; n < kSamples; ++n) {
             const float u = centre[a] + kRule.offset[a][n] * reach[a];
+            // Mirrors at both walls without a branch: first at the low one, which lies half a voxel before the first
+            // centre.
             const float inside = std::abs(u + 0.5F) - 0.5F;
             const float v = std::max(0.0F, wall - std::abs(wall - inside));
             const int32_t voxel = std::min(static_cast<int32_t>(v), last);
@@ -91,6 +95,7 @@ Eigen::Vector3f near_attraction(const SizeSampler& size, const Vec3& x, float h)
     read_charges(size.table(), {centre[0], centre[1], centre[2]}, {reach[0], reach[1], reach[2]}, h, charge);
     std::array<float, 3> force{};
     for (size_t n = 0; n < kHalf; ++n) {
+        // Only the difference of opposite points pulls: where h is constant, the force is exactly 0.
         const float more = charge[n] - charge[n + kHalf];
         for (size_t a = 0; a < 3; ++a)
             force[a] += more * kRule.weight[a][n];

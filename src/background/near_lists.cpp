@@ -1,3 +1,4 @@
+// Finds, for each group of leaves, the particles and images that it can feel, and for each leaf those of the group.
 #include "background/near_lists.hpp"
 
 #include "base/parallel.hpp"
@@ -105,6 +106,7 @@ struct Scratch {
 };
 
 // Drops from the neighbourhood what no particle of the group can feel.
+// Whole leaves were gathered, and each leaf of the group looks at all that is kept here.
 void drop_far(const Region& region, Scratch& scratch, NearGroup& group)
 {
     Places& places = scratch.places;
@@ -165,6 +167,7 @@ void read_places(const NearGroup& group, const ParticleSet& particles, const Vec
 void find_near(const ParticleTree& tree, const ParticleSet& particles, const Vec3& extent, Array<NearGroup>& groups,
                const Run& run)
 {
+    // Some 1,000 particles in a chunk; its scratch arrays serve all of them.
     constexpr int64_t kGroupsAtOnce = 16;
     const auto leaves = tree.leaves.count();
     groups.resize(chunk_count(leaves, kLeavesInGroup));

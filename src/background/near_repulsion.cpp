@@ -1,3 +1,4 @@
+// The push of particles on each other within their reach: the innermost loop of relaxation, eight particles at a time.
 #include "background/near_repulsion.hpp"
 
 #include "background/forces.hpp"
@@ -20,6 +21,7 @@ struct Lanes {
 Lanes lanes_of(int64_t first, int64_t count, const ParticleSet& particles, const Array<float>& reach,
                const NearGroup& group)
 {
+    // Finite, for an infinite distance would give NaN in the product with its weight.
     constexpr float kFarAway = -1e6F;
     Lanes out;
     out.x.fill(kFarAway);
@@ -46,6 +48,8 @@ CLEFT_WIDE_VECTORS void repel(const Lanes& leaf, const Places& places, const uin
         const float x = places.x[near[n]], y = places.y[near[n]], z = places.z[near[n]];
         for (int64_t i = 0; i < kLeafSize; ++i) {
             const float dx = leaf.x[i] - x, dy = leaf.y[i] - y, dz = leaf.z[i] - z;
+            // The bound keeps the quotient finite where a particle meets itself; the zero distance then makes the force
+            // 0.
             const float s = std::max(dx * dx + dy * dy + dz * dz, 1e-12F);
             const float w = std::max(r2[i] - s, 0.0F) / (r2[i] * s * std::sqrt(s));
             fx[i] += w * dx;
@@ -63,6 +67,7 @@ CLEFT_WIDE_VECTORS void repel(const Lanes& leaf, const Places& places, const uin
 void near_repulsion(const Array<NearGroup>& groups, const ParticleSet& particles, const Array<float>& reach,
                     const Vec3& extent, Array<Eigen::Vector3f>& force, const Run& run)
 {
+    // As in near_lists.cpp.
     constexpr int64_t kGroupsAtOnce = 16;
     parallel_for(run, groups.count(), kGroupsAtOnce, [&](int64_t begin, int64_t end) {
         Places places;

@@ -7,9 +7,8 @@
 //  - behind it a leaf of twice the size: the square is cut along the diagonal that meets the middle of the larger face,
 //    and each half is joined to both centres. Its sides have no point in their middle: a leaf of half the size there
 //    would touch the larger leaf over a face or an edge, which the balance of the tree forbids;
-//  - a wall behind it: the square is cut in two, or around its middle if finer leaves have split its sides, and joined
-//  to
-//    the one centre.
+//  - a wall behind it: the square is cut in two, or around its middle if finer leaves have split its sides, and
+//    joined to the one centre.
 #include "background/octree.hpp"
 
 #include "background/octree_tree.hpp"
@@ -35,6 +34,8 @@ public:
             if (cell.first_child < 0)
                 for (int c = 0; c < 8; ++c)
                     keys_.push_back(key(corner(cell, c)));
+        // A sorted list instead of a hash: the order of the points is that of their places, and a search needs no more
+        // memory.
         std::sort(keys_.begin(), keys_.end());
         keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
     }
@@ -84,6 +85,7 @@ public:
         return {static_cast<int64_t>(k & kMask), static_cast<int64_t>(k >> 21 & kMask), static_cast<int64_t>(k >> 42)};
     }
 
+    // Three places of 21 bits make one key.
     bool fits() const { return std::max({fine_[0], fine_[1], fine_[2]}) <= kMostPlaces; }
 
 private:
@@ -133,6 +135,7 @@ private:
         } else if (tree_.is_leaf(other)) {
             const int32_t own = centre_[leaf], far = centre_[other];
             CLEFT_ASSERT(cell.level - tree_.cells[other].level <= 1);
+            // Each pair of leaves is met from both sides. The finer one writes, and of equal ones the lower.
             if (tree_.cells[other].level < cell.level)
                 join_coarser(own, far, outward(facet(cell, axis, side), side), cell, axis);
             else if (side == 1)
@@ -272,6 +275,8 @@ TetMesh octree_background(const SizingField& field, const Run& run)
 // A face is counted where the finer of the two leaves, or one of two equal ones, would write its tetrahedra.
 int64_t octree_tets(const SizingField& field, const Run& run)
 {
+    // What the mesher writes for a face without split sides. Faces with split sides have more, and are counted as if
+    // they had none.
     constexpr int64_t kAtWall = 2, kBetweenEqual = 4, kFromFiner = 4;
     const Octree tree = build_octree(field, run);
     int64_t tets = 0;

@@ -1,3 +1,4 @@
+// Builds the tree over the particles, whose shape depends on their number alone, and fits its boxes.
 #include "background/particle_tree.hpp"
 
 #include "base/parallel.hpp"
@@ -35,6 +36,8 @@ void cut(const Array<Vec3>& points, Array<int32_t>& order, const Range& range)
     std::nth_element(first, first + left_part(range.end - range.begin), order.begin() + range.end,
                      [&](int32_t a, int32_t b) {
                          const double xa = points[a][axis], xb = points[b][axis];
+                         // Equal coordinates, as in a wall or a lattice, are ordered by number. Otherwise the halves
+                         // would depend on the library's algorithm.
                          return xa != xb ? xa < xb : a < b;
                      });
 }
@@ -69,6 +72,7 @@ Array<int32_t> tree_order(const Array<Vec3>& points, const Run& run)
                 next.push_back({r.begin, middle});
                 next.push_back({middle, r.end});
             }
+        // Ranges of a level do not overlap, so that threads can cut them at the same time.
         const int64_t grain = std::max<int64_t>(1, level.count() / 256);
         parallel_for(run, level.count(), grain, [&](int64_t begin, int64_t end) {
             for (int64_t i = begin; i < end; ++i)
@@ -105,6 +109,7 @@ void fit_boxes(ParticleTree& tree, const Array<Vec3>& points, const Array<float>
             }
         }
     });
+    // Backwards, since a parent comes before its children.
     for (int64_t n = tree.nodes.count(); n-- > 0;) {
         ParticleTree::Node& node = tree.nodes[n];
         if (node.leaf >= 0)

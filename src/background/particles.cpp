@@ -1,3 +1,4 @@
+// The particle background of the paper, section 3: seeds, relaxation, Delaunay, and then the repair of slivers.
 #include "background/particles.hpp"
 
 #include "background/delaunay.hpp"
@@ -26,6 +27,7 @@ void jitter(ParticleSet& particles, const SizeSampler& size, uint64_t variation,
             Vec3& x = particles.x[i];
             const double h = static_cast<double>(size(x));
             for (int a = 0; a < 3; ++a)
+                // A wall coordinate stays exact, for later stages find the walls by comparing it.
                 if (!held(particles.walls[i], a))
                     x[a] += kJitter * h * (2 * unit_random(variation + 2, static_cast<uint64_t>(3 * i + a)) - 1);
         }
@@ -33,6 +35,7 @@ void jitter(ParticleSet& particles, const SizeSampler& size, uint64_t variation,
 }
 
 // Corners, edges, faces, inside; else in the order that they have.
+// An order that callers rely on; Delaunay has an insertion order of its own.
 Array<Vec3> walls_first(const ParticleSet& particles)
 {
     Array<Vec3> out;

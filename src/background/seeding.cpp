@@ -1,3 +1,5 @@
+// Places the particles before relaxation: seeds in proportion to the charge need few steps, as section 3 of the paper
+// says.
 #include "background/seeding.hpp"
 
 #include "background/bcc_patches.hpp"
@@ -50,6 +52,7 @@ private:
 
 // The number of particles to come. A particle of a wall takes half of its charge from the box: the other half is
 // counted here, for in a thin box most particles lie on walls. Edges never have enough to matter.
+// Counted before any is made: a field of a wrong unit would otherwise fill the memory first.
 double expected_particles(const SizingField& field)
 {
     double expected = 8 + kParticleDensity[3] * sizing_charge(field);
@@ -72,6 +75,7 @@ double expected_particles(const SizingField& field)
 
 void refuse_too_many(double particles)
 {
+    // For the sentence only: with it, the bound of 60 million particles becomes 360 million tetrahedra.
     constexpr double kTetsPerParticle = 6.1;
     if (particles <= static_cast<double>(kMostDelaunayPoints))
         return;
@@ -100,6 +104,7 @@ void seed_part(const BoxPart<D>& part, const SizeSampler& size, const BccPatches
                     diffusion.add(x, charge, h);
             });
     });
+    // Chunks in their order, so that the numbers of the particles do not depend on threads.
     for (const auto& points : found) {
         for (Vec3 x : points) {
             for (int axis = 0; axis < 3; ++axis)

@@ -51,6 +51,7 @@ void reserve(tetgenmesh::arraypool& list)
     }
 }
 
+// Leaking a few pools on an error that should not happen is better than freeing them twice.
 void forget_pools(tetgenmesh& mesh)
 {
     mesh.points = mesh.tetrahedrons = mesh.flippool = nullptr;
@@ -61,6 +62,7 @@ void forget_pools(tetgenmesh& mesh)
 {
     if (code == kOutOfMemory)
         throw std::bad_alloc();
+    // TetGen's number for input in one plane, by a tolerance of its own; delaunay.cpp has refused what is so exactly.
     if (code == 10)
         throw Error(CLEFT_ERROR_ARGUMENT, "TetGen found the points to be all but coplanar");
     throw Error(CLEFT_ERROR_INTERNAL, "TetGen failed with its code " + std::to_string(code));
