@@ -33,6 +33,8 @@ public:
     {
         a = find(a);
         b = find(b);
+        // Not by size: the least member as root costs some longer paths, which find() halves, and makes the result
+        // independent of the order of joins.
         parent_[std::max(a, b)] = std::min(a, b);
     }
 

@@ -13,6 +13,8 @@ namespace cleft
 struct Metrics {
     Array<std::pair<std::string, double>> items;
 
+    // A later value replaces an earlier one of that name, so stages of repeated rounds report the last round. A list
+    // and no map, for users read them in this order.
     void set(const std::string& name, double value)
     {
         for (auto& item : items)

@@ -28,6 +28,7 @@ inline std::string number_text(double value)
 // A whole number, "123456"; one that is too long to read, "3.1e+20".
 inline std::string count_text(double count)
 {
+    // Every whole number up to it is exact in a double, so no digit that is shown is made up.
     constexpr double kReadable = 1e15;
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), std::abs(count) < kReadable ? "%.0f" : "%.3g", std::round(count));

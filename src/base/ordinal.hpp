@@ -12,6 +12,7 @@ namespace cleft
 inline std::string ordinal(int64_t index)
 {
     const int64_t number = index + 1;
+    // 11th, 12th and 13th end as 4th does.
     const int64_t last = number % 100 / 10 == 1 ? 0 : number % 10;
     return std::to_string(number) + (last == 1 ? "st" : last == 2 ? "nd" : last == 3 ? "rd" : "th");
 }

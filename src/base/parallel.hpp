@@ -26,6 +26,7 @@ void parallel_chunks(const Run& run, int64_t n, int64_t grain, const Body& body)
 {
     const int64_t chunks = chunk_count(n, grain);
     const int workers = static_cast<int>(std::min<int64_t>(std::max(1, run.threads), chunks));
+    // Threads take chunks as they come: which thread has which chunk must not matter, and their times even out.
     std::atomic<int64_t> next{0};
     std::atomic<bool> failed{false};
     Array<std::exception_ptr> errors(std::max(1, workers));
@@ -55,6 +56,8 @@ void parallel_chunks(const Run& run, int64_t n, int64_t grain, const Body& body)
         work(0);
     for (auto& thread : threads)
         thread.join();
+    // The error of the lowest chunk, and not of the first thread that failed, so that users read the same sentence each
+    // time. All lower chunks have begun by then, since chunks are handed out in order.
     const auto first = std::min_element(error_chunk.begin(), error_chunk.end()) - error_chunk.begin();
     if (errors[first])
         std::rethrow_exception(errors[first]);

@@ -32,6 +32,8 @@ public:
     {
         CLEFT_ASSERT(at_ < steps_.size());
         const Step step = steps_[at_++];
+        // Shares are fractions of all steps from the beginning, so the bar never goes back, even where a step is left
+        // out.
         const double begin = done_ / all_, share = step.share / all_;
         done_ += step.share;
         Run part = run_;

@@ -1,3 +1,4 @@
+// Clocks and memory of the process, as getrusage() has them.
 #include "base/stage_timer.hpp"
 
 #include <sys/resource.h>
@@ -19,6 +20,7 @@ double process_peak_bytes()
 {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
+    // Linux counts in KiB.
     return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 

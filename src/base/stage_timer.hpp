@@ -8,7 +8,9 @@
 namespace cleft
 {
 
+// User and system time of all threads since the process began.
 double process_cpu_seconds();
+// The greatest memory that was resident at once. It never falls, so a later stage shows it only where it needs more.
 double process_peak_bytes();
 
 class StageTimer
@@ -23,6 +25,7 @@ public:
     StageTimer& operator=(const StageTimer&) = delete;
 
 private:
+    // A copy: what it was made of may be gone when the scope ends.
     const Run run_;
     std::string name_;
     std::chrono::steady_clock::time_point wall_;

@@ -22,6 +22,7 @@ template <class Struct>
 inline constexpr size_t kFirstSize = 0;
 
 // No struct is as large as this: struct_size was not set.
+// It catches a struct that was not initialised, whose size is whatever the stack held.
 inline constexpr uint32_t kGreatestStructSize = 1U << 16;
 
 template <class Struct>
@@ -42,6 +43,8 @@ Struct copy_in(const Struct& given, const char* name)
     check_struct_size(given, name);
     Struct out{};
     std::memcpy(&out, &given, std::min<size_t>(given.struct_size, sizeof out));
+    // A newer program may leave new fields 0, and gets what it expects. If it sets one, ignoring it would be a silent
+    // change of meaning.
     const char* bytes = reinterpret_cast<const char*>(&given);
     for (size_t i = sizeof out; i < given.struct_size; ++i)
         if (bytes[i] != 0)
