@@ -13,6 +13,8 @@ namespace
 // What real volumes took, rounded up: for the program, a voxel and a tetrahedron. Many labels have tables of theirs.
 double peak_bytes(const Volume& volume, const Estimate& estimate)
 {
+    // Users choose a machine by this, so each is rounded up: too little would end a run, a little too much costs
+    // nothing.
     constexpr double kProgram = 3e7, kVoxel = 12, kTet = 200, kTetOfManyLabels = 420;
     return kProgram + kVoxel * static_cast<double>(volume.grid().size()) +
            (estimate.is_bound ? kTetOfManyLabels : kTet) * estimate.whole_tets;
@@ -37,6 +39,7 @@ Estimate estimate_from_sizing(const Volume& volume, ScaledSizing sizing, const P
     fit_to_number(sizing, volume, options, run);
     const ExpectedMesh expected = expected_mesh(volume, sizing.field, options, run);
     // The search goes on by meshing, to the number itself.
+    // So the estimate is of the wanted number, and not of what the fitted sizes are expected to give.
     const bool is_searched = options.tets > 0 && expected.kept > 0;
     return estimate_of(volume, expected, is_searched ? static_cast<double>(options.tets) / expected.kept : 1);
 }

@@ -22,6 +22,7 @@ constexpr FixedArray<double, 4> kSnapped = {1.03, 1.28, 1.63, 1.63}, kWhole = {1
 // The share of points that are the only one of their label from which on all pieces may stay, and up to which none do.
 constexpr double kAllStay = 0.35, kNoneStay = 0.05;
 
+// With them chance moves a number by a percent or so, which is less than the figures above are off.
 constexpr int kSamples = 5000;
 
 // What one tetrahedron of the background becomes.
@@ -67,6 +68,7 @@ private:
 };
 
 // The corners of a regular tetrahedron around x, turned at random.
+// A random turn, since interfaces of voxels prefer the axes and a fixed one would see too many or too few of them.
 std::array<Vec3, 4> corners_around(const Vec3& x, double edge, uint64_t sample)
 {
     const auto random = [&](uint64_t i) { return unit_random(sample, i); };
@@ -85,6 +87,7 @@ std::array<Vec3, 4> corners_around(const Vec3& x, double edge, uint64_t sample)
 }
 
 // A place in a voxel.
+// The same sample always has the same place, so the same call gives the same estimate.
 Vec3 place_in(int64_t voxel, const Grid& grid, uint64_t sample)
 {
     const int64_t row = grid.dims[0], rows = grid.dims[1], k = voxel / row / rows;
@@ -115,6 +118,7 @@ public:
     {
         for (int64_t v = 0; v < field.grid.size(); ++v)
             (is_kept(v) ? kept_ : other_) += density(field, v);
+        // Without this, a small label that is kept would get a few samples, and its number would be a matter of chance.
         boost_ = kept_ > 0 ? std::max(1.0, other_ / kept_) : 1;
     }
 
@@ -128,6 +132,7 @@ public:
             run.check_at(v, 1 << 20);
             const double boost = is_kept(v) ? boost_ : 1;
             passed += kSamples / whole * boost * density(field_, v);
+            // Steps of equal weight through the voxels spread the samples more evenly than drawing each voxel would.
             for (; static_cast<double>(samples) + 0.5 < passed; ++samples) {
                 const Vec3 x = place_in(v, field_.grid, samples);
                 const Pieces pieces = cutter.pieces(corners_around(x, field_.at(x), samples));

@@ -39,6 +39,8 @@ LocalMesh improved_mesh(const Volume& volume, const Cleaved& cleaved, const Pipe
     Try best = try_with(volume, cleaved, options.improve, steps.next());
     int tries = 1;
     for (const double margin : kHigherAims) {
+        // A cleaved mesh is made anew for each try instead of being copied: most runs need no other try, and memory is
+        // scarcest here.
         if (best.left.tets == 0 || best.left.tets > kFew || best.mesh.slot_count() > kMostTets)
             break;
         ++tries;
@@ -46,9 +48,11 @@ LocalMesh improved_mesh(const Volume& volume, const Cleaved& cleaved, const Pipe
         higher.margin = margin;
         Metrics noted;
         Run quiet = steps.next();
+        // Warnings and figures are to be those of the mesh that is returned.
         quiet.on_warning = nullptr;
         quiet.metrics = &noted;
         Try other = try_with(volume, cleaved, higher, quiet);
+        // On equal terms the earlier try stays.
         if (other.left.least <= best.left.least)
             continue;
         best = std::move(other);

@@ -1,3 +1,5 @@
+// Compares the labels of a mesh with those of its volume: volumes, pieces that are lost, broken or joined, and new
+// contacts.
 #include "pipeline/label_report.hpp"
 
 #include "base/stage.hpp"
@@ -15,6 +17,7 @@ namespace cleft
 namespace
 {
 
+// The cast truncates; centroids lie in the box but for rounding, which the clamp takes care of.
 int64_t voxel_of(const Grid& grid, const Vec3& x)
 {
     int32_t at[3];
@@ -65,6 +68,7 @@ Array<uint8_t> broken_components(const Array<Shared>& pairs, size_t components)
 }
 
 // By component: whether it shares a part of the mesh with another.
+// Stable, so that pairs of a part keep their order by component.
 Array<uint8_t> joined_components(Array<Shared> pairs, size_t components)
 {
     std::stable_sort(pairs.begin(), pairs.end(), [](const Shared& a, const Shared& b) { return a.part < b.part; });
@@ -126,8 +130,11 @@ LabelReport label_report(const Volume& volume, const LabelledMesh& mesh, const R
         const int64_t voxel = voxel_of(grid, (point(0) + point(1) + point(2) + point(3)) / 4);
         LabelRow& row = rows[mesh.material[t]];
         ++row.tets;
+        // A part is numbered by its first tetrahedron, so each is counted once.
         row.mesh_components += part[t] == static_cast<int32_t>(t);
         const int32_t component = components.of_voxel[voxel];
+        // A tetrahedron at an interface may have its centroid in a voxel of the other label: it tells nothing of either
+        // piece.
         if (components.material[component] != mesh.material[t])
             continue;
         is_met[component] = 1;

@@ -31,7 +31,10 @@ struct LabelReport {
     Array<LabelContact> contacts;  // by label, ascending
 };
 
+// Voxels. Segmentations have many specks of a few voxels, which are noise as a rule; losing one is no news. More than
+// 30 are a cube of three voxels and some.
 inline constexpr int64_t kLargeComponent = 30;
+// A mesh may cut off a fragment smaller than any voxel at a tip. That is no break that a user could see.
 inline constexpr double kLeastPart = 0.5;  // in voxels: what is smaller breaks nothing
 
 // `mesh` in the local frame of the volume.

@@ -19,6 +19,7 @@ namespace
 // Improving leaves no angle nearer to its target than by this share, but for rounding.
 constexpr double kRounding = 1e-6;
 // Thin volumes whose spacings differ by more may have no good tetrahedra.
+// As in src/sizing/compute.cpp, where sizes stop following the thickness.
 constexpr double kMostStretch = 6;
 
 struct MissedAngles {
@@ -35,6 +36,7 @@ MissedAngles missed_angles(const LabelledMesh& mesh, const PipelineOptions& opti
         if (!options.keeps(mesh.material[t]))
             continue;
         const auto corner = [&](size_t i) -> const Vec3& { return mesh.points[mesh.tets[t][i]]; };
+        // The quality needs no arc cosine, and few tetrahedra come further than this.
         if (angle_quality(corner(0), corner(1), corner(2), corner(3)) >= least_quality)
             continue;
         const auto angles = dihedral_angles(corner(0), corner(1), corner(2), corner(3));
@@ -58,6 +60,8 @@ std::string text(double value, const char* format)
 void warn_of_missed_angles(const Volume& volume, const LabelledMesh& mesh, const PipelineOptions& options,
                            const Run& run)
 {
+    // Who leaves out improving knows that angles will be bad, and without a caller for warnings there is nobody to
+    // tell.
     if (!run.on_warning || options.improve.effort == Effort::off)
         return;
     const MissedAngles missed = missed_angles(mesh, options, run);

@@ -1,3 +1,5 @@
+// The search for the scale of the sizing field at which the mesh has the wanted number of tetrahedra. Estimates give a
+// first scale, then meshes are counted.
 #include "pipeline/number_search.hpp"
 
 #include "base/number_text.hpp"
@@ -60,11 +62,15 @@ public:
         (many ? has_many_ : has_few_) = true;
         if (!has_many_ || !has_few_)
             return std::exp(tried.factor + (tried.count - wanted_) / kExponent);
+        // The share is kept away from the ends, so that the bracket shrinks by a tenth at least even where the number
+        // jumps.
         const double share = (many_.count - wanted_) / (many_.count - few_.count);
         return std::exp(many_.factor + std::clamp(share, 0.1, 0.9) * (few_.factor - many_.factor));
     }
 
 private:
+    // Between the two and three of above. It serves the first steps only: as soon as there is a bracket, the counts
+    // decide.
     static constexpr double kExponent = 2.6;
     struct Try {
         double factor, count;
@@ -74,6 +80,7 @@ private:
     Try many_{}, few_{};  // the last that gave too many, and too few
 };
 
+// A bound for searches in which the number jumps past what is wanted. The warning tells what was reached.
 constexpr int kRounds = 8;
 
 // Fitting, then the rounds, each of which scales and meshes. Most searches end in the second or third: progress goes by
@@ -130,6 +137,7 @@ void fit_to_number(ScaledSizing& sizing, const Volume& volume, const PipelineOpt
         return;
     const PipelineOptions unlimited = without_limit(options);
     const double wanted = static_cast<double>(options.tets), limit = limit_of(options);
+    // No mesh is made here, so that these rounds cost little beside the first one that makes one.
     for (int round = 0; round < kFittingRounds; ++round) {
         const ExpectedMesh expected = expected_mesh(volume, sizing.field, unlimited, run);
         const double for_number = expected.kept > 0 ? std::cbrt(expected.kept / wanted) : 1;
@@ -142,6 +150,7 @@ void fit_to_number(ScaledSizing& sizing, const Volume& volume, const PipelineOpt
 
 LabelledMesh mesh_of_number(const Volume& volume, ScaledSizing& sizing, const PipelineOptions& options, const Run& run)
 {
+    // The promise is 10 %. Less than kTolerance would take more rounds, each of which makes a mesh.
     constexpr double kTolerance = 0.08, kNearLimit = 0.9;
     const StageTimer timer(run, "pipeline.rounds");  // of all; the stages note their last round
     const double wanted = static_cast<double>(options.tets), limit = limit_of(options);
@@ -153,16 +162,21 @@ LabelledMesh mesh_of_number(const Volume& volume, ScaledSizing& sizing, const Pi
     bool is_limited = false;
     LabelledMesh mesh;
     for (int round = 0; round < kRounds && !is_limited; ++round) {
+        // From the factor before, since the field is scaled in place and a copy of it could be the largest array of
+        // all.
         if (next != factor)
             scale(sizing, next / factor, steps.next());
         else
             steps.next();
         factor = next;
+        // Frees the mesh of the round before: two would double the peak of memory.
         mesh = LabelledMesh();
         mesh = attempt(volume, sizing, options, silenced(steps.next()));
         const double all = static_cast<double>(mesh.tets.size());
         const double count = static_cast<double>(kept_count(mesh, options));
         run.note("pipeline.rounds.count", round + 1);
+        // cleft_sizing_create() has searched already. Meshing its field must not search on, so that single calls give
+        // the bytes of the one call.
         const bool is_where_a_search_ended = round == 0 && was_found && kept_count(mesh, options) == sizing.found;
         if (is_where_a_search_ended || std::abs(count - wanted) <= kTolerance * wanted)
             break;

@@ -1,3 +1,5 @@
+// The order of the stages, written once. The one call and the calls of single stages both come here, so they cannot
+// drift apart.
 #include "pipeline/pipeline.hpp"
 
 #include "background/repair.hpp"
@@ -62,6 +64,7 @@ LabelledMesh improved(const Volume& volume, const Cleaved& cleaved, const Pipeli
 {
     if (options.improve.effort == Effort::off)
         return cleaved(run);
+    // Fitting comes second: it keeps the angles that improving has reached, whereas improving would undo volumes.
     Steps steps(run, {{nullptr, 74}, {nullptr, 26}});
     LocalMesh mesh = improved_mesh(volume, cleaved, options, steps.next());
     fit_volumes(mesh, volume, options.improve.target_angle, steps.next());
@@ -70,12 +73,14 @@ LabelledMesh improved(const Volume& volume, const Cleaved& cleaved, const Pipeli
 
 LabelledMesh finished(const Volume& volume, LabelledMesh mesh, const PipelineOptions& options, const Run& run)
 {
+    // Before anything is reported: the sentence of this error says more than warnings about an empty mesh.
     require_kept(mesh, options);
     if (options.strict)
         require_all_labels(volume, mesh, options, run);
     warn_of_volume_differences(volume, mesh, options.keep, run);
     warn_of_missed_angles(volume, mesh, options, run);
     Stage stage(run, "finish", {{nullptr, 1}});
+    // Last, since stages before number points as they make them. It changes no place, so what was reported stays true.
     order_spatially(mesh, stage.next());
     return mesh;
 }
@@ -110,6 +115,7 @@ TetMesh make_background(const ScaledSizing& sizing, const PipelineOptions& optio
 
 void repair_background(TetMesh& background, const PipelineOptions& options, const Run& run)
 {
+    // 0 stands for a background that is to be cleaved exactly as the user made it.
     if (options.repair_angle <= 0)
         return;
     Stage stage(run, "background", {{"background", 1}});
@@ -122,6 +128,7 @@ void repair_background(TetMesh& background, const PipelineOptions& options, cons
 LabelledMesh cleave_and_improve(const Volume& volume, const TetMesh& background, const PipelineOptions& options,
                                 const Run& run)
 {
+    // Improving may ask for it again, and holds no copy of it meanwhile.
     const Cleaved cleaved = [&](const Run& part) { return cleave(volume, background, options.cleave, part); };
     return improved(volume, cleaved, options, run);
 }
@@ -136,6 +143,7 @@ LabelledMesh improved_and_finished(const Volume& volume, const Cleaved& cleaved,
 
 LabelledMesh mesh_from_volume(const Volume& volume, const PipelineOptions& options, const Run& run)
 {
+    // A wanted number takes some two or three meshes instead of one.
     Steps steps(run, {{nullptr, 13}, {nullptr, options.tets > 0 ? 200.0 : 87}});
     ScaledSizing sizing{compute_sizing(volume, options.sizing, steps.next())};
     return mesh_from_sizing(volume, std::move(sizing), options, steps.next());
@@ -152,6 +160,7 @@ LabelledMesh mesh_from_sizing(const Volume& volume, ScaledSizing sizing, const P
     const double share = row_of(options.background.kind).share_of_time;
     Steps steps(run, {{nullptr, share}, {nullptr, 97 - share}, {nullptr, 3}});
     TetMesh background = make_background(sizing, options, steps.next());
+    // Only the background needs the sizes. Freed here, their memory is there for cleaving.
     sizing = ScaledSizing();
     LabelledMesh mesh = cleave_and_improve(volume, background, options, steps.next());
     background = TetMesh();

@@ -1,3 +1,5 @@
+// Warns where the volume of a label is off by so much that a user should know, as where a part is thinner than the
+// tetrahedra.
 #include "pipeline/volume_differences.hpp"
 
 #include "mesh/materials.hpp"
@@ -15,6 +17,8 @@ namespace
 {
 
 constexpr int64_t kLeastVoxels = 100;  // the volume of fewer is not known to a few percent
+// docs/quality.md: on graded backgrounds labels of this size are within a percent as a rule. Shells one voxel thick may
+// be off by as much as this.
 constexpr double kMostDifference = 0.05;
 
 struct Difference {
@@ -30,6 +34,7 @@ std::string text(const Difference& difference)
     return "label " + std::to_string(difference.label) + " (" + percent + ")";
 }
 
+// The comparison makes no sense where a background of the user fills only a part of the box.
 bool fills_box(const Volume& volume, const Array<double>& volumes)
 {
     const double box = volume.grid().extent().prod();
@@ -48,6 +53,7 @@ Array<Difference> differences(const Volume& volume, const Array<double>& volumes
         if (std::abs(share) > kMostDifference)
             all.push_back({volume.labels()[m], share});
     }
+    // Equal differences stay in the order of the materials.
     std::stable_sort(all.begin(), all.end(),
                      [](const Difference& a, const Difference& b) { return std::abs(a.share) > std::abs(b.share); });
     return all;
@@ -57,6 +63,7 @@ Array<Difference> differences(const Volume& volume, const Array<double>& volumes
 
 void warn_of_volume_differences(const Volume& volume, const LabelledMesh& mesh, const Array<char>& keep, const Run& run)
 {
+    // A sentence that names more is not read.
     constexpr size_t kNamed = 5;
     const Array<double> volumes = material_volumes(mesh, volume.material_count());
     if (!run.on_warning || !fills_box(volume, volumes))
