@@ -45,6 +45,8 @@ inline double angle_quality(Triple a, Triple b, Triple c, Triple d)
     const auto least = [](double s, double t) { return s < t ? s : t; };
     const double square = least(least(least(at_ab, at_ac), at_ad), least(least(at_bc, at_bd), at_cd));
     const double quality = -dot(nd, ad) * std::sqrt(square / product);
+    // A face of no area makes the product 0 and the quality no number. It is replaced afterwards, since a branch before
+    // the root would keep the compiler from taking several tetrahedra at once.
     return product > 0 ? quality : 0;
 }
 
@@ -77,6 +79,8 @@ struct AngleQuality {
     double least = square[0];
     double at_ab = 1 / ab2, at_ac = 0, at_ad = 0;
     double with_b = 0, with_c = 1, with_d = 1;
+    // Each value is selected, without a branch, for the same reason as above. On a tie the earlier edge stays, so that
+    // the gradient is the same on every machine.
     const auto choose = [&](double value, double to_b, double to_c, double to_d, double b_in, double c_in,
                             double d_in) {
         const bool is_less = value < least;

@@ -25,6 +25,7 @@ struct BoundingBox {
         for (const Vec3& x : points)
             add(x);
     }
+    // True until a point is added.
     bool empty() const { return !(lo[0] <= hi[0]); }
     double longest() const { return empty() ? 0 : (hi - lo).maxCoeff(); }
     double volume() const { return empty() ? 0 : (hi - lo).prod(); }
@@ -37,6 +38,7 @@ struct BoundingBox {
     }
 
     // The sides that x lies in within `tolerance`, one bit each in the order of Side.
+    // A tolerance of 0 compares exactly, as the local frame allows.
     unsigned sides(const Vec3& x, double tolerance) const
     {
         unsigned bits = 0;

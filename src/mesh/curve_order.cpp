@@ -15,6 +15,7 @@ namespace
 {
 
 constexpr int kBits = 21;  // a coordinate: three of them fit 64 bits
+// Points that a thread takes at a time. A key depends on its own point, so this number changes the time alone.
 constexpr int64_t kPointsKeyed = 8192;
 
 struct Key {
@@ -55,6 +56,8 @@ uint64_t hilbert_index(const Vec3& x, const BoundingBox& box)
 {
     const double cells = static_cast<double>((1u << kBits) - 1);
     const double longest = box.longest();
+    // All axes have the scale of the longest side, so that cells are cubes. With cells as flat as the box, points that
+    // are neighbours along the curve could be far apart.
     std::array<uint32_t, 3> cell{};
     for (size_t axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<Eigen::Index>(axis);
@@ -64,6 +67,8 @@ uint64_t hilbert_index(const Vec3& x, const BoundingBox& box)
 }
 
 // Stable, eleven bits a pass.
+// A sort by comparison would pass over the keys more often. Six passes cover the 63 bits of a key, and each must be
+// stable, or it would undo the one before.
 void radix_sort(Array<Key>& keys)
 {
     constexpr int kDigit = 11;

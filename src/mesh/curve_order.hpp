@@ -11,6 +11,8 @@ namespace cleft
 {
 
 // Sorts indices of points along a Hilbert curve through the box of these points.
+// Coordinates must be finite. The order follows from the coordinates alone; only points at one place keep the order in
+// which they come.
 void order_along_curve(const Array<Vec3>& points, Array<int32_t>& indices, const Run& run);
 
 }  // namespace cleft

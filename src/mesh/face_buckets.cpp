@@ -1,3 +1,5 @@
+// Groups the half-faces of a mesh by their points, with a counting sort by the least point and a hash table by the
+// others.
 #include "mesh/face_buckets.hpp"
 
 #include "base/error.hpp"
@@ -9,6 +11,7 @@ namespace cleft
 namespace
 {
 
+// A half-face has the number 4 * tetrahedron + corner.
 constexpr size_t kMostTets = size_t{1} << 30;
 
 // The least point of the face opposite each corner.
@@ -42,7 +45,10 @@ void FaceBuckets::for_faces_of(size_t tet, int64_t point_count, const Visit& vis
             if ((*among_)[corners[i]] == 0)
                 marked &= ~(1U << i);
     const std::array<int32_t, 4> least = least_points(corners);
+    // The constructor fills buckets from the last face to the first. Going through the corners backwards too leaves
+    // each bucket in ascending order.
     for (uint32_t i = 4; i-- > 0;)
+        // Corner i is not a point of the face opposite it, so its mark does not count.
         if ((marked | 1U << i) == 15)
             visit(static_cast<uint32_t>(tet) * 4 + i, least[i]);
 }
@@ -71,6 +77,8 @@ FaceBuckets::FaceBuckets(const Array<Tet>& tets, int64_t point_count, const Run&
 void FaceBuckets::load(int64_t point, Bucket& bucket) const
 {
     const uint32_t begin = start_[point], end = start_[point + 1];
+    // A table at least twice as large as the bucket keeps searches short. It has at least one bit, because the shift
+    // below by 64 would be undefined.
     int bits = 1;
     while ((uint64_t{1} << bits) < 2 * uint64_t{end - begin})
         ++bits;
@@ -81,6 +89,8 @@ void FaceBuckets::load(int64_t point, Bucket& bucket) const
     for (uint32_t k = begin; k < end; ++k) {
         const uint64_t key = other_points(tets_, ids_[k]);
         const auto entry = [&](int32_t i) -> Bucket::Entry& { return bucket.entries[i]; };
+        // A product with 2^64 over the golden ratio: its upper bits depend on all bits of the key. The table only finds
+        // equal keys. Faces are listed in the order of the bucket, so hashing never shows in a result.
         uint64_t slot = key * 0x9e3779b97f4a7c15u >> (64 - bits);
         while (bucket.last_of_face[slot] >= 0 && entry(bucket.last_of_face[slot]).other_points != key)
             slot = (slot + 1) & mask;

@@ -42,10 +42,13 @@ inline std::array<int32_t, 3> face_points(const Array<Tet>& tets, uint32_t id)
 class FaceBuckets
 {
 public:
+    // The number is fixed: sums of callers are taken chunk by chunk, and would differ in the last digits with another
+    // one.
     static constexpr int64_t kPointsAtOnce = 2048;  // whose faces a thread looks at
 
     // Throws CLEFT_ERROR_TOO_LARGE from 2^30 tetrahedra on: four times their number must fit 32 bits.
     // With `among`, by point, only faces all of whose points are marked there; these then are found much sooner.
+    // Borrows `tets` and `among`, which must not change while the buckets are in use.
     FaceBuckets(const Array<Tet>& tets, int64_t point_count, const Run& run, const Array<uint8_t>* among = nullptr);
 
     // visit(const HalfFace* faces, size_t count) for each different face whose least point is in [begin, end), in an

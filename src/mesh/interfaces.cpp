@@ -1,3 +1,4 @@
+// Extracts the triangles between regions and those of the hull, in an order that depends on the mesh alone.
 #include "mesh/interfaces.hpp"
 
 #include "base/ordinal.hpp"
@@ -37,6 +38,7 @@ struct Faces {
 };
 
 // The corners of a face, wound outward from its tetrahedron, the least corner first.
+// So a triangle has one form, whichever of its tetrahedra names it and with whatever corner first.
 Triangle outward(const RegionMesh& mesh, const HalfFace& face)
 {
     Triangle t = face_points(mesh.tets, face.id);
@@ -87,6 +89,7 @@ Array<Face> sorted_union(Array<Faces>& parts, Array<Face> Faces::*member)
         const Array<Face> faces = std::move(part.*member);
         all.insert(all.end(), faces.begin(), faces.end());
     }
+    // No two faces have the same triangle on the same side. So none are equal, and the sort has one result.
     std::sort(all.begin(), all.end());
     return all;
 }
@@ -99,6 +102,8 @@ Interfaces extract_interfaces(const RegionMesh& mesh, const Vec3& lo, const Vec3
     const Run of_points = steps.next();
     const auto point_count = mesh.points.count();
     const BoundingBox box{lo, hi};
+    // Only faces whose three corners are on the surface can be wanted. Without this, all faces inside would be sorted
+    // as well.
     const Array<uint8_t> surface = surface_points(mesh, of_points);
     const FaceBuckets buckets(mesh.tets, point_count, of_points, &surface);
     Array<Faces> parts(chunk_count(point_count, FaceBuckets::kPointsAtOnce));

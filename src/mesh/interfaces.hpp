@@ -25,6 +25,7 @@ struct Interfaces {
 };
 
 // lo, hi: the box against which sides are decided, by exact coordinates.
+// A face of more than two tetrahedra is an Error (CLEFT_ERROR_INVALID_MESH), because it has no two sides.
 Interfaces extract_interfaces(const RegionMesh& mesh, const Vec3& lo, const Vec3& hi, const Run& run);
 
 }  // namespace cleft

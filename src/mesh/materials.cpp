@@ -42,6 +42,7 @@ public:
     }
 
 private:
+    // An ordered map, since its order is that of the result.
     std::map<std::pair<Material, Material>, int64_t> counts_;
     std::map<std::pair<Material, Material>, int64_t>::iterator last_ = counts_.end();
 };
@@ -85,6 +86,7 @@ MeshParts mesh_parts(const LabelledMesh& mesh, const Run& run)
     Borders borders;
     const FaceBuckets buckets(mesh.tets, point_count, steps.next(), &surface);
     buckets.for_each_face(0, point_count, [&](const HalfFace* face, size_t count) {
+        // A face of more than two tetrahedra is no error here; validate() finds such faces.
         for (size_t k = 1; k < count; ++k) {
             const Material here = material(face[k].tet()), before = material(face[k - 1].tet());
             if (here == before)

@@ -15,6 +15,7 @@ namespace cleft
 namespace
 {
 
+// Items that a thread takes at a time. None of them affects another, so this number changes the time alone.
 constexpr int64_t kItemsOrdered = 8192;
 
 Array<int32_t> used_points(const LabelledMesh& mesh)
@@ -32,6 +33,8 @@ Array<int32_t> used_points(const LabelledMesh& mesh)
 }
 
 // The even permutation that puts the least corner first and the next one second.
+// An even permutation keeps the orientation. The first corner then decides the place of the tetrahedron among the
+// others.
 Tet least_corners_first(Tet t)
 {
     const auto swap_two_pairs = [&](int64_t a, int64_t b, int64_t c, int64_t d) {
@@ -49,6 +52,8 @@ Tet least_corners_first(Tet t)
 void order_tets(LabelledMesh& mesh, const Run& run)
 {
     CLEFT_ASSERT(mesh.material.size() == mesh.tets.size());
+    // A counting sort by the first corner first, so that threads can sort the few tetrahedra of each point on their
+    // own.
     Array<uint32_t> start(mesh.points.size() + 1, 0);
     for (const Tet& tet : mesh.tets)
         ++start[int64_t{tet[0]} + 1];

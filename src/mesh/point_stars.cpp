@@ -1,3 +1,4 @@
+// Keeps the tetrahedra at each point in one pool of memory, so that a mesh of millions of points takes two allocations.
 #include "mesh/point_stars.hpp"
 
 #include "base/error.hpp"
@@ -46,6 +47,8 @@ void PointStars::add(int32_t v, int32_t t)
     List& list = lists_[v];
     if (list.size == list.capacity) {
         const size_t end = pool_.size();
+        // Growing by half makes the cost of an addition constant on average. The old place stays unused, which costs
+        // little: local operations touch a small part of a mesh.
         list.capacity += std::max<uint32_t>(8, list.capacity / 2);
         pool_.resize(end + list.capacity);
         std::copy_n(pool_.begin() + static_cast<std::ptrdiff_t>(list.begin), list.size,
@@ -64,6 +67,7 @@ void PointStars::remove(int32_t v, int32_t t)
     CLEFT_ASSERT(found != last);
     if (found == last)
         return;
+    // The order of the list changes here. It follows from the operations made, so it is the same in every run.
     *found = last[-1];
     --list.size;
 }

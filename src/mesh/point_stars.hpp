@@ -31,7 +31,9 @@ public:
         return {first, first + list.size};
     }
 
+    // For a point with the next number, without tetrahedra.
     void add_point() { lists_.push_back({pool_.size(), 0, 0}); }
+    // Either call ends the life of all ranges. `t` must not be in the list before add(), and must be before remove().
     void add(int32_t v, int32_t t);
     void remove(int32_t v, int32_t t);
 

@@ -1,3 +1,4 @@
+// The exact orientation of four points: a determinant with a bound on its error, and whole numbers where that fails.
 #include "mesh/predicates.hpp"
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -27,6 +28,8 @@ constexpr double kRounding = (7 + 56 * (DBL_EPSILON / 2)) * (DBL_EPSILON / 2);
 int sign(double x) { return (x > 0) - (x < 0); }
 
 // x / 2^exponent, which must be a whole number.
+// Where coordinates differ in size as much as doubles can, numbers have some 2,100 bits. That is slow, but no sign is
+// ever wrong.
 cpp_int scaled(double x, int exponent)
 {
     int e = 0;
@@ -83,6 +86,7 @@ int orient_sign(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
                              (std::abs(zx) + std::abs(xz)) * std::abs(w[1]) +
                              (std::abs(xy) + std::abs(yx)) * std::abs(w[2]);
     const double greatest = std::max({u.cwiseAbs().maxCoeff(), v.cwiseAbs().maxCoeff(), w.cwiseAbs().maxCoeff()});
+    // Nearly all tetrahedra of a mesh are decided here, so the exact arithmetic may be slow.
     if (greatest < kGreatest && std::abs(det) > kRounding * magnitude + kUnderflow)
         return sign(det);
     return exact_orient_sign({&a, &b, &c, &d});

@@ -9,6 +9,7 @@ namespace cleft
 namespace
 {
 
+// In the order of QuadraticTet; kEdgeCorners has another one.
 constexpr size_t kEnds[6][2] = {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}};
 
 uint64_t edge_of(const Tet& tet, size_t edge)
@@ -25,6 +26,7 @@ MiddleNodes::MiddleNodes(const Array<Tet>& tets)
     for (const Tet& tet : tets)
         for (size_t edge = 0; edge < 6; ++edge)
             edges_.push_back(edge_of(tet, edge));
+    // Sorting makes the numbers of nodes follow from those of the points alone, in whatever order tetrahedra come.
     std::sort(edges_.begin(), edges_.end());
     edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
 }

@@ -17,7 +17,9 @@ public:
     explicit MiddleNodes(const Array<Tet>& tets);
 
     size_t count() const { return edges_.size(); }
+    // The middle of the straight edge: elements are not curved towards an interface.
     Vec3 place(size_t middle, const Array<Vec3>& points) const;
+    // `tet` must be one of those given to the constructor; `point_count` is the number of the first middle node.
     QuadraticTet nodes(const Tet& tet, size_t point_count) const;
 
 private:

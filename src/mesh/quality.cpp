@@ -1,3 +1,4 @@
+// Measures tetrahedra, each alone (angles, radius ratio) and all of a mesh in one pass (Quality).
 #include "mesh/quality.hpp"
 
 #include "base/degrees.hpp"
@@ -16,6 +17,7 @@ namespace cleft
 namespace
 {
 
+// Tetrahedra per chunk. Sums are taken chunk by chunk, so another number would change them in the last digits.
 constexpr int64_t kTetsMeasured = 4096;
 
 using FourPoints = FixedArray<Vec3, 4>;
@@ -38,6 +40,7 @@ double squared_edge(const FourPoints& x, size_t e)
 }
 
 // The angle between two faces is atan2 of its sine and cosine, each times the lengths of both normals.
+// An arc cosine would lose half of the digits near 0 and 180 degrees, where angles matter most.
 FixedArray<double, 6> angles_at_edges(const FourPoints& x, double six_volumes)
 {
     const FixedArray<Vec3, 4> normals = face_normals(x);
@@ -76,6 +79,7 @@ public:
     }
 
 private:
+    // A cell is 0.002 wide and the narrowest bin, 0 to 5 degrees, 0.0038. Fewer cells would put two borders into one.
     static constexpr double kCells = 512;  // a unit of the cosine
     FixedArray<double, 37> cosine_;        // where each bin begins
     FixedArray<uint8_t, 1025> first_;
@@ -83,6 +87,7 @@ private:
 
 // The summary of a run of tetrahedra; mean_edge holds the sum of the edges until the end. The extreme angles are kept
 // as the tetrahedra that have them.
+// So only two tetrahedra of a whole mesh need exact angles, by the slower formula.
 struct QualityPart {
     Quality q;
     double greatest_cosine = -2, least_cosine = 2;
@@ -100,6 +105,7 @@ void add_cosines(const FixedArray<double, 6>& cosines, int64_t tet, const AngleB
 {
     double greatest = -2, least = 2;
     for (const double c : cosines) {
+        // Points that are not finite can come from a user's mesh; such an angle is in no bin.
         if (std::isnan(c))
             continue;
         greatest = std::max(greatest, c);
@@ -211,6 +217,7 @@ FixedArray<double, 2> extreme_angles(const FourPoints& x)
 // Between the two nearest ranks; reorders the values, of which there is at least one.
 double percentile(Array<double>& values, double share)
 {
+    // Selection instead of sorting: three values are asked for, of millions.
     const double rank = share * static_cast<double>(values.size() - 1);
     const auto below = values.begin() + static_cast<std::ptrdiff_t>(rank);
     std::nth_element(values.begin(), below, values.end());

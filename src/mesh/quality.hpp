@@ -15,10 +15,13 @@ inline double orient(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 }
 
 // Least sine of the six dihedral angles (bounds the largest angle too); negative if inverted, 0 if flat.
+// Unlike angle_quality() it does not favour either end.
 double least_sine(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 // The measure that local operations raise: least sine of the six dihedral angles, that of an obtuse angle times
 // kObtuseWeight. 155 degrees are as bad as 20.
+// It is a little below so that a quality of sin(20) or more also keeps all angles below 155 degrees, in spite of
+// rounding.
 inline constexpr double kObtuseWeight = 0.8092;  // a little below sin(20) / sin(25)
 double angle_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 

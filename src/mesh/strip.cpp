@@ -10,6 +10,7 @@ void drop_unused_points(Array<Vec3>& points, Array<Tet>& tets)
     for (const Tet& tet : tets)
         for (const int32_t p : tet)
             number[p] = 0;
+    // Points move to places that have been read already, so the mesh is never held twice.
     int32_t kept = 0;
     for (size_t p = 0; p < points.size(); ++p)
         if (number[p] == 0) {

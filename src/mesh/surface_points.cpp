@@ -1,3 +1,4 @@
+// Finds the points of hull and interfaces in two passes over the tetrahedra, without a table of faces.
 #include "mesh/surface_points.hpp"
 
 #include "base/large_pages.hpp"
@@ -28,6 +29,8 @@ void add_faces(const Tet& tet, Array<uint64_t>& sum)
     }
     uint64_t faces = 0;
     for (uint64_t& n : number) {
+        // The number comes from a sum, so both tetrahedra of a face get the same one in whatever order they name its
+        // points.
         n = mix(all - n);  // of the face opposite
         faces ^= n;
     }
@@ -55,6 +58,7 @@ Array<uint8_t> points_inside(const Array<Tet>& tets, size_t point_count, const R
 Array<uint8_t> surface_points(const RegionMesh& mesh, const Run& run)
 {
     // Apart from the regions, which may be any number.
+    // No value of a region is free to stand for "none met yet".
     enum class Met : uint8_t { none, one, several };
     Array<uint8_t> surface = points_inside(mesh.tets, mesh.points.size(), run);
     Array<Met> met(mesh.points.size(), Met::none);

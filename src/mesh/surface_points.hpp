@@ -13,6 +13,7 @@ Array<uint8_t> points_inside(const Array<Tet>& tets, size_t point_count, const R
 
 // By point: 1 if it is on the hull, or tetrahedra of several materials meet there. A face of the hull, and one between
 // two materials, has three such corners; most faces have not. Tetrahedra with a bad index are left out.
+// The reverse is not true: a face inside a material may have three corners on the surface.
 Array<uint8_t> surface_points(const RegionMesh& mesh, const Run& run);
 
 }  // namespace cleft

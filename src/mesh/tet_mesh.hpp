@@ -20,6 +20,7 @@ inline bool has_corner(const Tet& tet, int32_t point) { return std::find(tet.beg
 using Material = int32_t;
 
 // A background mesh: knows nothing of materials.
+// Points are in the local frame (volume/grid.hpp).
 struct TetMesh {
     Array<Vec3> points;
     Array<Tet> tets;
@@ -45,6 +46,7 @@ struct RegionMesh {
     const Array<Tet>& tets;
     const Array<int32_t>& region;
 
+    // No `explicit`: a check takes either mesh as it is.
     RegionMesh(const LabelledMesh& mesh) : points(mesh.points), tets(mesh.tets), region(mesh.material) {}
     RegionMesh(const UserMesh& mesh) : points(mesh.points), tets(mesh.tets), region(mesh.labels) {}
     RegionMesh(const Array<Vec3>& p, const Array<Tet>& t, const Array<int32_t>& r) : points(p), tets(t), region(r) {}
