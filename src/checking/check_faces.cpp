@@ -1,3 +1,5 @@
+// Checks the faces of a mesh: how many tetrahedra share each, on which sides they lie, and where hull and interfaces
+// end.
 #include "checking/check_faces.hpp"
 
 #include "base/parallel.hpp"
@@ -11,6 +13,8 @@ namespace cleft
 namespace
 {
 
+// Rounding to single precision, as in many files, moves a coordinate by up to 6e-8 of its size. A greater tolerance
+// would take a face just inside the box for one of its sides.
 constexpr double kSideTolerance = 1e-6;  // of the longest side of the box
 
 // A mesh with what the checks of its faces need.
@@ -22,6 +26,7 @@ struct Subject {
     double tolerance;
 
     const Vec3& point(int32_t p) const { return mesh.points[p]; }
+    // Without a region for each tetrahedron the mesh counts as one region; validate() reports a wrong number of them.
     bool same_region(const HalfFace& a, const HalfFace& b) const
     {
         return mesh.region.size() != mesh.tets.size() || mesh.region[a.tet()] == mesh.region[b.tet()];
@@ -37,6 +42,7 @@ struct Subject {
 
 struct FacesPart {
     FaceChecks checks;
+    // The faces of both kinds are kept, since open edges can only be found when all faces are known.
     Array<uint32_t> ragged;      // faces of one tetrahedron or of more than two
     Array<uint32_t> interfaces;  // faces between two materials
 };
@@ -48,6 +54,7 @@ int side_of_face(const Subject& s, const HalfFace& face)
     if (sign == Sign::unknown)
         return 0;
     const auto [a, b, c] = face_points(s.mesh.tets, face.id);
+    // Each swap of two points turns the normal of the triangle around.
     const bool odd = ((a > b) + (a > c) + (b > c)) % 2 == 1;
     return odd ? -static_cast<int>(sign) : static_cast<int>(sign);
 }
@@ -67,6 +74,7 @@ void check_hull_face(const Subject& s, const HalfFace& face, FacesPart& part)
 void check_shared_face(const Subject& s, const HalfFace& first, const HalfFace& second, FacesPart& part)
 {
     part.checks.shared.add(first.id);
+    // A flat or unknown tetrahedron gives 0 and is no fault here, since it has a count of its own.
     if (side_of_face(s, first) * side_of_face(s, second) > 0)
         part.checks.folded.add(first.id);
     if (!s.same_region(first, second)) {
@@ -111,6 +119,7 @@ FacesPart check_all_faces(const Subject& s, const Run& run)
         buckets.for_each_face(begin, end,
                               [&](const HalfFace* face, size_t count) { check_face(s, face, count, part); });
     });
+    // In the order of the chunks, so that the first place and the sum of areas do not depend on the number of threads.
     FacesPart whole;
     for (FacesPart& part : parts)
         append(whole, std::move(part));
@@ -142,10 +151,12 @@ Tally find_open_edges(const Subject& s, const FacesPart& faces)
         for (size_t k = 0; k < 3; ++k) {
             const int32_t a = std::min(face[k], face[(k + 1) % 3]);
             const int32_t b = std::max(face[k], face[(k + 1) % 3]);
+            // In a side of the box an interface ends by right.
             if (marked[a] && marked[b] && !s.in_one_side({a, b}))
                 edges.push_back(int64_t{a} << 32 | b);
         }
     }
+    // Sorting puts equal edges together and finds the least open one first, in whatever order the faces came.
     std::sort(edges.begin(), edges.end());
     Tally open;
     for (size_t first = 0, last = 0; first < edges.size(); first = last) {

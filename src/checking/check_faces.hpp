@@ -18,6 +18,8 @@ struct FaceChecks {
 };
 
 // The area is that in the world.
+// The terms are those of Validation (validate.hpp). `sign` has one entry per tetrahedron. Memory for the interfaces and
+// the faults comes on top of FaceBuckets.
 FaceChecks check_faces(const RegionMesh& mesh, const BoundingBox& box, const Array<Sign>& sign, const Placement& world,
                        const Run& run);
 

@@ -1,3 +1,4 @@
+// Finds the points that are not finite, in no tetrahedron, or at the place of another, and the box of the others.
 #include "checking/check_points.hpp"
 
 #include "mesh/face_buckets.hpp"
@@ -10,6 +11,8 @@ namespace cleft
 namespace
 {
 
+// Points of one place get the same cell, whatever the spread of the mesh. Two points nearer than a cell may still lie
+// on either side of its border, and then pass.
 constexpr double kCells = 1e9;  // along the longest side: points of one cell are at the same place
 
 struct PlaceInBox {
@@ -18,6 +21,7 @@ struct PlaceInBox {
     int32_t point;
 
     bool same(const PlaceInBox& o) const { return xy == o.xy && z == o.z; }
+    // Places first, then numbers: so the first repeated point is the same in every run.
     bool operator<(const PlaceInBox& o) const { return xy != o.xy ? xy < o.xy : z != o.z ? z < o.z : point < o.point; }
 };
 
@@ -67,6 +71,7 @@ PointChecks check_points(const RegionMesh& mesh)
             out.non_finite.add(static_cast<int64_t>(p));
         if (!used[p])
             out.unused.add(static_cast<int64_t>(p));
+        // A point that no tetrahedron has would enlarge the box, and every hull face would seem to lie off its sides.
         if (finite && used[p])
             out.box.add(mesh.points[p]);
     }

@@ -15,6 +15,7 @@ struct PointChecks {
     int64_t repeated_of = -1;  // that other one, for the first
 };
 
+// Runs on one thread, and takes 16 bytes per point in use while it runs.
 PointChecks check_points(const RegionMesh& mesh);
 
 }  // namespace cleft

@@ -1,3 +1,4 @@
+// Checks the tetrahedra of a mesh one by one: their indices, and their orientation by the exact predicate.
 #include "checking/check_tets.hpp"
 
 #include "base/parallel.hpp"
@@ -11,7 +12,10 @@ namespace cleft
 namespace
 {
 
+// Tetrahedra per chunk. Volumes are added chunk by chunk, so another number would change the sum in its last digits.
 constexpr int64_t kTetsChecked = 4096;
+// Relative to the tetrahedron, so that the unit of length does not matter. At this volume rounding leaves about four
+// digits, and solvers divide by it. Cleaving keeps twice this distance (cleaving/flat_cuts.cpp).
 constexpr double kFlatVolume = 1e-12;  // of the cube of its mean edge
 
 FixedArray<Vec3, 4> corners_of(const RegionMesh& mesh, int64_t t)
@@ -57,10 +61,12 @@ void check_tet(const RegionMesh& mesh, int64_t t, Sign& sign, TetChecks& part)
     if (has_bad_index(mesh.tets[t], mesh.points.count()))
         return part.bad_index.add(place);
     if (has_repeated_corner(mesh.tets[t]))
+        // No return here: such a tetrahedron has no volume, and counts as flat too.
         part.repeated_corner.add(place);
     const FixedArray<Vec3, 4> x = corners_of(mesh, t);
     if (!std::all_of(x.begin(), x.end(), [](const Vec3& v) { return v.allFinite(); }))
         return;
+    // The sign of the rounded volume can be wrong for slivers.
     sign = static_cast<Sign>(orient_sign(x[0], x[1], x[2], x[3]));
     const double volume = orient(x[0], x[1], x[2], x[3]) / 6, mean_edge = sum_of_edges(x) / 6;
     part.volume += volume;

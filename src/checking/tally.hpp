@@ -7,8 +7,10 @@ namespace cleft
 {
 
 // How often something was met, and where first.
+// Checks run in parallel, with a tally per chunk; joined in the order of chunks they give the result of one thread.
 struct Tally {
     int64_t count = 0;
+    // Only the first place is kept, so a mesh with a million faults takes no memory for them.
     int64_t first = -1;
 
     void add(int64_t where)

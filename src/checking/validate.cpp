@@ -1,3 +1,4 @@
+// Puts the checks of points, tetrahedra and faces together, and words the first fault for the user.
 #include "checking/validate.hpp"
 
 #include "base/counted.hpp"
@@ -15,6 +16,8 @@ namespace cleft
 namespace
 {
 
+// Rounding stays below it in sums over millions of tetrahedra. A hole too small to show here still has faces off the
+// box.
 constexpr double kSameMeasure = 1e-9;  // relative, of volumes and areas
 
 std::string text(double x)
@@ -35,6 +38,7 @@ public:
     std::string tet(int64_t t) const
     {
         const Tet& c = mesh_.tets[t];
+        // Divided before the sum, which may overflow for finite points.
         return "the " + ordinal(t) + " tetrahedron at " +
                text(at(c[0]) / 4 + at(c[1]) / 4 + at(c[2]) / 4 + at(c[3]) / 4);
     }
@@ -90,12 +94,14 @@ std::string first_fault(const RegionMesh& mesh, const Placement& world, const Po
     return "";
 }
 
+// Negated, so that a measure that is no number differs too.
 bool differ(double a, double b) { return !(std::abs(a - b) <= kSameMeasure * std::abs(b)); }
 
 std::string first_box_fault(const RegionMesh& mesh, const Placement& world, const FaceChecks& faces,
                             const Validation& v)
 {
     const Naming name(mesh, world);
+    // Faces first: they have a place, which a wrong volume has not.
     if (faces.off_box.count)
         return name.face(faces.off_box.first) + " has nothing behind it and is in no side of the bounding box";
     if (faces.open_edges.count)
@@ -138,6 +144,7 @@ Validation validate(const RegionMesh& mesh, bool fills_box, const Run& run, cons
     out.hull_area = faces.hull_area;
     out.box_area = points.box.area(world);
     out.first_fault = first_fault(mesh, world, points, tets, faces);
+    // A fault of the mesh itself comes first, since it often makes the mesh miss its box as well.
     if (out.first_fault.empty() && fills_box)
         out.first_fault = first_box_fault(mesh, world, faces, out);
     return out;

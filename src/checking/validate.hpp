@@ -49,6 +49,8 @@ struct Validation {
 // With `fills_box`, hull faces off the bounding box, open interface edges, and a volume or hull area unlike the box's
 // (by 1e-9) are faults too; a mesh with a material stripped has them by right. An empty `region` stands for one
 // region. Volumes, areas and places are reported in the world, in which the mesh lies as `world` says.
+// Never throws for a bad mesh: all faults are counts. It throws if it is cancelled, or if the mesh is too large to
+// number its faces.
 Validation validate(const RegionMesh& mesh, bool fills_box, const Run& run, const Placement& world = {});
 
 }  // namespace cleft
