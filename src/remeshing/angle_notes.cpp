@@ -1,3 +1,4 @@
+// Summarizes the angles of a mesh. The known qualities tell which tetrahedra can matter, so few angles are computed.
 #include "remeshing/angle_notes.hpp"
 
 #include "base/degrees.hpp"
@@ -12,6 +13,8 @@ namespace cleft
 namespace
 {
 
+// Twenty degrees are the target; 10 and 15 are what is usable and good (decision 13). 25 shows how close the rest
+// comes.
 constexpr double kCountBelow[] = {10, 15, 20, 25};
 
 struct AngleSummary {
@@ -35,6 +38,7 @@ struct AngleSummary {
             below[i] += *low < kCountBelow[i];
         // The quality is at most the sine of every angle.
         const double nearest = std::max({kCountBelow[3], std::min(least, 90.0), 180 - std::max(greatest, 90.0)});
+        // The factor covers the rounding of both sines, so that no tetrahedron at a limit is missed.
         of_no_interest = sine_of(nearest) * (1 + 1e-12);
     }
 };

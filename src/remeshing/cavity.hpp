@@ -13,6 +13,7 @@ namespace cleft
 {
 
 // No operation may leave a tetrahedron with a smaller least sine: above it the sign of a volume is never in doubt.
+// A greater bound would refuse steps by which very flat tetrahedra of a background get better a little at a time.
 inline constexpr double kLeastSine = 1e-7;
 
 struct Cavity {
@@ -37,6 +38,7 @@ struct Cavity {
         new_tets.push_back(tet);
         new_materials.push_back(material);
     }
+    // Keeps the old tetrahedra first, so that undo() can put them back. The caller has made sure of positive volumes.
     void apply(LocalMesh& mesh)
     {
         taken_tets.clear();

@@ -1,3 +1,5 @@
+// Contracts edges. All conditions are checked before anything changes, so a refused contraction leaves the mesh as it
+// was.
 #include "remeshing/contraction.hpp"
 
 #include "mesh/adjacency.hpp"
@@ -11,6 +13,7 @@ namespace cleft
 namespace
 {
 
+// It is less than every material, so it stands first in a sorted list.
 constexpr Material kOutside = -1;
 
 void keep_different(Array<Material>& materials)
@@ -62,6 +65,7 @@ bool Contraction::hull_allows(const LocalMesh& mesh) const
 
 bool Contraction::shapes_get_better(LocalMesh& mesh, Cavity& cavity, double share) const
 {
+    // The tetrahedra that vanish count too: they are often those that the contraction is made for.
     const double floor = std::max(share * mesh.worst(star_gone_), kLeastSine);
     cavity.clear();
     for (const int32_t t : star_gone_) {
@@ -132,6 +136,7 @@ bool Contraction::materials_are_connected(LocalMesh& mesh)
     size_t parts = 0;
     for (int32_t i = 0; i < part_.count(); ++i)
         parts += root(i) == i;
+    // The outside has no tetrahedra here, so it makes no part.
     return parts == at_point_.size() - (at_point_[0] == kOutside);
 }
 
@@ -182,8 +187,10 @@ bool Contraction::links_allow(LocalMesh& mesh)
             continue;
         const int kept_triangles = boundary_kept_.triangles_at(edge.other);
         const Opposite triangle{std::min(kept_, edge.other), std::max(kept_, edge.other)};
+        // Both ends have a boundary edge to this point, but no triangle spans the three. Two sheets would become one.
         if (kept_triangles > 0 && !boundary_gone_.has(triangle))
             return false;
+        // Lines run from both ends to this point. The contraction would lay one on the other.
         if (kept_triangles > 0 && kept_triangles != 2 && edge.triangles != 2)
             return false;
     }
@@ -191,6 +198,7 @@ bool Contraction::links_allow(LocalMesh& mesh)
     const int along = boundary_gone_.triangles_at(kept_);
     if (lines != 0 && (lines != 2 || along == 2))
         return false;
+    // A triangle over the same edge at both ends: the two would coincide, and the material between them would be gone.
     for (const Opposite& triangle : boundary_gone_.triangles)
         if (boundary_kept_.has(triangle))
             return false;

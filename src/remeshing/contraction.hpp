@@ -15,6 +15,8 @@ public:
     // Moves the first corner of t onto the second and takes out the tetrahedra between, if that is allowed and makes
     // the worst tetrahedron at the first corner better (than `share` of its quality). What came in their place is in
     // cavity.created.
+    // A `share` below 1 lets shapes get worse, for operations that pay only later. The mesh is unchanged if it returns
+    // false.
     bool contract(LocalMesh& mesh, int32_t t, int corner_gone, int corner_kept, Cavity& cavity, double share = 1);
 
 private:
@@ -33,6 +35,8 @@ private:
         bool has(const Opposite& triangle) const;
     };
 
+    // The conditions, from cheap to expensive except for shapes_get_better, which refuses most. Some use what those
+    // before have found.
     bool hull_allows(const LocalMesh& mesh) const;
     bool shapes_get_better(LocalMesh& mesh, Cavity& cavity, double share) const;
     bool same_stratum(const LocalMesh& mesh);

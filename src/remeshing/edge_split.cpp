@@ -1,3 +1,4 @@
+// Splits edges. The new point takes over the walls that the edge lies in, so the hull keeps its planes.
 #include "remeshing/edge_split.hpp"
 
 namespace cleft
@@ -5,6 +6,7 @@ namespace cleft
 
 uint8_t frozen_on_edge(const LocalMesh& mesh, const EdgeRing& ring)
 {
+    // An edge inside the mesh may have both ends in one wall, or in two. Its middle is still free.
     if (ring.closed)
         return 0;
     return mesh.frozen(ring.a) & mesh.frozen(ring.b);

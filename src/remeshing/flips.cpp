@@ -1,3 +1,5 @@
+// Flips around an edge and at a face. They keep all points, so only the shapes and the diagonals of interfaces can
+// change.
 #include "remeshing/flips.hpp"
 
 #include "mesh/adjacency.hpp"
@@ -13,6 +15,7 @@ namespace
 {
 
 // Longer rings hardly ever have a good triangulation.
+// The work grows with the third power of the ring's length, and the table below lies on the stack.
 constexpr size_t kLongestRing = 9;
 
 // The part of a ring between two boundary faces: its points, all its tetrahedra of one material. A ring within one
@@ -52,12 +55,15 @@ public:
     }
 
 private:
+    // A part is the best triangulation of the points i to j (Klincsek). Each middle point is tried in order, and only a
+    // better one replaces another, so that ties are decided alike in every run.
     void solve_part(const LocalMesh& mesh, int32_t a, int32_t b, const Arc& arc, size_t i, size_t j, double floor)
     {
         best_[i][j] = floor;
         middle_[i][j] = i + 1;
         for (size_t k = i + 1; k < j; ++k) {
             double q = std::min(best_[i][k], best_[k][j]);
+            // The two qualities come last, since they cost far more than looking up both parts.
             if (q > best_[i][j])
                 q = std::min(q, mesh.quality(Tet{arc.points[i], arc.points[k], arc.points[j], b}));
             if (q > best_[i][j])
@@ -108,6 +114,7 @@ double bend_of(const LocalMesh& mesh, int32_t a, int32_t b, int32_t c, int32_t d
     return std::abs(normal.dot(mesh.point(c) - mesh.point(a))) / std::max(normal.norm(), 1e-300);
 }
 
+// The hull must stay to the last bit, or the box of the volume is not filled any more. An interface may move by `bend`.
 bool boundary_stays(const LocalMesh& mesh, const EdgeRing& ring, const std::array<Arc, 2>& arcs, size_t arc_count,
                     double bend)
 {
@@ -152,6 +159,7 @@ bool remove_edge(LocalMesh& mesh, int32_t t, int corner_a, int corner_b, double 
         !boundary_stays(mesh, ring, arcs, arc_count, bend) ||
         !lone_tets_are_backed(mesh, ring, arcs, arc_count, cavity.other_ring))
         return false;
+    // Triangulations that are no better than the ring are cut off inside the search.
     const double floor = std::max(share * mesh.worst(ring.tets), kLeastSine);
     std::array<ArcTriangulation, 2> triangulations;
     for (size_t k = 0; k < arc_count; ++k)
@@ -170,6 +178,7 @@ std::array<size_t, 6> most_obtuse_first(const LocalMesh& mesh, int32_t t)
     const Tet& v = mesh.tet(t);
     const auto angles = dihedral_angles(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]));
     std::array<size_t, 6> edges{0, 1, 2, 3, 4, 5};
+    // Equal angles keep the order of their edges, which std::sort does not promise.
     std::stable_sort(edges.begin(), edges.end(), [&](size_t e, size_t f) { return angles[e] > angles[f]; });
     return edges;
 }
@@ -184,6 +193,7 @@ bool remove_face(LocalMesh& mesh, int32_t t, int corner, Cavity& cavity, double 
     const int32_t a = v[corner];
     const int32_t x = v[kFaceCorners[corner][0]], y = v[kFaceCorners[corner][1]], z = v[kFaceCorners[corner][2]];
     const Tet& w = mesh.tet(n);
+    // The exclusive or leaves the one corner of the neighbour that is not in the face.
     const int32_t b = w[0] ^ w[1] ^ w[2] ^ w[3] ^ x ^ y ^ z;
     CLEFT_ASSERT(b != a && has_corner(w, b));
     const double old_worst = std::max(share * std::min(mesh.quality(t), mesh.quality(n)), kLeastSine);

@@ -18,6 +18,8 @@ std::array<size_t, 6> most_obtuse_first(const LocalMesh& mesh, int32_t t);
 
 // The 2-3 flip: takes out the face opposite `corner` of t and joins the two points at its sides, if that makes the
 // worst tetrahedron better (than `share` of its quality).
+// Faces of the hull and between materials are refused. Like the others here, it leaves the mesh as it was if it returns
+// false; else cavity.created has the new tetrahedra.
 bool remove_face(LocalMesh& mesh, int32_t t, int corner, Cavity& cavity, double share = 1);
 
 }  // namespace cleft

@@ -1,3 +1,5 @@
+// Keeps a mesh under local operations by the stars of its points alone. Face neighbours cost more to keep than to
+// search.
 #include "remeshing/local_mesh.hpp"
 
 #include "base/large_pages.hpp"
@@ -15,6 +17,7 @@ namespace cleft
 namespace
 {
 
+// Qualities are sines, at most 1.
 constexpr double kUnknown = 2;  // no quality
 
 // The other two corners of a tetrahedron at the edge a b, in the order that makes a, b, c, d positive.
@@ -34,6 +37,7 @@ Hinge hinge(const Tet& v, int32_t t, int32_t a, int32_t b)
 }
 
 // Four tetrahedra side by side.
+// The compiler turns the loop over them into vector instructions. They compute each lane as plain code does.
 class Foursome
 {
 public:
@@ -95,6 +99,8 @@ void LocalMesh::freeze_hull(const Run& run)
             for (int corner = 0; corner < 4; ++corner) {
                 const auto& f = kFaceCorners[corner];
                 const int32_t a = tet(t)[f[0]], b = tet(t)[f[1]], c = tet(t)[f[2]];
+                // Each face is looked at once, from its least point. A face with a corner inside cannot be on the hull,
+                // which spares most searches for a neighbour.
                 if (v != std::min({a, b, c}) || inside[a] || inside[b] || inside[c] || neighbour(t, corner) >= 0)
                     continue;
                 const unsigned axes = hull_axes(point(a), point(b), point(c));
@@ -108,6 +114,7 @@ int32_t LocalMesh::neighbour(int32_t t, int corner) const
 {
     const auto& f = kFaceCorners[corner];
     const int32_t a = tet(t)[f[0]], b = tet(t)[f[1]], c = tet(t)[f[2]];
+    // A star has some 24 tetrahedra. A table of neighbours, which every operation would have to update, took more time.
     for (const int32_t n : star(a))
         if (n != t && has_corner(tet(n), b) && has_corner(tet(n), c))
             return n;
@@ -133,6 +140,7 @@ void LocalMesh::ring(int32_t t, int corner_a, int corner_b, EdgeRing& out) const
     // It begins at the hinge that no other leads to, if there is one, else at t.
     auto first = std::find_if(left.begin(), left.end(), [&](const Hinge& h) { return h.tet == t; });
     for (auto h = left.begin(); h != left.end(); ++h)
+        // So an open ring is walked from one hull face to the other, and never from its middle.
         if (std::none_of(left.begin(), left.end(), [&](const Hinge& before) { return before.d == h->c; }))
             first = h;
     out.points.clear();
@@ -180,6 +188,7 @@ void LocalMesh::replace(const Array<int32_t>& old_tets, const Array<Tet>& new_te
         for (const int32_t v : tet(t))
             stars_.remove(v, t);
         tets_[t][0] = -1;
+        // Used again in reverse order. Slots follow from the operations alone, so numbers are the same in every run.
         free_slots_.push_back(t);
     }
     created.clear();
@@ -224,6 +233,7 @@ double LocalMesh::quality(int32_t t) const
 
 void LocalMesh::find_qualities(const Run& run) const
 {
+    // Slots of one thread are its own, so writing qualities takes no lock. The number changes the time alone.
     constexpr int64_t kGrain = 1 << 14;
     parallel_for(run, slot_count(), kGrain, [&](int64_t begin, int64_t end) {
         Foursome four;
@@ -252,6 +262,7 @@ LabelledMesh LocalMesh::take()
             number[v] = static_cast<int32_t>(mesh.points.size());
             mesh.points.push_back(point(v));
         }
+    // Tetrahedra move down in their own array: a second one would double the peak of memory.
     size_t kept = 0;
     for (int32_t t = 0; t < slot_count(); ++t)
         if (alive(t)) {

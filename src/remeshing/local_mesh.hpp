@@ -68,7 +68,9 @@ public:
     // The ring around the edge between two corners of t.
     void ring(int32_t t, int corner_a, int corner_b, EdgeRing& out) const;
 
+    // All tetrahedra at the point must stay positive, and frozen axes unchanged. The caller checks both.
     void move(int32_t v, const Vec3& to);
+    // Returns its number. The point has no tetrahedra until replace() gives it some.
     int32_t add_point(const Vec3& x, uint8_t frozen);
     // Takes out `old_tets` and puts in `new_tets`, which must fill the same cavity. The numbers of the new ones go to
     // `created`.

@@ -1,3 +1,4 @@
+// Copies a star into blocks of four tetrahedra, whose qualities are found with vector instructions.
 #include "remeshing/tet_star.hpp"
 
 #include "base/wide_vectors.hpp"
@@ -48,6 +49,7 @@ void TetStar::add(const LocalMesh& mesh, const Tet& tet, int corner)
     ++size_;
 }
 
+// The block is filled up with copies of one of its tetrahedra, which do not change the worst quality.
 void TetStar::fill_last()
 {
     for (size_t lane = size_ % kLanes; lane != 0 && lane < kLanes; ++lane)
@@ -58,6 +60,7 @@ void TetStar::fill_last()
 
 double TetStar::reach(const Vec3& x) const
 {
+    // One corner of each tetrahedron is enough for a typical length.
     double sum = 0;
     for (size_t i = 0; i < size_; ++i)
         sum += (opposite(i, 0) - x).norm();
@@ -89,6 +92,7 @@ double TetStar::worst_at(const Vec3& x, double floor) const
     double worst = 1;
     for (const Lanes& lanes : lanes_) {
         worst = std::min(worst, worst_of(lanes, x));
+        // Most trial places are refused, so stopping early saves the greater part of the work.
         if (worst <= floor)
             return worst;
     }

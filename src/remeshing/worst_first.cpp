@@ -1,3 +1,4 @@
+// Keeps the list of bad tetrahedra of a local search, and when something near each of them changed.
 #include "remeshing/worst_first.hpp"
 
 #include <algorithm>
@@ -14,6 +15,7 @@ void WorstFirst::collect_all(const LocalMesh& mesh, double target, const Run& ru
 {
     next_.clear();
     list_.clear();
+    // Items start with `tried` 0, before this time, so each is worth a first try.
     changed_.assign(mesh.point_count(), now_);
     for (int32_t t = 0; t < mesh.slot_count(); ++t) {
         run.check_at(t);
@@ -50,6 +52,7 @@ void WorstFirst::collect_next(const LocalMesh& mesh, double target)
     sort_list();
 }
 
+// By quality, then by number: a total order, so that the course of a search, and so the mesh, is the same in every run.
 void WorstFirst::sort_list()
 {
     std::sort(list_.begin(), list_.end(), [](const Item& a, const Item& b) {
@@ -81,6 +84,7 @@ void WorstFirst::changed(const LocalMesh& mesh, const Array<int32_t>& tets)
 void WorstFirst::renumbered(const Array<int32_t>& tets)
 {
     for (const int32_t t : tets)
+        // The stars are what they were, so the time is kept and they are not tried again.
         next_.push_back({0, t, now_});
 }
 

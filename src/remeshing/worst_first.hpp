@@ -16,6 +16,7 @@ public:
     // Starts another search over what is left of the last one: all that did not help may be tried again.
     void collect_left(const LocalMesh& mesh, double target);
     // The next pass: those below the target that the last pass changed or gave back.
+    // The order within a pass is fixed when it begins. Tetrahedra made during the pass wait for the next one.
     void collect_next(const LocalMesh& mesh, double target);
 
     size_t size() const { return list_.size(); }
