@@ -1,3 +1,4 @@
+// Writes the output mesh: numbers the points that are in use, and splits every background tetrahedron by its fan.
 #include "cleaving/assemble.hpp"
 
 #include "base/large_pages.hpp"
@@ -15,6 +16,7 @@ namespace cleft
 namespace
 {
 
+// Background tetrahedra per chunk. Places in the output are counted first, so this number changes the time alone.
 constexpr int64_t kTetsWritten = 2048;
 
 Array<uint8_t> vertices_in_use(const Centres& c)
@@ -71,6 +73,7 @@ private:
         for (size_t i = 0; i < items.size(); ++i) {
             if (!in_use(i))
                 continue;
+            // Refused here rather than by wrong numbers later (decision 2).
             if (points.count() >= std::numeric_limits<int32_t>::max())
                 throw Error(CLEFT_ERROR_TOO_LARGE, "the mesh would have more points than 32-bit numbers can name");
             numbers[i] = static_cast<int32_t>(points.size());
@@ -92,6 +95,7 @@ void note_points(const Numbering& numbering, const Run& run)
 }
 
 // Where the output tetrahedra of each chunk of background tetrahedra go.
+// Counting before writing lets threads write into one array, in an order that does not depend on them.
 struct Plan {
     Array<int64_t> begin;
     int64_t tets = 0;
@@ -153,6 +157,7 @@ public:
                 x[k] = mesh_.points[id[t[k]]];
             }
             CLEFT_ASSERT(orient_sign(x[0], x[1], x[2], x[3]) > 0);
+            // A mixed tetrahedron whose cuts have all vanished is whole again, and follows the rule for whole ones.
             mesh_.material[out++] =
                 tets.size() == 1 ? chooser.choose_whole(c_.kept[m.tet], x, scratch_) : chooser.choose(t, x, scratch_);
         }
@@ -194,9 +199,11 @@ Array<int32_t> points_in_doubt(const Centres& c)
     constexpr uint8_t kUsed = 1, kInDoubt = 2;
     Array<uint8_t> state = vertices_in_use(c);
     for (size_t v = 0; v < state.size(); ++v)
+        // A vertex of one material has no interface through it, so nothing is pinched there.
         if (c.doubtful[v] && c.materials[v].size() > 1)
             state[v] |= kInDoubt;
     for (const CutEdge& e : c.edges)
+        // Neither end has snapped, so flat_cuts.cpp has given this cut up.
         if (!e.is_cut && c.materials_of(e.lower).size() == 1 && c.materials_of(e.upper).size() == 1)
             for (const int32_t v : {e.lower, e.upper})
                 state[v] |= kInDoubt;

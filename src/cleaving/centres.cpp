@@ -1,3 +1,4 @@
+// Finds places of centres, and which of them are still there, from the cuts that are left.
 #include "cleaving/centres.hpp"
 
 namespace cleft
@@ -20,6 +21,7 @@ bool Centres::has_quadruple(const MixedTet& m) const
 Vec3 Centres::triple_point(const TripleFace& f) const
 {
     const auto cut = [&](size_t i) { return cut_point(edges[f.edges[i]]); };
+    // Differences first: if all cuts share a coordinate, the triple point has exactly that one.
     const Vec3 a = cut(0);
     return a + ((cut(1) - a) + (cut(2) - a)) / 3;
 }
@@ -39,6 +41,7 @@ void Centres::place_cut(CutEdge& e, Samples& scratch) const
     const EdgeTie tie{
         point(e.lower), point(e.upper), a, b, samples.difference(e.lower, a, b), samples.difference(e.upper, a, b)};
     e.t = find_cut(volume, tie, scratch);
+    // Cuts keep off the ends of their edges. Lemma 1 of stencil.hpp needs centres inside their simplices.
     CLEFT_ASSERT(e.t >= kLeastCut && e.t <= kGreatestCut);
 }
 

@@ -17,6 +17,7 @@ namespace cleft
 {
 
 // An edge that was cut at the start, from its lower vertex to its higher one.
+// It has one direction and one t, so all tetrahedra at the edge get the same point, to the last bit.
 struct CutEdge {
     int32_t lower, upper;
     double t;     // the cut is at lower + t (upper - lower)
@@ -56,6 +57,7 @@ struct Centres {
     Array<Fan> fans;  // of the mixed tetrahedra, where all centres are as they were when it was chosen
 
     // By tetrahedron whose corners all have the same two materials: the one that it had before; else kNoMaterial.
+    // Sixteen bits suffice, since a volume has at most 65,535 materials.
     Array<uint16_t> kept;
     static constexpr uint16_t kNoMaterial = 0xffff;
 

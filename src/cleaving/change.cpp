@@ -1,3 +1,4 @@
+// Lists the changes that may mend an interface, and judges by a search nearby whether they cut or join pieces.
 #include "cleaving/change.hpp"
 
 #include "mesh/quality.hpp"
@@ -10,6 +11,7 @@ namespace cleft
 namespace
 {
 
+// A larger limit would find longer ways around, and so call fewer changes harmful; each change costs two such searches.
 constexpr size_t kNear = 300;  // tetrahedra in which a search looks for what hangs together
 
 bool share_face(const Tet& a, const Tet& b)
@@ -53,6 +55,7 @@ void add_changes(const LabelledMesh& mesh, const Array<int32_t>& tets, Array<Cha
     const Material first = mesh.material[tets.front()];
     Material second = first;
     for (const int32_t t : tets)
+        // A defect counts only where two materials meet, so one of them is `first` and all others are `second`.
         if (mesh.material[t] != first)
             second = mesh.material[t];
     const auto add = [&](const Array<int32_t>& part) {
@@ -81,6 +84,7 @@ Array<Change> changes_at(const LabelledMesh& mesh, const PointStars::Range& star
                      [&](int32_t t) { return has_corner(mesh.tets[t], other); });
         add_changes(mesh, ring, changes);
     }
+    // Of equal volumes the first found stays first, so that the choice is the same in every run.
     std::stable_sort(changes.begin(), changes.end(),
                      [](const Change& a, const Change& b) { return a.volume < b.volume; });
     return changes;
@@ -91,6 +95,7 @@ Harm HarmCheck::harm(const Change& change)
     CLEFT_ASSERT(std::all_of(change.tets.begin(), change.tets.end(),
                              [&](int32_t t) { return mesh_.material[t] == change.from; }));
     const Array<int32_t> rest = touching(change, change.from), near = touching(change, change.to);
+    // Nothing of `from` is left next to it, or nothing of `to` is there to join: a piece would vanish or appear.
     if (rest.empty() || near.empty())
         return Harm::adds_or_loses;
     const bool cuts = !are_connected(rest, change), joins = !are_connected(near, change);

@@ -31,6 +31,7 @@ public:
     }
 
     // Judged from near by: pieces that hang together far away only are two.
+    // A way around that is longer than the search counts as none, so the answer may be too bad, never too good.
     Harm harm(const Change& change);
 
 private:

@@ -1,3 +1,4 @@
+// Chooses materials by sets, kept as bits of one word: intersections and unions are single instructions.
 #include "cleaving/choose_material.hpp"
 
 #include <limits>
@@ -8,6 +9,7 @@ namespace cleft
 MaterialChooser::MaterialChooser(const Centres& c, const Tet& corners) : volume_(c.volume)
 {
     const MaterialSet& first = c.materials_of(corners[0]);
+    // Most tetrahedra lie inside one material; they skip the sets and the volume.
     if (first.size() == 1 &&
         std::all_of(corners.begin(), corners.end(), [&](int32_t v) { return c.materials_of(v) == first; })) {
         material_[count_++] = first[0];
@@ -39,6 +41,7 @@ Material MaterialChooser::choose(const StencilTet& t, const FixedArray<Vec3, 4>&
         return material_[0];
     const FixedArray<uint64_t, 4> of = {of_point(t[0]), of_point(t[1]), of_point(t[2]), of_point(t[3])};
     uint64_t candidates = of[0] & of[1] & of[2] & of[3];
+    // One common material needs no sample of the volume, which costs far more than all else here.
     const bool is_single = candidates && !(candidates & (candidates - 1));
     if (!candidates)
         candidates = of[0] | of[1] | of[2] | of[3];
@@ -53,6 +56,7 @@ Material MaterialChooser::choose(const StencilTet& t, const FixedArray<Vec3, 4>&
             return material_[i];
         const int entry = scratch.find(material_[i]);
         const double value = entry < 0 ? 0.0 : scratch.value[entry];
+        // Of equal values the lesser material wins, as at the vertices of the background.
         if (best < 0 || value > greatest) {
             best = material_[i];
             greatest = value;

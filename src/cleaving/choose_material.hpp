@@ -17,6 +17,7 @@ public:
     MaterialChooser(const Centres& c, const Tet& corners);
 
     // x: of the four points of t.
+    // `scratch` holds the samples of the last call; each thread needs its own.
     Material choose(const StencilTet& t, const FixedArray<Vec3, 4>& x, Samples& scratch) const;
 
     // Of the tetrahedron itself, which has no cuts: `kept`, of Centres, comes first among those shared.

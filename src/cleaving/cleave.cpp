@@ -1,3 +1,4 @@
+// Runs the steps of cleaving: centres, snapping, splitting, mending.
 #include "cleaving/cleave.hpp"
 
 #include "base/stage.hpp"
@@ -17,6 +18,7 @@ namespace
 LabelledMesh split_background(const Volume& volume, const TetMesh& background, Snap rule, Array<int32_t>& in_doubt,
                               Steps& steps)
 {
+    // Centres live in here alone, so that their memory is free before mending needs its own.
     Centres centres = find_centres(volume, background, steps);
     const SnapCounts counts = snap_vertices(centres, rule, steps.next());
     const Run of_assembly = steps.next();
@@ -31,6 +33,7 @@ LabelledMesh split_background(const Volume& volume, const TetMesh& background, S
 
 LabelledMesh cleave(const Volume& volume, const TetMesh& background, const CleaveOptions& options, const Run& run)
 {
+    // The numbers are shares of the time, for the progress.
     Stage stage(run, "cleaving",
                 {{"cleaving: materials of vertices", 3},
                  {"cleaving: cuts", 15},

@@ -18,6 +18,7 @@ struct CleaveOptions {
 
 // Conforming and positively oriented for every positively oriented background, whatever its quality; covers exactly
 // what the background covers. Notes cleaving.*.
+// The points of `background` must be in the local frame, inside the box of the volume. Neither input changes.
 LabelledMesh cleave(const Volume& volume, const TetMesh& background, const CleaveOptions& options, const Run& run);
 
 }  // namespace cleft

@@ -12,6 +12,7 @@ namespace
 {
 
 // What a thread does at once.
+// Samples and cuts do not depend on one another, so these numbers change the time alone.
 constexpr int64_t kVerticesSampled = 4096;
 constexpr int64_t kCutsPlaced = 512;
 
@@ -37,6 +38,8 @@ SampledVertices sample_vertices(const Volume& volume, const Array<Vec3>& points,
             SampleStore::append(samples, chunks[chunk]);
         }
     });
+    // Joined in the order of chunks: vertex after vertex, as SampleStore expects. Each is freed at once, which keeps
+    // the peak of memory low.
     for (auto& chunk : chunks) {
         out.values.insert(out.values.end(), chunk.begin(), chunk.end());
         chunk = {};
@@ -53,6 +56,7 @@ Array<Vec3> copy_of(const Array<Vec3>& points)
 }
 
 // Before anything has snapped a vertex has one material.
+// Sixteen bits per vertex instead of a set keep the tables' passes over all tetrahedra in fast memory.
 class Tables
 {
 public:
@@ -124,6 +128,7 @@ private:
         }
     }
 
+    // A search through the few edges of one vertex; a hash table of all edges would be larger and slower.
     int32_t edge_between(int32_t lower, int32_t upper) const
     {
         int32_t e = first_edge_[lower];

@@ -8,6 +8,8 @@ namespace cleft
 {
 
 // Samples the volume at the vertices, finds all centres, and chooses fans: three steps.
+// `volume` and the tetrahedra of `background` are borrowed, and must outlive the centres. Points are copied, since
+// snapping moves them.
 Centres find_centres(const Volume& volume, const TetMesh& background, Steps& steps);
 
 // The part of it without geometry: fills the tables of edges, faces and tetrahedra from vertices of one material each.

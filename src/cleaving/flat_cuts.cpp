@@ -11,6 +11,7 @@ namespace cleft
 namespace
 {
 
+// Fixed, because the mean edge is summed chunk by chunk, and a threshold depends on it.
 constexpr int64_t kTetsLookedAt = 2048;
 
 double mean_edge(const Centres& c, const Run& run)
@@ -39,6 +40,7 @@ Array<int32_t> find_flat(const Centres& c, double threshold, const Run& run)
     parallel_chunks(run, n, kTetsLookedAt, [&](int64_t chunk, int64_t begin, int64_t end) {
         for (int64_t m = begin; m < end; ++m) {
             const Tet& t = c.corners(c.mixed[m].tet);
+            // Spares nearly all tetrahedra the work of splitting: even their least piece is large enough.
             if (orient(c.point(t[0]), c.point(t[1]), c.point(t[2]), c.point(t[3])) * kLeastShare > threshold)
                 continue;
             const SplitTet split = split_tet(c, c.mixed[m]);
@@ -53,6 +55,7 @@ Array<int32_t> find_flat(const Centres& c, double threshold, const Run& run)
 }
 
 // False if the tetrahedron has no cut left.
+// The pieces next to the least central cut are the thinnest, so they are lost first.
 bool drop_least_central_cut(Centres& c, const MixedTet& m)
 {
     CutEdge* least = nullptr;
@@ -76,6 +79,7 @@ int64_t give_up_flat_cuts(Centres& c, const Run& run)
     const double threshold = 2 * 6e-12 * edge * edge * edge;
     int64_t dropped = 0;
     for (Array<int32_t> flat; !(flat = find_flat(c, threshold, run)).empty();) {
+        // Each round gives up at least one cut, and cuts do not come back, so the loop ends.
         for (const int32_t m : flat)
             dropped += drop_least_central_cut(c, c.mixed[m]);
         choose_fans(c, run);  // an edge has many tetrahedra; slivers are few

@@ -1,3 +1,4 @@
+// Builds the coloured link of a point and counts its defects. Euler's formula counts pieces without searching for them.
 #include "cleaving/link.hpp"
 
 #include <algorithm>
@@ -19,6 +20,7 @@ void Link::Vertex::see(Material m)
 
 void Link::load(const LabelledMesh& mesh, int32_t point, const int32_t* first, const int32_t* last)
 {
+    // Places of earlier links lie below the new base, so the array need not be cleared for each point.
     base_ += static_cast<int32_t>(vertices_.size());
     if (base_ > std::numeric_limits<int32_t>::max() / 2) {
         std::fill(place_.begin(), place_.end(), -1);
@@ -33,9 +35,11 @@ void Link::load(const LabelledMesh& mesh, int32_t point, const int32_t* first, c
         all.see(mesh.material[*t]);
         add(mesh.tets[*t], point, mesh.material[*t]);
     }
+    // Of one material: no interface, and so no defect.
     if (!all.is_mixed())
         return;
     // On a sphere the colour changes between mixed vertices only. Elsewhere all edges are needed, to find the rim.
+    // A triangulated sphere has V = T / 2 + 2. See star.cpp for why the hull always has more vertices.
     const bool is_sphere = 2 * vertices_.size() == triangles_.size() + 4;
     for (const Triangle& t : triangles_)
         for (size_t side = 0; side < 3; ++side)
@@ -54,6 +58,7 @@ void Link::find_defects(bool is_sphere, bool has_third)
         pinched_edges_ += v.is_pinched();
     // The hull of a user-supplied background may have stars that are no balls, as their Euler number shows.
     const bool is_disk = vertices_.size() + triangles_.size() == edges_.size() + 1;
+    // Two materials should have one piece each on the sphere.
     if (!has_third && is_sphere)
         extra_pieces_ = pieces() - 2;
     else if (!has_third && is_disk)  // one lies outside, and both materials must reach it
@@ -142,6 +147,7 @@ int Link::pieces() const
 
 int32_t Link::root(int32_t vertex)
 {
+    // Halving the path keeps later searches short, and needs no second pass.
     while (vertices_[vertex].parent != vertex)
         vertex = vertices_[vertex].parent = vertices_[vertices_[vertex].parent].parent;
     return vertex;

@@ -14,6 +14,7 @@ namespace cleft
 class Link
 {
 public:
+    // One object for all points of a mesh, used again and again; not for several threads.
     explicit Link(size_t point_count) : place_(point_count, -1) {}
 
     // Of all tetrahedra at the point.

@@ -1,3 +1,4 @@
+// Mends pinched interfaces one point at a time, by the change that does the least harm.
 #include "cleaving/mend.hpp"
 
 #include "cleaving/change.hpp"
@@ -10,7 +11,11 @@ namespace cleft
 namespace
 {
 
+// A change can uncover or cause a defect next to it, which the next round mends. The limit bounds the time in random
+// noise, where defects never quite run out.
 constexpr int kMendRounds = 10;
+// With more debt allowed, every first change would be tried with all second ones around. That takes far longer, and
+// moves more tetrahedra away from their material.
 constexpr int kMostDebt = 2;  // defects that the first of two changes may add
 
 int count_defects(Link& link, const LabelledMesh& mesh, const PointStars& stars, int32_t point)
@@ -57,9 +62,11 @@ public:
                 while (defects(v) > 0 && (change_once(v, 0) || change_twice(v)))
                     ;
             }
+            // A round without a change would repeat itself.
             if (touched_.empty())
                 break;
             pinched.insert(pinched.end(), touched_.begin(), touched_.end());
+            // By number: the order of the work decides the result, so it must not depend on the order of discovery.
             std::sort(pinched.begin(), pinched.end());
             pinched.erase(std::unique(pinched.begin(), pinched.end()), pinched.end());
             pinched.erase(std::remove_if(pinched.begin(), pinched.end(), [&](int32_t v) { return defects(v) == 0; }),
@@ -95,6 +102,7 @@ private:
         const Change* best = nullptr;
         const Array<Change> all = changes(point);
         for (const Change& change : all) {
+            // Changes come by volume, so the first one without harm is the one wanted.
             if (best && least == Harm::none)
                 break;
             if (gain(change) <= debt || tets_of_[change.from] == change.tets.count())
@@ -120,6 +128,7 @@ private:
             for (const int32_t v : points_of(mesh_, first))
                 if (defects(v) > 0 && change_once(v, debt))
                     return true;
+            // Taken back, since no second change has paid its debt.
             make({first.tets, first.to, first.from, first.volume});
         }
         return false;

@@ -1,3 +1,4 @@
+// Decides by the link of a vertex whether each of its two materials is in one piece, before anything is assembled.
 #include "cleaving/pinch.hpp"
 
 #include <numeric>
@@ -17,12 +18,14 @@ PinchCheck::Finding PinchCheck::look(const CutStar& star, const MaterialSet& bef
 bool PinchCheck::load(const CutStar& star, const MaterialSet& before)
 {
     const MaterialSet& both = c_.materials_of(star.vertex());
+    // The lemma of pinch.hpp speaks of a vertex that had one material and takes over a second one.
     if (both.size() != 2 || before.size() != 1)
         return false;
     const MaterialSet second(both[0] == before[0] ? both[1] : both[0]);
     side_.clear();
     for (const int32_t w : star.link()) {
         const MaterialSet& materials = c_.materials_of(w);
+        // A third material near by: the lemma says nothing.
         if (!(materials == before) && !(materials == second) && !(materials == both))
             return false;
         place_[w] = static_cast<int32_t>(side_.size());

@@ -25,6 +25,7 @@ public:
 
     // The vertex of the star has taken materials over, `before` it had those. Unknown where there are more than two
     // materials, which meet in lines and points of many shapes.
+    // The vertex already has its new materials, but the cuts around it need not be placed: only sets are looked at.
     Finding look(const CutStar& star, const MaterialSet& before);
 
 private:

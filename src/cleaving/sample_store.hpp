@@ -10,6 +10,7 @@
 namespace cleft
 {
 
+// A float is enough: values only start a search, which samples the volume itself. It halves the memory.
 struct MaterialValue {
     float value;
     uint16_t material;
@@ -48,6 +49,7 @@ public:
         return span;
     }
     // Forgets everything added from a span on.
+    // Only the last span can be dropped. Trials that fail are dropped at once, so they leave nothing behind.
     void drop(const Span& span)
     {
         CLEFT_ASSERT(span.begin + span.count == values_.size());

@@ -1,3 +1,4 @@
+// Visits the vertices next to interfaces one by one, and gives each the best of a few changes that would snap it.
 #include "cleaving/snap.hpp"
 
 #include "base/stage.hpp"
@@ -13,13 +14,21 @@ namespace cleft
 namespace
 {
 
+// Half, as in the paper: then the balls around two vertices do not overlap. A larger reach would let both ends of an
+// edge claim its cut.
 constexpr double kSnapReach = 0.5;  // how far a cut may be to be snapped to, in shortest edges at the vertex
-constexpr double kStay = 0.2;       // how close a cut must be to be taken over in place, in its edge
+// An interface is then off its tie by as much. A larger share would misplace it further; a smaller one would leave thin
+// pieces at vertices that walls hold.
+constexpr double kStay = 0.2;  // how close a cut must be to be taken over in place, in its edge
 // The background is not warped below 13.3 or above 163.5 degrees, unless it gets better: tetrahedra between vertices
 // that all snapped are in the mesh as they are, and this keeps them within the bound of isosurface stuffing.
 constexpr double kLeastQuality = 0.23;
+// A snap moves the cuts of its neighbours, which then may snap too. Later passes visit only what has changed.
 constexpr int kPasses = 3;
-constexpr size_t kMostCuts = 6;     // at one vertex, nearest first
+// With n cuts a visit makes up to 2 n - 1 attempts. The nearest cuts leave the thinnest pieces, so they matter most.
+constexpr size_t kMostCuts = 6;  // at one vertex, nearest first
+// More than four have no tie, so the vertex goes to a cut or stays. So many materials meet in noise only, and
+// MaterialSet holds 15.
 constexpr int kMostMaterials = 10;  // at one vertex
 constexpr double kPinchCost = 500;  // a pinched interface is as bad as a tetrahedron of 1.5 degrees
 
@@ -30,6 +39,7 @@ struct NearCut {
 };
 
 // A choice among the near cuts: the one at `last` alone, or all from the nearest up to it.
+// One cut leads to an interface; several lead to the line or the point where their interfaces meet.
 struct Choice {
     size_t first, last;
 };
@@ -54,6 +64,7 @@ public:
 
     SnapCounts run()
     {
+        // Safe alphas are measured once, before anything moves, so a second pass with them would prove nothing.
         const int passes = rule_ == Snap::quality ? kPasses : 1;
         Steps steps(run_, Array<Step>(passes, {nullptr, 1}));
         for (int pass = 0; pass < passes; ++pass) {
@@ -76,6 +87,8 @@ private:
                 near_.push_back({distance, x, e, edge.lower == v ? edge.upper : edge.lower});
         }
         std::sort(near_.begin(), near_.end(), [](const NearCut& a, const NearCut& b) {
+            // Equal distances go by number. The order of attempts decides between equal costs, so it must be the same
+            // in every run.
             return a.distance != b.distance ? a.distance < b.distance : a.edge < b.edge;
         });
         if (near_.size() > kMostCuts)
@@ -112,6 +125,7 @@ private:
 
     void visit(int32_t v)
     {
+        // First, because a snap below marks this vertex again.
         touched_[v] = 0;
         gather(v);
         if (near_.empty() || is_last_of_material())
@@ -119,6 +133,7 @@ private:
         frozen_ = star_.frozen_axes();
         before_.save(c_, star_);
         measure_star(c_, star_, shape_before_);
+        // The paper's rule snaps whatever is within alpha. So there any finite cost counts as better.
         best_shape_.cost = rule_ == Snap::quality ? shape_before_.cost : std::numeric_limits<double>::infinity();
         tried_.clear();
         bool found = false;
@@ -183,6 +198,7 @@ private:
     }
 
     // Keeps the state in best_ if it is the best so far.
+    // Restores the vertex in any case. A set of materials is tried once, since it has one tie.
     bool attempt(const Choice& choice)
     {
         MaterialSet materials = before_.materials;
@@ -201,6 +217,8 @@ private:
         start /= static_cast<double>(choice.last - choice.first + 1);
         auto x = project_to_tie(c_.volume, before_.x, start, materials, frozen_, kSnapReach * star_.shortest_edge(),
                                 scratch_);
+        // The cut was found on its edge, close to the tie of the two ends. It will do where Newton's steps do not
+        // converge.
         if (!x && choice.first == choice.last && keeps_walls(near_[choice.first].x))
             x = near_[choice.first].x;
         if (!x && !may_stay)
@@ -219,6 +237,7 @@ private:
     }
 
     // Changes the vertex. If the star is the best so far, the state is kept in best_.
+    // Cheap tests come first: the background alone, then new cuts and fans, and last the surface of the star.
     bool improves(const Vec3& x, const MaterialSet& materials)
     {
         change_vertex(c_, star_, x, materials);

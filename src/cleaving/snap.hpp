@@ -14,6 +14,8 @@ struct SnapCounts {
 };
 
 // Vertices of the hull stay in their box face; those of a hull face across no axis stay where they are.
+// Changes points, materials, cuts and fans of `c` in place. Runs on one thread, since every snap changes what its
+// neighbours see.
 SnapCounts snap_vertices(Centres& c, Snap rule, const Run& run);
 
 }  // namespace cleft

@@ -1,3 +1,4 @@
+// Splits one tetrahedron in place, without writing it: the order of its cuts, its points, and the best fan.
 #include "cleaving/split_tet.hpp"
 
 #include "base/parallel.hpp"
@@ -14,6 +15,8 @@ namespace
 // The cut whose two pieces of edge have the greatest product is the greatest: long edges come before short ones and
 // central cuts before those near an end, so that the diagonals that leave from it are the least askew. Ties go by
 // number.
+// Both tetrahedra at a face must agree. They do, because products are computed from the edge alone, in its own
+// direction.
 CutRanks rank_cuts(const Centres& c, const MixedTet& m, CutMask cuts)
 {
     FixedArray<double, 6> pieces{};
@@ -61,6 +64,7 @@ SplitTet split_tet(const Centres& c, const MixedTet& mixed)
 
 double shape_cost(double least_sine)
 {
+    // Without it, one nearly flat tetrahedron would outweigh all others, and a snap would be judged by that one alone.
     constexpr double kSoftening = 0.02;
     if (!(least_sine > 0))
         return std::numeric_limits<double>::infinity();
@@ -81,6 +85,7 @@ Fan best_fan(const StencilTable& stencils, const SplitTet& split)
                 break;
             candidate.cost += shape_cost(sine);
         }
+        // Of equal fans the first stays: its number follows from the table alone.
         if (worst > best_sine) {
             best_sine = worst;
             best = candidate;
@@ -91,6 +96,7 @@ Fan best_fan(const StencilTable& stencils, const SplitTet& split)
 
 void choose_fans(Centres& c, const Run& run)
 {
+    // Each fan depends on its own tetrahedron, so the size of chunks changes the time alone.
     parallel_for(run, c.mixed.count(), 512, [&](int64_t begin, int64_t end) {
         for (int64_t m = begin; m < end; ++m)
             c.fans[m] = best_fan(c.stencils, split_tet(c, c.mixed[m]));

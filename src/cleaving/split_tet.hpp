@@ -26,6 +26,7 @@ void choose_fans(Centres& c, const Run& run);
 double least_volume(const StencilTable::Tets& tets, const SplitTet& split);
 
 // What a tetrahedron adds to the cost of those around it, 1 / (sine + 0.02)^2: falls when bad ones get better.
+// Infinite for a flat or inverted tetrahedron, so no change that makes one is ever taken.
 double shape_cost(double least_sine);
 
 }  // namespace cleft

@@ -1,3 +1,4 @@
+// Collects the star of a vertex, measures it, and saves and restores what a trial changes.
 #include "cleaving/star.hpp"
 
 #include "base/large_pages.hpp"
@@ -23,6 +24,7 @@ int64_t place_in(const Tet& corners, int32_t v)
 
 VertexTets::VertexTets(const Centres& c, const Run& run) : first_(large_array(c.points.size() + 1, int64_t{0}))
 {
+    // Only these vertices are ever visited. They are a small part, so the lists take little memory.
     Array<uint8_t> is_at_cut(c.points.size(), 0);
     for (const CutEdge& e : c.edges)
         is_at_cut[e.lower] = is_at_cut[e.upper] = 1;
@@ -90,6 +92,8 @@ double CutStar::least_altitude() const
     return least;
 }
 
+// Where an edge at the vertex meets the opposite edge, no volume is left between them. `across` is normal to both, and
+// their distance is measured along it.
 double CutStar::width_along(const Vec3& direction) const
 {
     double least = std::numeric_limits<double>::infinity();
@@ -127,6 +131,7 @@ unsigned CutStar::frozen_axes() const
             faces.push_back({std::min(a, b), std::max(a, b)});
         }
     }
+    // No table of face neighbours exists for the background: only a few vertices of the hull ever ask.
     std::sort(faces.begin(), faces.end());
     unsigned frozen = 0;
     for (auto f = faces.begin(); f != faces.end();) {
@@ -148,6 +153,7 @@ void StarState::save(const Centres& c, const CutStar& star)
         edges.push_back(c.edges[e]);
 }
 
+// The order of edges is that of the star, which is the same as when it was saved.
 void StarState::restore(Centres& c, const CutStar& star) const
 {
     change_vertex(c, star, x, materials);
@@ -191,6 +197,7 @@ void measure_background(const Centres& c, const CutStar& star, StarShape& shape)
         const Tet& t = c.corners(part.tet);
         const double quality = angle_quality(c.point(t[0]), c.point(t[1]), c.point(t[2]), c.point(t[3]));
         shape.least_background = std::min(shape.least_background, quality);
+        // A mixed tetrahedron counts by its pieces, but none may be inverted itself.
         if (!(quality > 0) || part.mixed < 0)
             shape.cost += shape_cost(quality);
     }
@@ -198,6 +205,7 @@ void measure_background(const Centres& c, const CutStar& star, StarShape& shape)
 
 void measure_fans(const Centres& c, const CutStar& star, double limit, StarShape& shape)
 {
+    // Costs are positive, so a sum above the limit stays above it.
     for (size_t i = 0; i < star.parts().size() && shape.cost <= limit; ++i) {
         const int32_t mixed = star.parts()[i].mixed;
         if (mixed < 0)

@@ -28,6 +28,7 @@ public:
     CutStar(const Centres& c, const Run& run) : c_(c), tets_of_(c, run), seen_(c.points.size(), -1) {}
 
     // Replaces what was gathered before.
+    // Parts come by number of tetrahedron, so sums over them are the same in every run.
     void gather(int32_t v);
 
     struct Part {
@@ -70,6 +71,7 @@ struct StarShape {
 };
 
 // The part of the state that a change of the vertex touches, to go back to.
+// Fans are not part of it: trials keep theirs in a StarShape, and take_best() of snap.cpp writes them.
 struct StarState {
     Vec3 x;
     MaterialSet materials;

@@ -1,3 +1,4 @@
+// Splits the faces of a tetrahedron by the rules of stencil.hpp, and finds the points that it may be fanned around.
 #include "cleaving/stencil.hpp"
 
 namespace cleft
@@ -63,6 +64,8 @@ private:
         add(cut(side), corner(side + 1), corner(side + 2));
     }
 
+    // The triangle between the cuts is the same for both diagonals. Points of cuts are numbered like edges, so p > q
+    // compares the numbers of the edges.
     void split_by_two(int whole_side)
     {
         const int a = corner(whole_side), b = corner(whole_side + 1), between = corner(whole_side + 2);
@@ -103,6 +106,7 @@ bool is_there(int point, CutMask cuts)
     return (cuts & needed) == needed;
 }
 
+// The condition of lemma 1: each face that holds the point is a fan around it.
 bool is_apex(int point, const SplitSurface& surface)
 {
     for (size_t face = 0; face < 4; ++face)

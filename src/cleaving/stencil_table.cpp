@@ -1,3 +1,4 @@
+// Enumerates every pattern of cuts and diagonals, so that splitting a tetrahedron is one look into a table.
 #include "cleaving/stencil_table.hpp"
 
 #include <algorithm>
@@ -9,6 +10,7 @@ namespace
 {
 
 // Bits of the faces with two cuts.
+// Only these faces have a diagonal to choose; a pattern with other bits set cannot come up.
 Diagonals faces_with_choice(CutMask cuts)
 {
     Diagonals faces = 0;
@@ -20,6 +22,7 @@ Diagonals faces_with_choice(CutMask cuts)
     return faces;
 }
 
+// Two fans with the same tetrahedra in another order are one stencil. Otherwise its shape would be measured twice.
 Array<StencilTet> in_order(const StencilTet* begin, const StencilTet* end)
 {
     Array<StencilTet> tets(begin, end);

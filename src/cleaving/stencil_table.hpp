@@ -11,6 +11,7 @@ namespace cleft
 class StencilTable
 {
 public:
+    // There are 64 masks of cuts with at most 16 choices of diagonals each, so the table is made anew for each run.
     StencilTable();
 
     struct Range {
