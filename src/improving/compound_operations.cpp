@@ -16,10 +16,14 @@ namespace
 // 6 edge removals, 4 face removals, 12 contractions, 6 splits.
 constexpr int kOperations = 28;
 // An operation may leave a tetrahedron with this share of the worst quality before it.
+// A greater share would refuse operations that smoothing could still make good. A smaller one would start attempts that
+// smoothing can hardly save.
 constexpr double kShare = 0.3;
 // A new tetrahedron that smoothing cannot bring to this share of it never gets better than it, or hardly ever: with
 // those the attempt is given up. That saves half the time, and costs 2 % of the attempts that would help.
 constexpr double kHopeful = 0.95;
+// At 20 degrees this is 0.06 degrees. A smaller gain would not be worth an attempt, the most expensive work of
+// improving.
 constexpr double kLeastGain = 1e-3;
 
 // What an operation does follows from its kind and the points it is about: the tetrahedra at an edge have it in common.
@@ -67,6 +71,8 @@ bool CompoundOperations::improve(int32_t t, const Search& search, double target)
 bool CompoundOperations::improve_at(const Tet& place, const Tet& bad, double before)
 {
     for (int operation = 0; operation < kOperations; ++operation) {
+        // Tetrahedra next to each other share edges and faces. Without this, each operation would be tried four times
+        // on average.
         if (!tried_.insert(subject_of(operation, place)).second || !attempt(find(place), operation))
             continue;
         if (smooth_all(bad, before)) {
@@ -104,6 +110,7 @@ Array<Tet> CompoundOperations::tets_around(const Tet& corners) const
     for (const int32_t t : numbers)
         if (mesh_.tet(t) != corners)
             around.push_back(mesh_.tet(t));
+    // By corners, because the numbers of tetrahedra change with every attempt that is taken back.
     std::sort(around.begin(), around.end());
     around.erase(std::unique(around.begin(), around.end()), around.end());
     return around;
@@ -145,8 +152,10 @@ bool CompoundOperations::split_in_middle(int32_t t, int corner_a, int corner_b)
 // Moves the corners of the new tetrahedra, the worst first, and then those of the bad one. True if it pays.
 bool CompoundOperations::smooth_all(const Tet& bad, double before)
 {
+    // Nothing has to get better than the target: it is good enough.
     const double wanted = std::min(before + kLeastGain, target_);
     std::sort(cavity_.created.begin(), cavity_.created.end(), [&](int32_t s, int32_t t) {
+        // The worst first, since it is the most likely to end the attempt.
         return mesh_.quality(s) != mesh_.quality(t) ? mesh_.quality(s) < mesh_.quality(t) : s < t;
     });
     for (const int32_t t : cavity_.created) {
@@ -210,6 +219,8 @@ bool CompoundOperations::pays(const Tet& bad, double wanted)
 
 void CompoundOperations::take_back()
 {
+    // Backwards, because a point may have moved twice. The tetrahedra come back last: between the moves they are the
+    // new ones.
     for (size_t i = moves_.size(); i-- > 0;)
         mesh_.move(moves_[i].point, moves_[i].from);
     cavity_.undo(mesh_);

@@ -21,6 +21,7 @@ void ConstrainedSmoother::aim_at(double target, double tolerance)
 
 bool ConstrainedSmoother::smooth(int32_t v, bool thorough)
 {
+    // Spares the star and the samples for points that cannot move at all.
     if (mesh_.frozen(v) == 7)
         return false;
     star_.load(mesh_, v);
@@ -39,6 +40,7 @@ Place ConstrainedSmoother::better_place(int32_t v, bool thorough)
     if (constraint_.fixed())
         return {from, -1};
     const Place place = climb(from);
+    // Exploring costs some eighty trials, so it comes only where climbing has ended below the target.
     if (!thorough || place.worst >= target_)
         return place;
     const auto project = [&](Vec3& x) { return constraint_.project(x); };
@@ -46,6 +48,7 @@ Place ConstrainedSmoother::better_place(int32_t v, bool thorough)
     return start.x == place.x ? place : climb(start.x);
 }
 
+// The tolerance is at most a share of the edges, or points of small tetrahedra could leave their interface.
 void ConstrainedSmoother::constrain(const Array<int32_t>& tets, const Vec3& x, const Vec3& home, uint8_t frozen)
 {
     const double reach = star_.reach(x);

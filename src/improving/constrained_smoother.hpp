@@ -33,8 +33,10 @@ private:
     void constrain(const Array<int32_t>& tets, const Vec3& x, const Vec3& home, uint8_t frozen);
 
     LocalMesh& mesh_;
+    // The least spacing: tolerances are in it, as it is what users see of the accuracy of a label map.
     const double voxel_;
     double target_ = 0, tolerance_ = 0;
+    // Kept from the start, so that points without a tie cannot wander off over many passes.
     Array<Vec3> home_;  // of each point: where cleaving, or the split that made it, put it
     TieConstraint constraint_;
     Smoother smoother_;

@@ -17,6 +17,8 @@ namespace
 
 // Most tetrahedra are helped at no price. For the few that are left, an interface may give way by a little, more and
 // more, and then expensive attempts are made, at last with the tetrahedra around as well.
+// The members of each line are those of Search. A tolerance doubles from search to search, so that no point leaves its
+// tie by much more than it must.
 Array<Search> searches_of(Effort effort)
 {
     Array<Search> searches{{6, 0.0, 0.05, false, false},
@@ -67,6 +69,8 @@ Array<Step> steps_of(size_t searches)
 // a margin, they have had a higher aim from the beginning.
 Shortfall search_on(LocalMesh& mesh, Improver& improver, const ImproveOptions& options, Stage& stage, const Run& run)
 {
+    // More than these are left where the target is out of reach, as in noise. Going on there would take long and change
+    // little.
     constexpr int64_t kFew = 300;
     const double target = sine_of(options.target_angle);
     Shortfall left = shortfall(mesh, target, run);
@@ -109,6 +113,7 @@ void improve(LabelledMesh& mesh, const Volume& volume, const ImproveOptions& opt
 {
     if (options.effort == Effort::off)
         return;
+    // The mesh is moved in and out, so that it is never held twice.
     LocalMesh local(std::move(mesh), run);
     improve(local, volume, options, run);
     mesh = local.take();

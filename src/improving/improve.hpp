@@ -20,6 +20,8 @@ struct ImproveOptions {
 
 // In degrees above the target. A search that aims a little higher takes other ways, few of which end at the same bad
 // tetrahedra.
+// They are tried in turn until no tetrahedron is short of the target. A higher aim counts more tetrahedra as bad, and
+// takes longer.
 inline constexpr double kHigherAims[] = {1, 2, 0.5, 3};
 
 // The tetrahedra that are short of the target.
@@ -29,6 +31,7 @@ struct Shortfall {
 };
 
 // Never inverts a tetrahedron, never changes which materials touch. Notes improving.*.
+// The points must be in the frame of `volume`, where lengths are world units.
 Shortfall improve(LocalMesh& mesh, const Volume& volume, const ImproveOptions& options, const Run& run);
 void improve(LabelledMesh& mesh, const Volume& volume, const ImproveOptions& options, const Run& run);
 

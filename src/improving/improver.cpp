@@ -18,6 +18,7 @@ constexpr size_t kImprovedAtOnce =
 
 // Expensive operations are for a few: where a target is out of reach for many (random noise, an angle asked too much),
 // only the worst get them, one in so many tetrahedra of the mesh and some more.
+// The first number of each pair bounds the time in large meshes. The second leaves small meshes some attempts too.
 constexpr size_t kThoroughOneIn = 200, kThoroughAtLeast = 200;
 constexpr size_t kAttemptsOneIn = 10000, kAttemptsAtLeast = 5;
 constexpr size_t kWideOneIn = 100000, kWideAtLeast = 5;
@@ -46,6 +47,7 @@ size_t attempts_in_pass(const Search& search, size_t tets)
 Improver::Improver(LocalMesh& mesh, const Volume& volume, double target, const Run& run)
     : target_(target), mesh_(mesh), smoother_(mesh, volume), compound_(mesh, smoother_, bad_)
 {
+    // Once for all tetrahedra, by several threads; the search itself runs on one.
     mesh_.find_qualities(run);
 }
 
@@ -70,6 +72,7 @@ void Improver::work(const Search& search, const Run& run)
             const bool worth = i < most && bad_.worth_trying(mesh_, i, target_);
             const bool done = worth && improve_tet(bad_[i]);
             changed = changed || done;
+            // Given back even if it was not tried, so that the next pass finds all that are left.
             bad_.give_back(i, worth && !done);
         }
         bad_.collect_next(mesh_, target_);
@@ -78,6 +81,8 @@ void Improver::work(const Search& search, const Run& run)
 
 void Improver::aim_higher(double target)
 {
+    // With fewer rings the search has no room to take another way. With more, it works on tetrahedra that are far from
+    // any bad one.
     constexpr int kRings = 3;
     target_ = target;
     Array<int32_t> near;
@@ -90,6 +95,7 @@ void Improver::aim_higher(double target)
 
 bool Improver::improve_tet(int32_t t)
 {
+    // First, since it is cheap and changes no connections.
     const bool moved = smooth_corners(t);
     if (moved && mesh_.quality(t) >= target_)
         return true;
@@ -125,6 +131,8 @@ bool Improver::change_connections(int32_t t)
         bad_.changed(mesh_, cavity_.created);
         return true;
     };
+    // In a fixed order, and the first that helps is taken: trying all to find the best would cost far more. Splits come
+    // last, because they alone add points.
     for (const size_t e : most_obtuse_first(mesh_, t)) {
         const auto& edge = kEdgeCorners[e];
         if (remove_edge(mesh_, t, edge[0], edge[1], bend_at(mesh_, search_, t, edge[0], edge[1]), cavity_))
@@ -149,6 +157,7 @@ bool Improver::split(int32_t t, int corner_a, int corner_b)
     EdgeRing& ring = cavity_.ring;
     mesh_.ring(t, corner_a, corner_b, ring);
     Vec3 middle;
+    // The new point must lie on the tie of the materials around the edge, or the interface would get a dent.
     if (!ring.whole || !smoother_.load_middle(ring, middle))
         return false;
     const double floor = std::max(mesh_.worst(ring.tets), kLeastSine);

@@ -16,6 +16,7 @@ public:
     // `target`: of angle_quality.
     Improver(LocalMesh& mesh, const Volume& volume, double target, const Run& run);
 
+    // One search: passes until nothing changes any more, or as many as the search allows.
     void work(const Search& search, const Run& run);
     // The next searches aim higher, around what the last one left: they take other ways there.
     void aim_higher(double target);

@@ -7,6 +7,7 @@ namespace cleft
 {
 
 // Passes over the tetrahedra below the target.
+// A later search of improve() may do more than the one before, on the few tetrahedra that are left.
 struct Search {
     int passes;
     double tolerance = 0;   // how far points of interfaces may leave the tie, in least voxel spacings (or edge

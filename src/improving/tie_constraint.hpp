@@ -26,6 +26,7 @@ public:
     // Projects on the directions that the point may move along, to first order.
     const Mat3& tangent() const { return tangent_; }
     // False for a position too far from the tie.
+    // Samples the volume, which is most of the cost of a trial; not for several threads.
     bool project(Vec3& x);
 
 private:
