@@ -25,6 +25,8 @@ Array<InterfaceTriangle> find_triangles(const LocalMesh& mesh, const Meetings& m
             if (std::any_of(points.begin(), points.end(), is_inside))
                 continue;
             const int32_t behind = mesh.neighbour(t, face);
+            // Taken from the side of the lesser material alone, so each triangle comes once and looks to the greater
+            // one.
             if (behind >= 0 && mesh.material(t) < mesh.material(behind))
                 triangles.push_back({points, {mesh.material(t), mesh.material(behind)}});
         }

@@ -1,3 +1,4 @@
+// Solves the Laplace equation on the graph of materials that touch, with the areas of contact as weights.
 #include "fitting/material_offsets.hpp"
 
 #include "base/disjoint_sets.hpp"
@@ -63,6 +64,8 @@ Array<double> material_offsets(const Array<Contact>& contacts, const Array<doubl
     Eigen::SparseMatrix<double> laplacian(n, n);
     laplacian.setFromTriplets(entries.begin(), entries.end());
     Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver(laplacian);
+    // The next round corrects what this one leaves, so six digits are more than enough. The limit of iterations bounds
+    // the time for long chains of labels.
     solver.setTolerance(1e-6);
     solver.setMaxIterations(500);
     const Eigen::VectorXd offsets = solver.solve(attainable(contacts, missing));

@@ -1,3 +1,4 @@
+// Counts the materials at each point in one pass over the tetrahedra, up to three: more make no difference here.
 #include "fitting/meetings.hpp"
 
 namespace cleft

@@ -10,8 +10,10 @@ namespace
 {
 
 // Interfaces of label maps go no further beyond the tie than this, in the least voxel spacing.
+// A greater limit would give small labels more of their volume, but move interfaces further from where voxels put them.
 constexpr double kMostOffset = 0.2;
 // And than this at a small label that is still off after the first rounds.
+// With it, shells one voxel thick keep their volume within 5 %. At 0.5 voxels the two sides of a shell could meet.
 constexpr double kWideOffset = 0.45;
 
 Contact& contact_of(Array<Contact>& contacts, const std::array<Material, 2>& pair)
@@ -30,6 +32,7 @@ Array<Contact> find_contacts(const Array<InterfaceTriangle>& triangles)
 {
     Array<std::array<Material, 2>> pairs;
     for (const InterfaceTriangle& t : triangles)
+        // Neighbours mostly have the same pair, so this keeps the list short.
         if (pairs.empty() || pairs.back() != t.pair)
             pairs.push_back(t.pair);
     std::sort(pairs.begin(), pairs.end());

@@ -1,3 +1,4 @@
+// Moves points in unresolved gaps onto a true interface. Off it, they would pull the points around along when fitted.
 #include "fitting/relocate_gaps.hpp"
 
 #include "remeshing/smoothing.hpp"
@@ -14,11 +15,15 @@ namespace cleft
 namespace
 {
 
+// The first bounds how far a point is taken from its place, so that its tetrahedra can follow. The shares are tried in
+// turn: each is a compromise between the right place and the shapes.
 constexpr double kReachOfGap = 0.5;                 // how far to the nearest interface, in edge lengths
 constexpr double kShares[] = {1, 0.5, 0.25, 0};     // of the way to the tie
 constexpr double kPartShares[] = {0.6, 0.3, 0.15};  // of the way to the interface
-constexpr double kSizeCounts = 0.1;                 // power of the voxels of a label by which a distance counts
-constexpr int kGapRounds = 10;                      // a point that is in the way may have moved on
+// With this power, a label of a thousand times as many voxels counts as twice as far away.
+constexpr double kSizeCounts = 0.1;  // power of the voxels of a label by which a distance counts
+// Rounds end when no point moves. The limit is for points that keep each other from their places.
+constexpr int kGapRounds = 10;  // a point that is in the way may have moved on
 
 // Where a point may go.
 struct Interface {
@@ -144,6 +149,7 @@ private:
             if (project_to(pair, tie, frozen))
                 interfaces_.push_back({pair, tie, (tie - x).norm() * std::pow(voxels, kSizeCounts)});
         }
+        // Of equal costs the lesser material stays first, as MaterialSet lists them.
         std::stable_sort(interfaces_.begin(), interfaces_.end(),
                          [](const Interface& a, const Interface& b) { return a.cost < b.cost; });
     }

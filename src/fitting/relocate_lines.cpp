@@ -1,3 +1,4 @@
+// Moves points of lines back onto their tie, one after the other, as far as the tetrahedra around allow.
 #include "fitting/relocate_lines.hpp"
 
 #include "remeshing/smoothing.hpp"
@@ -12,6 +13,7 @@ namespace
 {
 
 // Smaller moves are not worth their price, in lengths of the edges around.
+// A smaller step would move nearly every point of a line, for less than half a hundredth of an edge.
 constexpr double kLeastStep = 5e-3;
 constexpr double kLeastStepShare = 0.1;
 constexpr int kLineRounds = 3;  // a point that is in the way may have moved on
@@ -38,6 +40,7 @@ public:
         if ((*on_tie - from).norm() < kLeastStep * reach)
             return Place::on_tie;
         const double least = std::min(floor_, star_.worst_at(from, -1));
+        // Halves of the way: each needs one look at the star, and what is left comes in the next round.
         for (double share = 1; share > kLeastStepShare; share *= 0.5) {
             const Vec3 x = from + share * (*on_tie - from);
             if (star_.worst_at(x, least) > least) {

@@ -41,6 +41,7 @@ Array<Residual> find_residuals(const LocalMesh& mesh, const Array<InterfaceTrian
         const Vec3 normal = twice.normalized();
         double height = t.height + t.offset;
         for (const int32_t v : t.corners)
+            // A corner that moves along the normal lifts the mean of the triangle by a third of that.
             height -= points[v].moved.dot(normal) / 3;
         for (const int32_t v : t.corners) {
             Residual& residual = out[v];

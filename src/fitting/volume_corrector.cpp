@@ -48,6 +48,7 @@ int64_t VolumeCorrector::apply(const Array<Residual>& residuals, Array<FitPoint>
 {
     CLEFT_ASSERT(residuals.size() == points.size());
     int64_t held = 0;
+    // One after the other in a fixed order: each move changes the shapes that limit the next.
     for (size_t i = 0; i < points.size(); ++i) {
         run.check_at(i, 1 << 12);
         if (points[i].is_fixed)
@@ -81,6 +82,7 @@ VolumeCorrector::Applied VolumeCorrector::place_for(int32_t v, const FitMove& mo
 {
     star_.load(mesh_, v);
     const Vec3 from = mesh_.point(v);
+    // Straight moves are tried first, since climbing takes many times as long.
     if (star_.worst_at(from + move.shift, floor_) > floor_)
         return {from + move.shift, 1};
     const double least = std::min(floor_, star_.worst_at(from, -1));

@@ -16,6 +16,7 @@ namespace
 constexpr int64_t kLargeLabel = 1000;
 constexpr double kTolerance = 0.003;
 // And while one of more voxels than these, such as a shell, is off by this share.
+// A greater number would leave small shells as they are. A smaller one would make rounds for labels of a few voxels.
 constexpr int64_t kSmallLabel = 60;
 constexpr double kWideTolerance = 0.03;
 
