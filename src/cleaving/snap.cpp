@@ -30,6 +30,7 @@ constexpr size_t kMostCuts = 6;  // at one vertex, nearest first
 // More than four have no tie, so the vertex goes to a cut or stays. So many materials meet in noise only, and
 // MaterialSet holds 15.
 constexpr int kMostMaterials = 10;  // at one vertex
+// A greater cost would keep bad angles to save thin parts. A smaller one would break parts for a small gain.
 constexpr double kPinchCost = 500;  // a pinched interface is as bad as a tetrahedron of 1.5 degrees
 
 struct NearCut {

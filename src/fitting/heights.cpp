@@ -21,6 +21,7 @@ constexpr double kReachOfTriangle = 0.3;
 constexpr double kStep = 0.4;
 // No search takes more steps: in voxels a thousand times as long as wide there would be hundreds.
 constexpr int kMostSteps = 64;
+// See find_heights() below: it follows from the shape, and is not tuned.
 constexpr double kCentroidShare = 0.75;
 // User-supplied fields say where surfaces are to a small part of a voxel, and points on a ball cannot be on its
 // surface while it keeps its volume: there points give up so much less of their place, in radii of the curvature, which

@@ -15,6 +15,7 @@ namespace
 // Smaller moves are not worth their price, in lengths of the edges around.
 // A smaller step would move nearly every point of a line, for less than half a hundredth of an edge.
 constexpr double kLeastStep = 5e-3;
+// The last share tried is an eighth. Less of the way would hardly bring the point nearer.
 constexpr double kLeastStepShare = 0.1;
 constexpr int kLineRounds = 3;  // a point that is in the way may have moved on
 

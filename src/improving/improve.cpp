@@ -1,3 +1,4 @@
+// Runs the searches of improving one after the other, from exact and cheap to tolerant and expensive.
 #include "improving/improve.hpp"
 
 #include "base/degrees.hpp"

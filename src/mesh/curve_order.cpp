@@ -71,6 +71,7 @@ uint64_t hilbert_index(const Vec3& x, const BoundingBox& box)
 // stable, or it would undo the one before.
 void radix_sort(Array<Key>& keys)
 {
+    // More bits would save a pass, but need more counters than the fastest memory holds.
     constexpr int kDigit = 11;
     constexpr size_t kValues = size_t{1} << kDigit;
     Array<Key> sorted(keys.size());

@@ -39,6 +39,7 @@ private:
     void add(const LocalMesh& mesh, const Tet& tet, int corner);
     void fill_last();
 
+    // Four doubles fill a vector of 256 bits.
     static constexpr size_t kLanes = 4;
     // The three other corners of four tetrahedra side by side, so that (x, corners) is positively oriented.
     struct Lanes {
