@@ -7,6 +7,7 @@ namespace
 {
 
 // Calls body(handle) with the handle's own type.
+// Handles come as void*, in one list of any kind, so the mark alone says what they are.
 template <class Body>
 void with_handle(const void* handle, const Body& body)
 {
@@ -39,6 +40,7 @@ void keep(cleft::Array<const void*>& kept, const void* handle)
 
 void let_go(const cleft::Array<const void*>& kept) noexcept
 {
+    // No handle is dead here, since this list owns each; so with_handle() does not throw.
     for (const void* handle : kept)
         with_handle(handle, [](const auto& of_kind) { release(of_kind); });
 }
@@ -51,15 +53,20 @@ cleft_status cleft_context_begin(cleft_context* context, const void* const* hand
         return CLEFT_ERROR_NULL;
     if (!is_sound(context))
         return CLEFT_ERROR_HANDLE;
+    // Not guarded_call(): the context stays taken when this function returns, until cleft_context_end().
     if (!context->occupancy.enter())
         return CLEFT_ERROR_BUSY;
     cleft::Array<const void*> kept;
+    // The calls inside must not forget a cancel; they are not outermost, and so leave it.
     begin(*context);
     const cleft_status status = guarded(&context->message, [&] {
         kept.reserve(count + 1);
+        // All memory is taken before anything is owned: push_back() below then cannot fail with owners counted.
         context->kept.reserve(context->kept.size() + 1);
+        // A callback of the component may destroy the context too.
         keep(kept, context);
         for (int64_t i = 0; i < count; ++i)
+            // Optional arguments are passed on as they are.
             if (handles[i])
                 keep(kept, handles[i]);
     });
@@ -74,8 +81,10 @@ cleft_status cleft_context_begin(cleft_context* context, const void* const* hand
 
 void cleft_context_end(cleft_context* context) noexcept
 {
+    // A component calls this in its cleanup, whether its cleft_context_begin() succeeded or not.
     if (!is_sound(context) || context->occupancy.is_others() || context->kept.empty())
         return;
+    // A call may begin within another one, so the lists are a stack.
     const cleft::Array<const void*> kept = std::move(context->kept.back());
     context->kept.pop_back();
     context->occupancy.leave();

@@ -1,3 +1,5 @@
+// Contexts: what a caller sets for its calls, and what the last call left there. Also the few functions that need no
+// handle.
 #include "capi/firewall.hpp"
 
 #include <cstdio>
@@ -8,6 +10,7 @@ namespace cleft::capi
 
 void set_message(Message* message, const char* sentence) noexcept
 {
+    // Cut, not refused: the beginning of a sentence names the fault. Entries without a context have nowhere to put one.
     if (message)
         std::snprintf(message->data(), message->size(), "%s", sentence ? sentence : "");
 }
@@ -18,6 +21,7 @@ using namespace cleft::capi;
 
 const char* cleft_version(int32_t* major, int32_t* minor, int32_t* patch) noexcept
 {
+    // Each may be NULL: some callers compare one number, others print the text.
     if (major)
         *major = CLEFT_VERSION_MAJOR;
     if (minor)
@@ -35,11 +39,14 @@ const char* cleft_status_string(cleft_status status) noexcept
         return text;
         CLEFT_STATUS_LIST(CLEFT_STATUS_CASE)
 #undef CLEFT_STATUS_CASE
+        // A program may be newer than the library. NULL would crash the printf() that nearly every caller passes this
+        // to.
         default:
             return "unknown status";
     }
 }
 
+// A function, not a macro: a program can run with another build of the library than it was compiled with.
 int32_t cleft_has_tetgen(void) noexcept
 {
 #ifdef CLEFT_WITH_TETGEN
@@ -52,6 +59,7 @@ int32_t cleft_has_tetgen(void) noexcept
 cleft_status cleft_context_create(cleft_context** out) noexcept
 {
     return guarded(nullptr, [&] {
+        // First, since nothing would own a context that cannot be handed out.
         required(out, "out");
         *out = new cleft_context;
     });
@@ -61,6 +69,7 @@ void cleft_context_destroy(cleft_context* context) noexcept { destroy(context); 
 
 const char* cleft_context_last_error(const cleft_context* context) noexcept
 {
+    // A caller that got CLEFT_ERROR_BUSY may ask for the sentence while the other thread still writes one.
     return is_sound(context) && !context->occupancy.is_others() ? context->message.data() : "";
 }
 
@@ -78,9 +87,11 @@ cleft_status cleft_context_set_error(cleft_context* context, cleft_status status
 cleft_status cleft_context_set_threads(cleft_context* context, int32_t threads) noexcept
 {
     return guarded_call(context, [&](cleft_context& sound) {
+        // The bound catches numbers that were never set.
         if (threads < 0 || threads > 1024)
             throw cleft::Error(CLEFT_ERROR_ARGUMENT,
                                "threads is " + std::to_string(threads) + "; it must be 0 .. 1024");
+        // 0 where the system does not say.
         const auto machine = static_cast<int32_t>(std::thread::hardware_concurrency());
         sound.threads = threads > 0 ? threads : std::max<int32_t>(1, machine);
     });
@@ -111,6 +122,7 @@ cleft_status cleft_context_log(cleft_context* context, int32_t level, const char
 {
     return guarded_call(context, [&](cleft_context& sound) {
         required(sentence, "sentence");
+        // Bindings turn the level into a value of an enumeration, which has no others.
         if (level < CLEFT_LOG_WARNING || level > CLEFT_LOG_DEBUG)
             throw cleft::Error(CLEFT_ERROR_ARGUMENT, "level is " + std::to_string(level) + "; it must be 1 .. 3");
         say(sound, level, sentence);
@@ -119,11 +131,13 @@ cleft_status cleft_context_log(cleft_context* context, int32_t level, const char
 
 cleft_status cleft_context_cancel(cleft_context* context) noexcept
 {
+    // Not guarded_call(): the caller is another thread, or a callback, while the context is taken.
     return guarded(nullptr, [&] { checked(context, "context").cancel = true; });
 }
 
 int64_t cleft_context_metric_count(const cleft_context* context) noexcept
 {
+    // A callback may look at the metrics so far. Another thread would read a list that grows.
     const bool readable = is_sound(context) && !context->occupancy.is_others();
     return readable ? static_cast<int64_t>(context->metrics.items.size()) : 0;
 }

@@ -22,6 +22,7 @@ namespace
 Estimate estimated(const cleft_volume& volume, const cleft_sizing* sizing, const cleft_mesh* background,
                    const cleft::PipelineOptions& p, const Run& run)
 {
+    // A background decides alone, as it does in cleft_mesh_volume().
     if (background)
         return cleft::estimate_from_background(volume.volume, given_background(*background, volume.frame, run).mesh, p,
                                                run);
@@ -43,6 +44,7 @@ cleft_status cleft_mesh_estimate(cleft_context* context, const cleft_volume* vol
         const auto held_options = held_if_any(options, "options");
         const auto held_sizing = held_if_any(sizing, "sizing");
         const auto held_background = held_if_any(background, "background");
+        // Before the work: a struct whose size was not set should not cost minutes first.
         cleft::check_struct_size(*required(out, "out"), "cleft_estimate");
         const Estimate found = estimated(*v, sizing, background, pipeline_options(options, *v), run);
         cleft::copy_out<cleft_estimate>(

@@ -15,6 +15,8 @@
 namespace cleft::capi
 {
 
+// For entries that return a value and no status: they answer 0, NULL or "" where the handle is not sound. A caller that
+// knows handles only as pointers easily passes one of another kind.
 template <class Handle>
 bool is_sound(const Handle* handle) noexcept
 {
@@ -27,6 +29,7 @@ void set_message(Message* message, const char* sentence) noexcept;
 inline Message* message_of(cleft_options* options) noexcept { return is_sound(options) ? &options->message : nullptr; }
 
 // The handle, or an Error that names the argument.
+// The sentence names the argument, since a call has several and a debugger shows only the status.
 template <class Handle>
 Handle& checked(Handle* handle, const char* argument)
 {
@@ -51,6 +54,8 @@ void release(const Handle& handle) noexcept
 {
     if (--handle.owners.count > 0)
         return;
+    // Immutable handles are held as const, but their end is not a change that anyone could see. The mark makes a second
+    // _destroy harmless while the memory is not used again.
     const_cast<Handle&>(handle).mark = Mark::dead;
     delete &handle;
 }
@@ -92,6 +97,7 @@ std::optional<Held<const Handle>> held_if_any(const Handle* handle, const char* 
 }
 
 // Runs `body` and turns what it throws into a status and a sentence.
+// Want of memory comes first and builds no string: the sentence is a literal, and its place is in the handle.
 template <class Body>
 cleft_status guarded(Message* message, const Body& body) noexcept
 {
@@ -111,6 +117,7 @@ cleft_status guarded(Message* message, const Body& body) noexcept
         set_message(message, error.what());
         return CLEFT_ERROR_INTERNAL;
     } catch (...) {
+        // A callback written in C++ may throw anything, and nothing may unwind through the frames of a C caller.
         set_message(message, "an unknown exception was thrown");
         return CLEFT_ERROR_INTERNAL;
     }
@@ -136,6 +143,7 @@ private:
 };
 
 // An entry that needs the context to itself. CLEFT_ERROR_BUSY leaves no sentence: the context is another call's.
+// A NULL or foreign context can keep no sentence, so the status alone must say which it is.
 template <class Body>
 cleft_status guarded_call(cleft_context* context, const Body& body) noexcept
 {
@@ -151,6 +159,7 @@ cleft_status guarded_call(cleft_context* context, const Body& body) noexcept
 inline void begin(cleft_context& context) noexcept
 {
     context.message[0] = '\0';
+    // A user's cancel must also reach the later calls of a component, so only the outermost call forgets requests.
     if (context.occupancy.is_outermost())
         context.cancel = false;
 }
@@ -158,6 +167,8 @@ inline void begin(cleft_context& context) noexcept
 // Hands a sentence to the caller's log, if there is one.
 inline void say(cleft_context& context, int32_t level, const char* sentence)
 {
+    // While it runs, the context answers CLEFT_ERROR_BUSY: a call from within would change what the outer one works
+    // with.
     const Occupancy::Callback callback(context.occupancy);
     if (context.log)
         context.log(level, sentence, context.log_user);
@@ -174,6 +185,7 @@ cleft_status guarded_run(cleft_context* context, const Body& body) noexcept
         run.threads = sound.threads;
         run.cancel = &sound.cancel;
         run.metrics = &sound.metrics;
+        // Stages ask whether there is a callback, and spend no time on progress that nobody sees.
         if (sound.progress) {
             run.progress = [&](double fraction, const char* stage) { return reporter.report(fraction, stage); };
             run.repeat_progress = [&] { return reporter.repeat(); };
@@ -188,11 +200,13 @@ cleft_status guarded_run(cleft_context* context, const Body& body) noexcept
 template <class Handle, class Make>
 cleft_status guarded_create(cleft_context* context, Handle** out, const Make& make) noexcept
 {
+    // Even where all else fails: callers destroy *out in their cleanup without a look at the status.
     if (out)
         *out = nullptr;
     return guarded_run(context, [&](const Run& run) {
         required(out, "out");
         auto made = std::make_unique<Handle>(make(run));
+        // The last report may cancel. Then the handle goes with its owner, and *out is still NULL.
         run.report(1, nullptr);
         *out = made.release();
     });

@@ -24,6 +24,8 @@
 namespace cleft::capi
 {
 
+// Values that memory hardly holds by chance. A mark is the first member of each handle: component.cpp reads it before
+// it knows the kind.
 enum class Mark : uint32_t {
     dead = 0,
     context = 0xC1EF0001,
@@ -36,6 +38,7 @@ enum class Mark : uint32_t {
 };
 
 // How many own a handle. A copy of a handle has an owner of its own.
+// Atomic, since immutable handles may be read and destroyed on several threads.
 struct Owners {
     std::atomic<int32_t> count{1};
     Owners() = default;
@@ -46,6 +49,7 @@ struct Owners {
 // Which stage made a mesh that another goes on with: it need not be checked, and is worked on as it left that stage.
 enum class MadeBy { user, background, cleaving };
 
+// A base of all, without virtual functions, so that the mark is at the beginning of each.
 template <Mark kind>
 struct Handle {
     static constexpr Mark kMark = kind;
@@ -54,6 +58,7 @@ struct Handle {
 };
 
 // One sentence. Not a std::string: telling of want of memory must not need memory.
+// Its length holds every sentence with a long path in it; what is longer is cut.
 using Message = std::array<char, 1024>;
 
 }  // namespace cleft::capi
@@ -67,6 +72,7 @@ struct cleft_context : cleft::capi::Handle<cleft::capi::Mark::context> {
     std::atomic<bool> cancel{false};
     cleft::capi::Occupancy occupancy;
     cleft::Array<cleft::Array<const void*>> kept;  // handles that components keep alive, a list for each call of theirs
+    // They stay from call to call, so that a caller can run all stages and read their figures at the end.
     cleft::Metrics metrics;
     cleft::capi::Message message{};
 };
@@ -74,6 +80,7 @@ struct cleft_context : cleft::capi::Handle<cleft::capi::Mark::context> {
 struct cleft_options : cleft::capi::Handle<cleft::capi::Mark::options> {
     cleft::FixedArray<double, cleft::capi::kOptionCount> values{};
     cleft::FixedArray<bool, cleft::capi::kOptionCount> given{};  // whether the user set it
+    // In the order in which they were set; sizes are combined by minimum, so the order does not matter.
     cleft::Array<std::pair<int32_t, double>> label_sizes;
     cleft::Array<int32_t> strip;
     cleft::Array<int32_t> only;
@@ -84,7 +91,8 @@ struct cleft_volume : cleft::capi::Handle<cleft::capi::Mark::volume> {
     cleft::Frame frame;
     cleft::Volume volume;
     cleft::Array<cleft::Material> listed;  // Volume::listed
-    cleft::Array<int32_t> labels;          // of these
+    // Lists for callers are kept in the handle: their functions lend a pointer, which must live as long as it.
+    cleft::Array<int32_t> labels;  // of these
     cleft::capi::LabelNames names;
 };
 
@@ -95,6 +103,7 @@ struct cleft_sizing : cleft::capi::Handle<cleft::capi::Mark::sizing> {
 };
 
 struct cleft_mesh : cleft::capi::Handle<cleft::capi::Mark::mesh> {
+    // None in a mesh of arrays, which knows no volume.
     std::optional<cleft::Frame> frame;  // of the volume or sizing field that it came from
     cleft::capi::MadeBy made_by = cleft::capi::MadeBy::user;
     cleft::Array<cleft::Vec3> local;  // a stage's own points for the next one, if the way back differs in last digits

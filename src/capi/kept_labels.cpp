@@ -1,3 +1,4 @@
+// What the lists STRIP and ONLY keep, and the sentences on lists that cannot be meant.
 #include "capi/kept_labels.hpp"
 
 #include "capi/mesh_frame.hpp"
@@ -21,6 +22,7 @@ bool contains(const Array<int32_t>& list, int32_t label)
 // "label 3", "labels 3 and 5", "labels 3, 5, 8 and 4 more".
 std::string named(Array<int32_t> labels)
 {
+    // Atlases have hundreds of labels, and a sentence that names them all is not read.
     constexpr size_t kMost = 5;
     std::sort(labels.begin(), labels.end());
     labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
@@ -49,10 +51,12 @@ Array<char> kept_labels(const Array<int32_t>& labels, const cleft_options* optio
     for (const int32_t label : labels)
         keep.push_back(!contains(options->strip, label) && (options->only.empty() || contains(options->only, label)));
     const bool keeps_some = std::find(keep.begin(), keep.end(), 1) != keep.end();
+    // An empty mesh would look like success, and fail in the program that reads it.
     if (!keeps_some && !keep.empty())
         throw Error(CLEFT_ERROR_OPTION,
                     list_names(*options) + " would leave nothing of the " + whose + ", which has " + named(labels));
     const bool keeps_all = std::find(keep.begin(), keep.end(), 0) == keep.end();
+    // Stages take an empty list for "all" and skip their tests, so lists that leave nothing out cost nothing.
     return keeps_all ? Array<char>() : keep;
 }
 
@@ -66,6 +70,8 @@ void warn_of_unknown_labels(const Array<int32_t>& labels, const cleft_options* o
         for (const int32_t label : list)
             if (!contains(labels, label))
                 unknown.push_back(label);
+        // No error: a caller often has one list for many volumes. But a misspelt number would otherwise leave a label
+        // in unnoticed.
         if (!unknown.empty())
             run.warn(std::string(option) + " names " + named(unknown) + ", which the " + whose + " does not have");
     };
@@ -84,6 +90,7 @@ void strip_labels(cleft_mesh& mesh, const cleft_options* options)
     };
     strip(mesh.mesh.points, mesh.mesh.tets, mesh.mesh.labels, is_kept);
     mesh.labels = distinct_labels(mesh.mesh.labels);
+    // Names of labels that are gone would come back if the mesh were written.
     const LabelNames all = std::exchange(mesh.names, {});
     add_label_names(mesh.names, all, mesh.labels);
 }

@@ -17,6 +17,7 @@ using cleft::Run;
 namespace
 {
 
+// Each number by its name, for a caller who has exchanged two arguments.
 void check_counts(int64_t point_count, int64_t tet_count, int32_t index_base)
 {
     for (const auto& [name, count] : {std::pair("point_count", point_count), std::pair("tet_count", tet_count)}) {
@@ -30,11 +31,13 @@ void check_counts(int64_t point_count, int64_t tet_count, int32_t index_base)
         throw Error(CLEFT_ERROR_ARGUMENT, "index_base is " + std::to_string(index_base) + "; it must be 0 or 1");
 }
 
+// A number out of range would have every later function read past the points, so this is checked once, here.
 cleft::Array<cleft::Tet> checked_tets(const int32_t* tets, int64_t tet_count, int64_t point_count, int32_t index_base)
 {
     cleft::Array<cleft::Tet> out(tet_count);
     for (int64_t t = 0; t < tet_count; ++t)
         for (size_t i = 0; i < 4; ++i) {
+            // In 64 bits, where INT32_MIN less the base does not overflow.
             const int64_t corner = int64_t{tets[4 * t + static_cast<int64_t>(i)]} - index_base;
             if (corner < 0 || corner >= point_count)
                 throw Error(CLEFT_ERROR_ARGUMENT,
@@ -46,6 +49,7 @@ cleft::Array<cleft::Tet> checked_tets(const int32_t* tets, int64_t tet_count, in
     return out;
 }
 
+// data() of an empty vector need not be NULL, which the header promises.
 template <class T>
 const T* data_or_null(const cleft::Array<T>& v)
 {
@@ -54,6 +58,7 @@ const T* data_or_null(const cleft::Array<T>& v)
 
 void check_capacity(int64_t capacity, size_t needed)
 {
+    // Callers that size a buffer from another mesh would have it overrun; languages with arrays pass their true length.
     if (capacity < static_cast<int64_t>(needed))
         throw Error(CLEFT_ERROR_BUFFER,
                     "the buffer holds " + std::to_string(capacity) + " of " + std::to_string(needed) + " values");
@@ -67,6 +72,7 @@ cleft_status cleft_mesh_create(cleft_context* context, int64_t point_count, cons
 {
     return guarded_create(context, out, [&](const Run&) {
         check_counts(point_count, tet_count, index_base);
+        // No elements, no array: languages hand over NULL for an empty one.
         if (point_count > 0)
             required(points, "points");
         if (tet_count > 0)
@@ -75,6 +81,7 @@ cleft_status cleft_mesh_create(cleft_context* context, int64_t point_count, cons
         mesh.mesh.points.resize(point_count);
         for (int64_t i = 0; i < point_count; ++i) {
             const cleft::Vec3 point(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
+            // Here and not in a later check, since NaN makes every comparison false and so slips through them.
             if (!point.allFinite())
                 throw Error(CLEFT_ERROR_NOT_FINITE, "the " + ordinal(i) + " point is NaN or infinite");
             mesh.mesh.points[i] = point;
@@ -83,7 +90,9 @@ cleft_status cleft_mesh_create(cleft_context* context, int64_t point_count, cons
         if (labels)
             mesh.mesh.labels.assign(labels, labels + tet_count);
         else
+            // A background needs no labels, but all functions of a mesh may ask for them.
             mesh.mesh.labels.assign(tet_count, 0);
+        // Found once, for the functions that lend them have no place to put an error.
         mesh.labels = distinct_labels(mesh.mesh.labels);
         return mesh;
     });
@@ -96,6 +105,7 @@ int64_t cleft_mesh_point_count(const cleft_mesh* mesh) noexcept
     return is_sound(mesh) ? static_cast<int64_t>(mesh->mesh.points.size()) : 0;
 }
 
+// Lent without a copy: an array of Vec3 is one of interleaved doubles (base/vec.hpp).
 const double* cleft_mesh_points(const cleft_mesh* mesh) noexcept
 {
     return is_sound(mesh) && !mesh->mesh.points.empty() ? mesh->mesh.points.front().data() : nullptr;
@@ -159,6 +169,7 @@ cleft_status cleft_mesh_copy_tets(const cleft_mesh* mesh, int32_t index_base, in
         check_capacity(capacity, 4 * from.size());
         for (const cleft::Tet& tet : from)
             for (const int32_t corner : tet)
+                // A base of 1 is for Fortran, MATLAB and Julia, and for most file formats of solvers.
                 *tets++ = corner + index_base;
     });
 }
@@ -181,11 +192,15 @@ cleft_status cleft_mesh_copy_quadratic(const cleft_mesh* mesh, int32_t index_bas
         const cleft::UserMesh& from = checked(mesh, "mesh").mesh;
         required(point_count, "point_count");
         check_counts(0, 0, index_base);
+        // Made in each of the two calls: a mesh is immutable, and keeps nothing from the first for the second.
         const cleft::MiddleNodes middles(from.tets);
         const size_t corners = from.points.size();
+        // A mesh has about seven times as many edges as points, so its middles can pass the limit where its points do
+        // not.
         if (corners + middles.count() >= INT32_MAX)
             throw Error(CLEFT_ERROR_TOO_LARGE, "more than 2147483646 points");
         *point_count = static_cast<int64_t>(corners + middles.count());
+        // The first of two calls: the number of middles is not known from the counts of the mesh.
         if (!points && !tets)
             return;
         check_capacity(point_capacity, 3 * (corners + middles.count()));

@@ -27,6 +27,7 @@ namespace
 {
 
 // Sides are handed out as they are kept.
+// The array of sides is lent as it is, so both enumerations must have the same numbers and the same size.
 template <class Number>
 constexpr bool is(cleft::Side side, Number number)
 {
@@ -39,6 +40,7 @@ static_assert(is(cleft::Side::x_min, CLEFT_SIDE_X_MIN) && is(cleft::Side::x_max,
               is(cleft::Side::other, CLEFT_SIDE_OTHER));
 
 // The mesh in the frame in which the sides of its box lie across the axes.
+// Sides are told by comparing coordinates, which works only where the box stands upright.
 cleft::UserMesh upright(const cleft_mesh& mesh)
 {
     if (!mesh.frame)
@@ -49,12 +51,14 @@ cleft::UserMesh upright(const cleft_mesh& mesh)
     return local;
 }
 
+// Without a frame the world is the frame: a mesh of arrays has no other.
 cleft::Placement placement_of(const cleft_mesh& mesh)
 {
     return mesh.frame ? cleft::Placement(*mesh.frame) : cleft::Placement();
 }
 
 // A report whose volumes are those of the voxel frame, in the world.
+// Callers compare them with volumes of their own, which are in the units of the affine.
 cleft::LabelReport in_world(cleft::LabelReport report, const cleft::Placement& world)
 {
     for (cleft::LabelRow& row : report.rows) {
@@ -68,6 +72,7 @@ cleft::LabelReport in_world(cleft::LabelReport report, const cleft::Placement& w
 cleft::BoundingBox box_of(const cleft_mesh& mesh, const cleft::UserMesh& local)
 {
     cleft::BoundingBox box;
+    // A mesh with labels left out need not reach its walls, but triangles that lie in one are still of that side.
     if (mesh.frame) {
         box.add(cleft::Vec3(0, 0, 0));
         box.add(mesh.frame->grid.extent());
@@ -77,6 +82,7 @@ cleft::BoundingBox box_of(const cleft_mesh& mesh, const cleft::UserMesh& local)
     return box;
 }
 
+// Rows are kept by material. Callers see them in the order of cleft_volume_labels().
 const cleft::LabelRow& row_at(const cleft_report& report, int64_t index)
 {
     return report.report.rows[report.listed[index]];
@@ -89,6 +95,7 @@ cleft_status cleft_mesh_quality(cleft_context* context, const cleft_mesh* mesh, 
     return guarded_run(context, [&](const Run& run) {
         const auto from = held(mesh, "mesh");
         const cleft::UserMesh& m = from->mesh;
+        // Before the work: a struct whose size was not set should not cost a pass over the mesh first.
         cleft::check_struct_size(*required(out, "out"), "cleft_quality");
         const cleft::Quality q = cleft::measure_quality(m.points, m.tets, run);
         run.report(1);
@@ -142,6 +149,8 @@ cleft_status cleft_mesh_validate(cleft_context* context, const cleft_mesh* mesh,
         row.interface_triangles = v.interface_faces;
         row.hull_triangles = v.hull_faces;
         cleft::copy_out(row, *out);
+        // Not an error of the call, so its status is CLEFT_OK. The sentence is the quickest answer to "what is wrong
+        // with it?".
         set_message(&context->message, v.first_fault.c_str());
     });
 }
@@ -155,6 +164,8 @@ cleft_status cleft_surface_create(cleft_context* context, const cleft_mesh* mesh
         const cleft::BoundingBox box = box_of(m, local);
         cleft_surface surface{{}, cleft::extract_interfaces(local, box.lo, box.hi, run)};
         if (m.frame && m.frame->flips()) {
+            // An affine that mirrors turned the tetrahedra round, and normals must still look from the first label to
+            // the second.
             for (auto& triangle : surface.interfaces.triangles)
                 std::swap(triangle[1], triangle[2]);
             for (auto& triangle : surface.interfaces.hull)
@@ -207,6 +218,7 @@ cleft_status cleft_report_create(cleft_context* context, const cleft_volume* vol
 {
     return guarded_create(context, out, [&](const Run& run) {
         const auto v = held(volume, "volume");
+        // A copy before the first callback, so the mesh need not be held.
         const LabelledMesh m = to_stage(checked(mesh, "mesh"), *v);
         return cleft_report{{}, in_world(cleft::label_report(v->volume, m, run), v->frame), v->listed};
     });
@@ -236,7 +248,9 @@ cleft_status cleft_report_label(const cleft_report* report, int64_t index, cleft
         row.mesh_components = from.mesh_components;
         row.large_components = from.large_components;
         row.large_components_lost = from.large_components_lost;
+        // A function may win at no voxel centre. Its material had nothing to lose.
         row.lost = from.voxels > 0 && row.tets == 0;
+        // Programs built before the 64-bit field existed read the number here.
         row.reserved = static_cast<int32_t>(std::min<int64_t>(from.large_components_broken, INT32_MAX));
         row.large_components_broken = from.large_components_broken;
         row.large_components_joined = from.large_components_joined;

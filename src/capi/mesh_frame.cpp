@@ -1,3 +1,5 @@
+// Takes results of the stages to the world of the caller, and meshes of callers to the frame of the stages. Affine and
+// labels are applied here and nowhere else (decision 1).
 #include "capi/mesh_frame.hpp"
 
 #include "base/error.hpp"
@@ -14,6 +16,7 @@ namespace cleft::capi
 namespace
 {
 
+// A mirrored tetrahedron is negative. Callers rely on positive ones, and so do the stages.
 void turn_round(Array<Tet>& tets)
 {
     for (Tet& tet : tets)
@@ -26,6 +29,8 @@ void turn_round(Array<Tet>& tets)
 {
     if (frame.flips())
         turn_round(tets);
+    // Whose fault it is decides the status: the caller can move the origin, but can do nothing about a defect of a
+    // stage.
     if (quick_fault(local, tets, run).empty())
         throw Error(CLEFT_ERROR_ARGUMENT,
                     "world coordinates are too coarse for tetrahedra of these sizes so far from the origin: " + fault +
@@ -41,6 +46,7 @@ Array<Vec3> local_points(const cleft_mesh& mesh, const Frame& frame)
     return points;
 }
 
+// Turned back, since what is positive in a mirrored world is negative in the frame.
 Array<Tet> local_tets(const cleft_mesh& mesh, const Frame& frame)
 {
     Array<Tet> tets = mesh.mesh.tets;
@@ -49,6 +55,7 @@ Array<Tet> local_tets(const cleft_mesh& mesh, const Frame& frame)
     return tets;
 }
 
+// Compared bit by bit: a difference in the last digit could change a decision of the next stage, and so its bytes.
 bool come_back(const Array<Vec3>& local, const Array<Vec3>& world, const Frame& frame)
 {
     for (size_t i = 0; i < local.size(); ++i)
@@ -59,10 +66,12 @@ bool come_back(const Array<Vec3>& local, const Array<Vec3>& world, const Frame& 
 
 }  // namespace
 
+// A sorted list: meshes have few labels, and callers get them ascending.
 Array<int32_t> distinct_labels(const Array<int32_t>& tet_labels)
 {
     Array<int32_t> labels;
     for (size_t t = 0; t < tet_labels.size(); ++t) {
+        // Tetrahedra of a label follow each other mostly, so few reach the search.
         if (t > 0 && tet_labels[t] == tet_labels[t - 1])
             continue;
         const auto at = std::lower_bound(labels.begin(), labels.end(), tet_labels[t]);
@@ -84,9 +93,11 @@ cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const Array<int32_t>
         out.mesh.points.push_back(frame.to_world(point));
     if (frame.flips())
         turn_round(out.mesh.tets);
+    // The last look at what a caller gets: rounding far from the origin can merge points that were apart.
     const std::string fault = quick_fault(out.mesh.points, out.mesh.tets, run);
     if (!fault.empty())
         refuse_result(std::move(out.mesh.tets), mesh.points, frame, fault, run);
+    // In place: the array of materials becomes that of labels, and a mesh needs no second one.
     for (int32_t& label : out.mesh.labels)  // a material until here
         label = labels[label];
     out.labels = distinct_labels(out.mesh.labels);
@@ -99,6 +110,7 @@ cleft_mesh to_next_stage(LabelledMesh&& mesh, MadeBy stage, const Frame& frame, 
     Array<Vec3> local = mesh.points;
     cleft_mesh out = to_user(std::move(mesh), frame, labels, run);
     out.made_by = stage;
+    // Mostly the way back is exact, and the second copy of all points is saved.
     if (!come_back(local, out.mesh.points, frame))
         out.local = std::move(local);
     return out;
@@ -106,6 +118,7 @@ cleft_mesh to_next_stage(LabelledMesh&& mesh, MadeBy stage, const Frame& frame, 
 
 bool is_as_left(const cleft_mesh& mesh, MadeBy stage, const Frame& frame)
 {
+    // Another volume, or the same voxels with another affine, has other local points.
     return mesh.made_by == stage && mesh.frame && mesh.frame->is_that_of(frame);
 }
 
@@ -137,6 +150,7 @@ LabelledMesh to_stage(const cleft_mesh& mesh, const cleft_volume& volume)
     out.material.reserve(mesh.mesh.labels.size());
     for (const int32_t label : mesh.mesh.labels) {
         const auto found = material_of.find(label);
+        // Stages work by the functions of the volume, which has none for such a label.
         if (found == material_of.end())
             throw Error(CLEFT_ERROR_ARGUMENT,
                         "the mesh has label " + std::to_string(label) + ", which the volume does not have");

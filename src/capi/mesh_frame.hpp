@@ -17,6 +17,7 @@ cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const Array<int32_t>
 cleft_mesh to_next_stage(LabelledMesh&& mesh, MadeBy stage, const Frame& frame, const Array<int32_t>& labels,
                          const Run& run);
 // Whether the mesh is as that stage left it, in this frame.
+// A mesh that the caller has made of arrays, or stripped, never is: its points may have changed.
 bool is_as_left(const cleft_mesh& mesh, MadeBy stage, const Frame& frame);
 // Its points and tetrahedra, then.
 TetMesh as_left(const cleft_mesh& mesh);

@@ -28,6 +28,7 @@ cleft_mesh to_user(LabelledMesh&& mesh, const cleft_volume& volume, const Run& r
 }
 
 // What is left of a sound mesh is sound.
+// So strip checks its input quickly, and not its result.
 void require_sound(const cleft::UserMesh& mesh, const Run& run)
 {
     const std::string fault = cleft::quick_fault(mesh.points, mesh.tets, run);
@@ -35,6 +36,7 @@ void require_sound(const cleft::UserMesh& mesh, const Run& run)
         throw Error(CLEFT_ERROR_INVALID_MESH, "the mesh is not valid: " + fault);
 }
 
+// After stripping, so that these are the numbers of what the caller gets.
 void note_result(const Run& run, const cleft::UserMesh& mesh)
 {
     run.note("mesh.points", static_cast<double>(mesh.points.size()));
@@ -42,15 +44,18 @@ void note_result(const Run& run, const cleft::UserMesh& mesh)
 }
 
 // What is given is held by the caller.
+// A background decides over a field: with both, the field has nothing left to say.
 LabelledMesh meshed(const cleft_volume& volume, const cleft_sizing* sizing, const cleft_mesh* background,
                     const cleft::PipelineOptions& p, const Run& run)
 {
+    // The option may be left from another call of the same handle, so this is no error. But the number will not be met.
     if (background && p.tets > 0)
         run.warn("tets has no effect on a background that is given");
     if (background) {
         GivenBackground from = given_background(*background, volume.frame, run);
         return cleft::mesh_from_background(volume.volume, std::move(from.mesh), from.options(p), run);
     }
+    // A field that is given is complete: the options on sizes were applied when it was made.
     if (sizing)
         return cleft::mesh_from_sizing(volume.volume, given_sizing(*sizing, volume), p, run);
     return cleft::mesh_from_volume(volume.volume, p, run);
@@ -65,7 +70,9 @@ cleft_status cleft_background_create(cleft_context* context, const cleft_sizing*
         const auto s = held(sizing, "sizing");
         cleft::TetMesh mesh = cleft::make_background(s->sizing, pipeline_options(options), run);
         LabelledMesh labelled{std::move(mesh.points), std::move(mesh.tets), {}};
+        // A background is a mesh like others to a caller, who may look at it or write it: it needs a label.
         labelled.material.assign(labelled.tets.size(), 0);
+        // The handle keeps the points of the stage as well, for cleaving to go on from them.
         return to_next_stage(std::move(labelled), MadeBy::background, s->frame, {0}, run);
     });
 }
@@ -78,6 +85,7 @@ cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volum
         const auto from = held(background, "background");
         const cleft::PipelineOptions p = pipeline_options(options);
         warn_of_unused_smooth(v->volume, options, run);
+        // Its own array: repairing changes points, and the caller's mesh must stay as it is.
         GivenBackground given = given_background(*from, v->frame, run);
         cleft::Steps steps(run, {{nullptr, 3}, {nullptr, 7}});
         cleft::repair_background(given.mesh, given.options(p), steps.next());
@@ -96,11 +104,14 @@ cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volu
         const auto from = held(mesh, "mesh");
         const cleft::PipelineOptions p = pipeline_options(options, *v);
         warn_of_unused_smooth(v->volume, options, run);
+        // A mesh of a file, or one that the caller has changed, is checked as a whole: improving relies on all of it.
         if (!is_as_left(*from, MadeBy::cleaving, v->frame))
             require_valid(*from, "mesh", run);
+        // The caller's handle holds the cleaved mesh, so further tries copy it instead of cleaving again.
         const cleft::Cleaved cleaved = [&](const Run&) { return to_stage(*from, *v); };
         cleft_mesh result = cleft::capi::to_user(cleft::improved_and_finished(v->volume, cleaved, p, run), v->frame,
                                                  v->volume.labels(), run);
+        // Names on the mesh come first: the caller gave them later than those of the volume.
         add_label_names(result.names, from->names, result.labels);
         add_label_names(result.names, v->names, result.labels);
         return result;
@@ -112,9 +123,11 @@ cleft_status cleft_mesh_strip(cleft_context* context, const cleft_mesh* mesh, co
 {
     return guarded_create(context, out, [&](const Run& run) {
         const auto from = held(mesh, "mesh");
+        // Stripping by no list would be a copy, so that NULL is a mistake here and no default.
         const auto lists = held(options, "options");
         require_sound(from->mesh, run);
         cleft_mesh copy = *from;
+        // The points of its stage do not fit any more, so improving must check what it gets.
         copy.made_by = MadeBy::user;
         copy.local = {};
         strip_labels(copy, &*lists);
@@ -132,10 +145,12 @@ cleft_status cleft_mesh_volume(cleft_context* context, const cleft_volume* volum
         const auto held_sizing = held_if_any(sizing, "sizing");
         const auto held_background = held_if_any(background, "background");
         const cleft::PipelineOptions p = pipeline_options(options, *v);
+        // Warnings on options come before the minutes of work, so that a caller can cancel.
         warn_of_unknown_labels(v->volume.labels(), options, "volume", run);
         warn_of_unused_smooth(v->volume, options, run);
         LabelledMesh mesh = meshed(*v, sizing, background, p, run);
         cleft_mesh result = to_user(std::move(mesh), *v, run);
+        // The stages keep everything until here: topology, volumes and angles need the neighbours of what stays.
         strip_labels(result, options);
         note_result(run, result.mesh);
         return result;

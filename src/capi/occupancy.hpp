@@ -12,6 +12,8 @@ class Occupancy
 public:
     // Takes the context for a call on this thread. False if another thread has it, or if this one is in a callback.
     // A component that has taken it may take it again, for the calls that its own call is made of.
+    // Never waits: a callback that called back would wait for itself, and a program that shares a context by mistake
+    // learns so.
     bool enter() noexcept
     {
         auto caller = std::thread::id();
@@ -45,6 +47,7 @@ public:
     class Callback
     {
     public:
+        // Restores what was before instead of clearing it, so that callbacks may nest.
         explicit Callback(Occupancy& of) noexcept : of_(of), before_(of.in_callback_) { of_.in_callback_ = true; }
         Callback(const Callback&) = delete;
         Callback& operator=(const Callback&) = delete;
@@ -56,6 +59,7 @@ public:
     };
 
 private:
+    // The default id is that of no thread, which stands for a context that is free.
     std::atomic<std::thread::id> caller_{std::thread::id()};
     int depth_ = 0;  // this and the next of the caller's thread alone
     bool in_callback_ = false;

@@ -14,6 +14,7 @@ const OptionRow kOptionTable[kOptionCount] = {
 #undef CLEFT_OPTION_ROW
 };
 
+// A search in some twenty rows costs nothing, and asks no order of the keys, which have gaps when options go.
 int option_row(cleft_option key)
 {
     for (size_t i = 0; i < kOptionCount; ++i)
@@ -27,6 +28,7 @@ int option_row(const char* name)
     for (size_t i = 0; i < kOptionCount; ++i) {
         const char* a = kOptionTable[i].name;
         const char* b = name;
+        // Command lines write --size-min, programs size_min.
         while (*a && (*a == *b || (*a == '_' && *b == '-'))) {
             ++a;
             ++b;

@@ -8,6 +8,8 @@
 namespace cleft::capi
 {
 
+// Plain pointers and numbers, so that the table is made by the compiler and needs no initialisation when a library is
+// loaded.
 struct OptionRow {
     cleft_option key;
     int32_t type;

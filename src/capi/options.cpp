@@ -23,6 +23,7 @@ namespace
 {
 
 // The choices of an option are those of the stage that reads it, by number.
+// The enumerations of the stages and the words of the table stand in two places. A build fails where they drift apart.
 template <class Choice>
 constexpr bool is(Choice choice, int number)
 {
@@ -35,14 +36,17 @@ constexpr bool is(Choice choice, int number)
 const OptionRow& checked_row(int row, const std::string& what)
 {
     if (row < 0)
+        // The name comes from a command line or a script, and may hold anything.
         throw Error(CLEFT_ERROR_OPTION, "there is no option " + printable(what));
     return kOptionTable[row];
 }
 
+// The value is checked here, where the caller sets it, so that the sentence comes at the line that is wrong.
 void assign(cleft_options& options, const OptionRow& row, double value)
 {
     if (!std::isfinite(value))
         throw Error(CLEFT_ERROR_NOT_FINITE, std::string(row.name) + " is NaN or infinite");
+    // A NaN was refused above: it would pass both comparisons.
     if (value < row.least || value > row.greatest)
         throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is " + text_of(value) + ", which is not within " +
                                             text_of(row.least) + " to " + text_of(row.greatest));
@@ -53,9 +57,11 @@ void assign(cleft_options& options, const OptionRow& row, double value)
 
 double choice_number(const OptionRow& row, const char* text)
 {
+    // Bars around both keep "low" from being found within "lowest".
     const std::string wanted = "|" + std::string(text) + "|";
     const std::string all = "|" + std::string(row.choices) + "|";
     const size_t at = all.find(wanted);
+    // A bar in the text would match two choices at once.
     if (*text == '\0' || std::strchr(text, '|') || at == std::string::npos)
         throw Error(CLEFT_ERROR_OPTION,
                     std::string(row.name) + " is " + printable(text) + ", which is none of " + row.choices);
@@ -75,6 +81,7 @@ double parsed(const OptionRow& row, const char* text)
         return 0;
     char* end = nullptr;
     const double value = std::strtod(text, &end);
+    // All of the text: "1,5" must not become 1.
     const bool is_number = end != text && *end == '\0';
     if (row.type == CLEFT_OPTION_TYPE_FLAG && !is_number)
         throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is neither true nor false: " + printable(text));
@@ -86,9 +93,11 @@ double parsed(const OptionRow& row, const char* text)
 }
 
 // The value of an option into the field of a stage, whose type it has: a number, a flag or a choice.
+// One number per option crosses the interface, so the types of the stages are known here alone.
 template <class Field>
 void take(Field& field, double value)
 {
+    // The type of the field decides; a new option needs no line here.
     if constexpr (std::is_same_v<Field, bool>)
         field = value != 0;
     else if constexpr (std::is_enum_v<Field>)
@@ -103,6 +112,7 @@ void set_labels(Array<int32_t>& list, const int32_t* labels, int64_t count)
         throw Error(CLEFT_ERROR_ARGUMENT, "count is " + std::to_string(count) + "; it must not be negative");
     if (count > 0)
         required(labels, "labels");
+    // A count of 0 takes the list away, whatever the pointer is.
     list.assign(labels, labels + count);
 }
 
@@ -111,6 +121,7 @@ void set_labels(Array<int32_t>& list, const int32_t* labels, int64_t count)
 double option_value(const cleft_options* options, cleft_option key)
 {
     const int row = option_row(key);
+    // NULL stands for all defaults: most first programs set nothing.
     return options ? options->values[row] : kOptionTable[row].value;
 }
 
@@ -123,9 +134,11 @@ PipelineOptions pipeline_options(const cleft_options* options)
 #include "capi/options.inc"
 #undef CLEFT_OPTION_FIELD
     check_size_range(out.sizing);
+    // A wanted number is explicit and max_tets a precaution, so the number wins.
     out.sizing.max_tets = out.tets > 0 ? 0 : out.max_tets;
     if (options)
         out.sizing.label_sizes = options->label_sizes;
+    // A size that was given for all places is meant, and a lattice keeps it. One that features ask for may be raised.
     out.background.lattice = {out.sizing.max_tets, out.sizing.size > 0 || out.sizing.size_min > 0};
     return out;
 }
@@ -139,6 +152,7 @@ PipelineOptions pipeline_options(const cleft_options* options, const cleft_volum
 
 void warn_of_unused_smooth(const Volume& volume, const cleft_options* options, const Run& run)
 {
+    // Only what the caller set: the default of an option that is not read is no mistake.
     if (!options || !options->given[option_row(CLEFT_OPTION_SMOOTH)])
         return;
     const int asked = static_cast<int>(option_value(options, CLEFT_OPTION_SMOOTH));
@@ -174,6 +188,7 @@ cleft_status cleft_options_create(cleft_options** out) noexcept
         required(out, "out");
         *out = new cleft_options;
         for (size_t i = 0; i < kOptionCount; ++i)
+            // All values are set from the beginning, so that reading one never depends on what was set before.
             (*out)->values[i] = kOptionTable[i].value;
     });
 }
@@ -219,7 +234,9 @@ cleft_status cleft_options_set_text(cleft_options* options, const char* name, co
 cleft_status cleft_options_get_integer(const cleft_options* options, cleft_option key, int64_t* value) noexcept
 {
     return guarded(nullptr, [&] {
+        // Throws for keys of a newer header, of which this library has no value.
         checked_row(option_row(key), std::to_string(key));
+        // The value of any type, so that a caller can show all options in one loop.
         *required(value, "value") = static_cast<int64_t>(option_value(&checked(options, "options"), key));
     });
 }
@@ -242,6 +259,7 @@ cleft_status cleft_options_set_label_size(cleft_options* options, int32_t label,
         if (size < 0)
             throw cleft::Error(CLEFT_ERROR_OPTION, "the size of label " + std::to_string(label) + " is " +
                                                        cleft::text_of(size) + "; it must not be negative");
+        // One entry per label, the last one set; 0 takes it away.
         sizes.erase(std::remove_if(sizes.begin(), sizes.end(), [&](const auto& row) { return row.first == label; }),
                     sizes.end());
         if (size > 0)

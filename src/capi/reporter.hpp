@@ -19,6 +19,8 @@ public:
     // True if the callback asks to cancel. A stage that looks twice does not go back. Null: the stage before.
     bool report(double fraction, const char* stage)
     {
+        // Callers draw bars, and a bar that goes back looks like a fault. Stages that repeat their work report less
+        // than before.
         fraction_ = std::clamp(fraction, fraction_, 1.0);
         stage_ = stage ? stage : stage_;
         return stage_ && call();
@@ -28,17 +30,21 @@ public:
     // take longer than that. Nothing on other threads than the caller's.
     bool repeat()
     {
+        // Callers in Python, Java and C# may run a callback only on the thread that made the call.
         return stage_ && std::this_thread::get_id() == caller_ && Clock::now() - last_ > kPatience && call();
     }
 
 private:
     using Clock = std::chrono::steady_clock;
+    // An answer to Ctrl-C within a tenth of a second feels instant. More calls would cost callers in slow languages.
     static constexpr std::chrono::milliseconds kPatience{50};
 
     bool call()
     {
+        // From here on the context answers calls of the callback with CLEFT_ERROR_BUSY.
         const Occupancy::Callback callback(context_.occupancy);
         const bool cancel = context_.progress(fraction_, stage_, context_.progress_user) != 0;
+        // After the callback: a slow one must not be due again at once.
         last_ = Clock::now();
         return cancel;
     }

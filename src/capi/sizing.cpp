@@ -1,3 +1,4 @@
+// Sizing fields: computed from a volume, of one size, or from values of the caller.
 #include "base/number_text.hpp"
 #include "capi/firewall.hpp"
 #include "capi/options.hpp"
@@ -15,6 +16,7 @@ using cleft::SizingField;
 namespace
 {
 
+// Checked as doubles: as a float, a value beyond 3e38 would be infinite, and the sentence would not name it.
 cleft::Array<double> as_doubles(cleft_type type, const void* values, int64_t count)
 {
     if (type == CLEFT_TYPE_FLOAT32)
@@ -25,6 +27,7 @@ cleft::Array<double> as_doubles(cleft_type type, const void* values, int64_t cou
 }
 
 // The handle of a field.
+// The expected number is found once, since cleft_sizing_expected_tets() has no context that could be cancelled.
 cleft_sizing finished(const cleft_volume& v, ScaledSizing sizing, const cleft::PipelineOptions& p, const Run& run)
 {
     const cleft::ExpectedTets expected = cleft::expected_tets(sizing.field, p.background, v.volume, p.keep, run);
@@ -52,6 +55,7 @@ cleft_status cleft_sizing_create_constant(cleft_context* context, const cleft_vo
         const auto v = held(volume, "volume");
         if (!std::isfinite(size))
             throw Error(CLEFT_ERROR_NOT_FINITE, "the size is NaN or infinite");
+        // On the grid of the volume, so that all stages read it like any other field.
         SizingField field = cleft::constant_sizing(v->frame.grid, size);
         const double expected = cleft::expected_background_tets(field);
         return cleft_sizing{{}, v->frame, {std::move(field)}, expected};
@@ -70,6 +74,7 @@ cleft_status cleft_sizing_create_values(cleft_context* context, const cleft_volu
         const cleft::Array<double> doubles = as_doubles(type, values, v->frame.grid.size());
         SizingField field = cleft::sizing_from_values(v->frame.grid, doubles.data());
         if (combine) {
+            // The old field is read until the new one is complete; the assignment comes after that.
             p.sizing.user = field.h.data();
             field = cleft::compute_sizing(v->volume, p.sizing, run);
         }
@@ -97,6 +102,7 @@ cleft_status cleft_sizing_affine(const cleft_sizing* sizing, double affine[12]) 
     });
 }
 
+// Lent, not copied: a field has one value per voxel, and a caller may only want to look at a few.
 const float* cleft_sizing_values(const cleft_sizing* sizing) noexcept
 {
     return is_sound(sizing) ? sizing->sizing.field.h.data() : nullptr;

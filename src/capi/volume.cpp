@@ -1,3 +1,4 @@
+// Volumes from the arrays of a caller: all that is uncertain about them is refused here, before a stage sees it.
 #include "capi/firewall.hpp"
 #include "capi/options.hpp"
 
@@ -8,6 +9,7 @@ using cleft::Run;
 namespace
 {
 
+// A switch, not a cast: the number comes from a caller and may be any.
 cleft::VoxelType voxel_type(cleft_type type)
 {
     switch (type) {
@@ -27,6 +29,7 @@ cleft::VoxelType voxel_type(cleft_type type)
     }
 }
 
+// The elements are not copied here: bounded_values() reads each field in the type that it has.
 template <class T>
 cleft::Volume indicators(const void* const* fields, int64_t count, const cleft::Grid& grid, const int32_t* labels,
                          const Run& run)
@@ -34,11 +37,13 @@ cleft::Volume indicators(const void* const* fields, int64_t count, const cleft::
     cleft::Array<const T*> typed;
     for (int64_t k = 0; k < count; ++k)
         typed.push_back(static_cast<const T*>(required(fields[k], "a field")));
+    // A signed function has an outside too.
     const int64_t names = count == 1 ? 2 : count;
     return cleft::Volume::from_indicators(
         typed, grid, labels ? cleft::Array<int32_t>(labels, labels + names) : cleft::Array<int32_t>(), run);
 }
 
+// Lists for the caller are made once, for the functions that lend them may be called from many threads.
 cleft_volume made_volume(const cleft::Frame& frame, cleft::Volume&& volume)
 {
     cleft::Array<cleft::Material> listed = volume.listed();
@@ -59,6 +64,7 @@ cleft_status cleft_volume_create_labels(cleft_context* context, cleft_type type,
         if (options)
             checked(options, "options");
         const cleft::Frame frame = cleft::make_frame(required(dims, "dims"), affine);
+        // Kept with the volume, since all stages must see the same interfaces.
         const int kernel = static_cast<int>(option_value(options, CLEFT_OPTION_SMOOTH));
         return made_volume(frame, cleft::Volume::from_labels(voxel_type(type), voxels, frame.grid, kernel, run));
     });
@@ -70,6 +76,7 @@ cleft_status cleft_volume_create_indicators(cleft_context* context, cleft_type t
 {
     return guarded_create(context, out, [&](const Run& run) {
         required(fields, "fields");
+        // Before any field is read: a wrong count would have the loop read pointers past the array.
         if (count < 1 || count > 65535)
             throw Error(CLEFT_ERROR_ARGUMENT, "count is " + std::to_string(count) + "; it must be 1 .. 65535");
         const cleft::Frame frame = cleft::make_frame(required(dims, "dims"), affine);
@@ -131,9 +138,11 @@ cleft_status cleft_volume_copy_voxel_counts(const cleft_volume* volume, int64_t*
 {
     return guarded(nullptr, [&] {
         required(counts, "counts");
+        // Counted when asked for, since most programs never do.
         const cleft::Array<int64_t> all = checked(volume, "volume").volume.voxel_counts();
         if (capacity < static_cast<int64_t>(all.size()))
             throw Error(CLEFT_ERROR_BUFFER, "the buffer is too small");
+        // In the order of cleft_volume_labels(), which is not that of the materials.
         std::transform(volume->listed.begin(), volume->listed.end(), counts, [&](cleft::Material m) { return all[m]; });
     });
 }
@@ -145,6 +154,7 @@ cleft_status cleft_volume_sample(const cleft_volume* volume, const double* point
         checked(volume, "volume");
         if (count < 0)
             throw Error(CLEFT_ERROR_ARGUMENT, "count is negative");
+        // No points, no arrays: languages hand over NULL for an empty one.
         if (count == 0)
             return;
         required(points, "points");
@@ -153,6 +163,7 @@ cleft_status cleft_volume_sample(const cleft_volume* volume, const double* point
             const cleft::Vec3 world(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
             if (!world.allFinite())
                 throw Error(CLEFT_ERROR_NOT_FINITE, "a point is NaN or infinite");
+            // Points outside the box get the label at the nearest wall, as sampling does everywhere.
             const cleft::Material m = volume->volume.material_at(volume->frame.to_local(world));
             labels[i] = volume->volume.labels()[m];
         }

@@ -56,9 +56,9 @@ public:
     // Goes to a material that was not visited yet, calling visit(i, weights) with the weights A of the voxels i .. i +
     // 15 of the cube for every chunk, zero where another material is. Returns the material, or -1 if there is none
     // left.
-    template <class Visit>
     // Materials come in the order of their first voxels in the cube, which depends on the data alone. One pass per
     // material is cheap: around most points there are two or three.
+    template <class Visit>
     int next(const Visit& visit)
     {
         unsigned mask = 0;
