@@ -141,7 +141,7 @@ Index cells_between_walls(const Vec3& extent, double wanted)
             misfit += std::log(stretch);
             cells[a] = static_cast<int32_t>(std::min(count, 1e9));
         }
-        // Choices of equal misfit, as a cube has them, are not to be told apart by rounding: the first one wins.
+        // Choices of equal misfit, as a cube has them, must not be decided by rounding: the first one wins.
         if (fits && std::abs(misfit) < least_misfit - 1e-12) {
             least_misfit = std::abs(misfit);
             best = cells;

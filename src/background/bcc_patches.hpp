@@ -22,6 +22,7 @@ struct BccPatches {
     // True where the nearest lattice point is used, so that other particles must keep out. A point on walls looks at
     // the lattice points of these walls alone.
     bool owns(const Vec3& x, Walls walls) const;
+    // All but the corners of the box, which seeding puts first.
     void add_particles(ParticleSet& out) const;
 };
 

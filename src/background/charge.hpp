@@ -66,6 +66,7 @@ public:
     {
         return (static_cast<double>(length) * inverse_spacing_).cast<float>();
     }
+    // Past the outermost centres as at the nearest of them.
     float at_voxel(const Eigen::Array3f& u) const
     {
         FixedArray<float, 3> t;

@@ -19,6 +19,7 @@ struct BackgroundOptions {
 };
 
 struct BackgroundRow {
+    // Throws CLEFT_ERROR_TOO_LARGE where the sizes ask for more than this kind can make.
     TetMesh (*make)(const SizingField& field, const BackgroundOptions& options, const Run& run);
     double (*expected_tets)(const SizingField& field, const BackgroundOptions& options, const Run& run);
     // The one size of its tetrahedra; null where they follow the field.
@@ -35,6 +36,7 @@ inline bool is_graded(BackgroundKind kind) { return !row_of(kind).uniform_size; 
 struct ExpectedTets {
     double all = 0, kept = 0;
 };
+// As exact as the estimate of each kind. For an octree its tree is built, which takes a while.
 ExpectedTets expected_tets(const SizingField& field, const BackgroundOptions& options, const Volume& volume,
                            const Array<char>& keep, const Run& run);
 

@@ -22,6 +22,7 @@ constexpr float kDirection[kDirections][3] = {{1, 0, 0},
                                               {-kDiagonal, kDiagonal, kDiagonal},
                                               {kDiagonal, -kDiagonal, kDiagonal},
                                               {kDiagonal, kDiagonal, -kDiagonal}};
+// They add up to 1/2 over the seven directions: each stands for a pair.
 constexpr float kAxisWeight = 1.0F / 15, kDiagonalWeight = 3.0F / 40;
 
 // Gauss's rule for an integrand t (1 - t^2) g(t^2) on [0, 1], as the weights of f = t g: what remains of opposite

@@ -12,6 +12,7 @@
 namespace cleft
 {
 
+// Eight floats fill a wide vector, and near_repulsion.cpp works on a leaf at a time.
 constexpr int64_t kLeafSize = 8;
 // Every so many leaves, counted from the first, fill a box of their own: a group.
 constexpr int64_t kLeavesInGroup = 8;
@@ -30,6 +31,7 @@ struct ParticleTree {
     Array<int32_t> leaves;  // the node of each leaf
 };
 
+// The shape for so many points. The boxes are empty until fit_boxes().
 ParticleTree make_tree(int64_t points);
 
 // `points` in tree order; a particle feels the others that are nearer than its reach.

@@ -20,6 +20,7 @@ public:
         std::iota(parent_.begin(), parent_.end(), 0);
     }
 
+    // The least member of the set.
     int32_t find(int32_t i)
     {
         while (parent_[i] != i) {

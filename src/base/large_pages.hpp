@@ -20,6 +20,7 @@ void reserve_large(std::vector<T>& array, Integer count)
     allow_large_pages(array.data(), to_size(count) * sizeof(T));
 }
 
+// The hint comes between taking the memory and writing to it: pages that are in use already stay as they are.
 template <class T, class Integer>
 Array<T> large_array(Integer count, const T& value = T())
 {

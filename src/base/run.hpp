@@ -58,12 +58,14 @@ struct Run {
         }
     }
 
+    // On the calling thread only, since figures are kept in the order in which they come.
     void note(const std::string& name, double value) const
     {
         if (metrics)
             metrics->set(name, value);
     }
 
+    // On the calling thread only: it ends in a callback of the user.
     void warn(const std::string& sentence) const
     {
         if (on_warning)

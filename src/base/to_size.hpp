@@ -9,6 +9,7 @@
 namespace cleft
 {
 
+// The number as the standard library counts. It must not be negative.
 template <class Integer>
 constexpr size_t to_size(Integer n)
 {

@@ -40,6 +40,7 @@ Handle& checked(Handle* handle, const char* argument)
     return *handle;
 }
 
+// The pointer, or an Error that names the argument.
 template <class T>
 T* required(T* pointer, const char* argument)
 {
@@ -60,6 +61,7 @@ void release(const Handle& handle) noexcept
     delete &handle;
 }
 
+// For the functions _destroy: NULL and handles of another kind are left alone, since there is no status to return.
 template <class Handle>
 void destroy(Handle* handle) noexcept
 {
@@ -83,6 +85,7 @@ private:
     Handle& handle_;
 };
 
+// Checks a handle and owns it as long as the result lives: to the end of a call.
 template <class Handle>
 Held<const Handle> held(const Handle* handle, const char* argument)
 {

@@ -17,6 +17,7 @@ struct GivenBackground {
     TetMesh mesh;
     bool is_ours;  // of cleft_background_create(), which repairs its own
 
+    // A background of our own has been repaired already, so its points stay as they are.
     PipelineOptions options(PipelineOptions p) const
     {
         p.repair_angle = is_ours ? 0 : p.repair_angle;

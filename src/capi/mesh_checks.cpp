@@ -40,7 +40,7 @@ static_assert(is(cleft::Side::x_min, CLEFT_SIDE_X_MIN) && is(cleft::Side::x_max,
               is(cleft::Side::other, CLEFT_SIDE_OTHER));
 
 // The mesh in the frame in which the sides of its box lie across the axes.
-// Sides are told by comparing coordinates, which works only where the box stands upright.
+// Sides are found by comparing coordinates, which works only where the box stands upright.
 cleft::UserMesh upright(const cleft_mesh& mesh)
 {
     if (!mesh.frame)

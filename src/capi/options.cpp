@@ -236,7 +236,6 @@ cleft_status cleft_options_get_integer(const cleft_options* options, cleft_optio
     return guarded(nullptr, [&] {
         // Throws for keys of a newer header, of which this library has no value.
         checked_row(option_row(key), std::to_string(key));
-        // The value of any type, so that a caller can show all options in one loop.
         *required(value, "value") = static_cast<int64_t>(option_value(&checked(options, "options"), key));
     });
 }
@@ -245,6 +244,7 @@ cleft_status cleft_options_get_real(const cleft_options* options, cleft_option k
 {
     return guarded(nullptr, [&] {
         checked_row(option_row(key), std::to_string(key));
+        // The value of any type, so that a caller can show all options in one loop.
         *required(value, "value") = option_value(&checked(options, "options"), key);
     });
 }

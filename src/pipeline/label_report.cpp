@@ -133,8 +133,8 @@ LabelReport label_report(const Volume& volume, const LabelledMesh& mesh, const R
         // A part is numbered by its first tetrahedron, so each is counted once.
         row.mesh_components += part[t] == static_cast<int32_t>(t);
         const int32_t component = components.of_voxel[voxel];
-        // A tetrahedron at an interface may have its centroid in a voxel of the other label: it tells nothing of either
-        // piece.
+        // A tetrahedron at an interface may have its centroid in a voxel of the other label, and says nothing about
+        // either piece.
         if (components.material[component] != mesh.material[t])
             continue;
         is_met[component] = 1;

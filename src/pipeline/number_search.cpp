@@ -80,7 +80,7 @@ private:
     Try many_{}, few_{};  // the last that gave too many, and too few
 };
 
-// A bound for searches in which the number jumps past what is wanted. The warning tells what was reached.
+// A bound for searches in which the number jumps past what is wanted. The warning reports what was reached.
 constexpr int kRounds = 8;
 
 // Fitting, then the rounds, each of which scales and meshes. Most searches end in the second or third: progress goes by

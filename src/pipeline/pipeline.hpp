@@ -33,6 +33,8 @@ ScaledSizing make_sizing(const Volume& volume, const PipelineOptions& options, c
 // The same for a field that is given.
 void scale_to_number(ScaledSizing& sizing, const Volume& volume, const PipelineOptions& options, const Run& run);
 
+// Of the kind that the options name, in the local frame. Throws CLEFT_ERROR_TOO_LARGE where it would have too many
+// elements.
 TetMesh make_background(const ScaledSizing& sizing, const PipelineOptions& options, const Run& run);
 
 // Repairs poor tetrahedra of a user-supplied background, as the options say.

@@ -1,5 +1,5 @@
-// Warns where the volume of a label is off by so much that a user should know, as where a part is thinner than the
-// tetrahedra.
+// Warns where the volume of a label is off by so much that a user should know. An example is a part that is thinner
+// than the tetrahedra.
 #include "pipeline/volume_differences.hpp"
 
 #include "mesh/materials.hpp"

@@ -61,6 +61,7 @@ constexpr double kMostOfThickness = 1.5;
 // them if they are no more than so many squares of that side.
 // A plate of 20 x 20 voxels of 50 x 50 x 1 would have millions of tetrahedra for nothing that its labels need.
 constexpr double kMostStretch = 6;
+// These many have some 140,000 background tetrahedra by the estimate of sizing_field.cpp.
 constexpr double kMostSquares = 20000;
 
 double default_size_max(const Grid& grid)
@@ -199,11 +200,11 @@ SizingField field_of(const Sources& from, const Limits& limits, const Run& run)
 // the number falls with a power of the least size between two and three.
 void keep_to_number(const Sources& from, Limits limits, SizingField& field, const Run& run)
 {
-    // Each round computes a field. A field that they leave beyond kNearly is told in the warning.
+    // Each round computes a field. A field that they leave beyond kNearly is reported in the warning.
     constexpr int kRounds = 6;
     constexpr double kPower = 2.5;
-    // kClose is also the least factor, so that no round is in vain. The expected number is an estimate of some percent,
-    // so a warning begins only at kNearly.
+    // kClose is also the least factor, so that each round changes the field. The expected number is off by some
+    // percent, so a warning begins only at kNearly.
     constexpr double kClose = 1.02, kNearly = 1.2;
     const double wanted = from.options.max_tets;
     const double asked = expected_background_tets(field);

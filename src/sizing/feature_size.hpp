@@ -18,6 +18,7 @@ struct FeatureSizes {
     int64_t medial_voxels = 0;
 };
 
+// In world units. Empty if all voxels are of one material.
 FeatureSizes local_feature_sizes(const Labelling& labelling, const Run& run);
 
 }  // namespace cleft

@@ -25,6 +25,7 @@ struct Labelling {
 class RowWindow
 {
 public:
+    // Keeps a reference. One window per thread, since it holds rows.
     explicit RowWindow(const Labelling& labelling) : labelling_(labelling)
     {
         rows_.assign(9, Array<Material>(labelling.grid.dims[0] + 2));

@@ -14,6 +14,8 @@ namespace cleft
 // of the next voxel along an axis, in steps of 1/63, or half a voxel or none away from its centre along each axis.
 constexpr int kMedialSteps = 63;
 
+// `part` of the way to the next voxel along the axis. The code is above kMedialSteps, which tells it from the other
+// form.
 inline uint8_t pack_medial(int axis, double part)
 {
     CLEFT_ASSERT(part >= 0 && part <= 1);

@@ -1,5 +1,5 @@
-// Finds what one voxel carries: the parts of a material that no block of 2 x 2 x 2 voxels reaches, and without which it
-// would be connected differently.
+// Finds the parts of a material that no block of 2 x 2 x 2 voxels reaches, and without which it would be connected
+// differently.
 #include "sizing/one_voxel.hpp"
 
 #include "base/stage.hpp"

@@ -20,7 +20,7 @@ namespace
 // their Delaunay mesh. Particles on the walls count for the half, quarter or eighth of their surroundings that is in
 // the box, so that the charge of the box is that of its particles, and their share of tetrahedra likewise.
 constexpr double kParticlesPerCharge = 1.75;
-// Numbers that are told before a run, and the memory for them, rest on this product.
+// Numbers that are reported before a run, and the memory for them, rest on this product.
 constexpr double kTetsPerParticle = 5.9;
 
 }  // namespace

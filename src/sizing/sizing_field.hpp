@@ -18,7 +18,9 @@ struct SizingField {
     Array<float> h;
     double gradation = 0.3;
 
+    // Of a point in the local frame; past the outermost centres as at the nearest of them.
     double at(const Vec3& x) const;
+    // Of the values at the voxels; interpolation stays between them.
     double least() const;
     double greatest() const;
 };
@@ -46,6 +48,7 @@ inline double SizingField::at(const Vec3& x) const
     return mix(in_plane(corner), in_plane(corner + step[2]), t[2]);
 }
 
+// Throws for a size that is no size (is_size() in volume/limits.hpp).
 SizingField constant_sizing(const Grid& grid, double size);
 // User-supplied values (positive, finite; an Error names the first that is not), taken as they are.
 SizingField sizing_from_values(const Grid& grid, const double* values);

@@ -1,5 +1,5 @@
-// Gives thin parts a place of the medial axis by counting voxels, where two interface points are too near to tell
-// sides.
+// Gives thin parts a place of the medial axis by counting voxels. Interface points there are too near to each other to
+// show opposite sides.
 #include "sizing/thin_parts.hpp"
 
 #include "sizing/medial_axis.hpp"
@@ -22,7 +22,7 @@ public:
         const int64_t voxel = grid_.index(at[0], at[1], at[2]);
         if (is_single(voxel))
             return singles_prevail(window, at) ? pack_medial({0, 0, 0}) : 0;
-        // A sheet of two voxels has one pair, and normals that tell its sides (medial_axis.cpp). Rods of two voxels
+        // A sheet of two voxels has one pair, and normals that show its sides (medial_axis.cpp). Rods of two voxels
         // have two pairs, and normals that point aslant.
         int pairs = 0;
         int towards_next = -1;

@@ -28,9 +28,11 @@ struct IndicatorField {
     Material material_count() const { return is_signed() ? 2 : static_cast<Material>(field.size()); }
 };
 
+// Copies the fields, of grid.size() values each, x fastest. Throws what bounded_values() and check_claims() refuse.
 template <class Value>
 IndicatorField make_indicators(const Array<const Value*>& fields, const Grid& grid, const Run& run);
 
+// As the functions of Volume with the same names.
 Material voxel_material(const IndicatorField& field, int64_t voxel);
 Material material_at(const IndicatorField& field, const Vec3& x);
 void sample(const IndicatorField& field, const Vec3& x, Samples& out);

@@ -31,6 +31,7 @@ template <class Label>
 class LabelBlock
 {
 public:
+    // A block may reach out of the grid, where it holds the mirror image.
     LabelBlock(const LabelMap<Label>& map, const FixedArray<int32_t, 3>& first, int width)
         : width_(width), size_(width * width * width)
     {

@@ -7,6 +7,7 @@
 namespace cleft
 {
 
+// As the functions of Volume with the same names. The weights of the map must have been found.
 template <class Label>
 Material voxel_material(const LabelMap<Label>& map, int64_t voxel)
 {

@@ -9,6 +9,7 @@
 namespace cleft
 {
 
+// Materials are stored in 16 bits at most, and material_set.hpp keeps one number free.
 constexpr size_t kGreatestLabelCount = 65535;
 
 // The different values among n voxels in the order in which they come there: materials are numbered so, and another

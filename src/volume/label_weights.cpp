@@ -1,5 +1,5 @@
-// The weights of a label map, in the order in which they depend on each other: bumps of thin parts, feedback on A, and
-// the bumps that still lack.
+// The weights of a label map. They depend on each other, so the order is: bumps of thin parts, feedback on A, then the
+// bumps that are still missing.
 #include "volume/label_weights.hpp"
 
 #include "base/parallel.hpp"

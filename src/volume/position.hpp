@@ -22,6 +22,7 @@ inline FixedArray<double, 3> voxel_position(const Grid& grid, const Vec3& x)
     return u;
 }
 
+// The voxel with the nearest centre, of a position that voxel_position() gave.
 inline FixedArray<int32_t, 3> nearest_voxel(const Grid& grid, const FixedArray<double, 3>& u)
 {
     FixedArray<int32_t, 3> n;

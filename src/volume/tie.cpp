@@ -53,7 +53,7 @@ bool solve_leading(Mat3 m, const Vec3& r, int n, Vec3& y)
         scale *= m.row(i).norm();
     }
     const double determinant = m.determinant();
-    // Two ties whose gradients are nearly parallel, or a function that is flat: a step would lead far away, and the
+    // Two ties whose gradients are nearly parallel, or a function that is flat. A step would lead far away, so the
     // caller keeps the place it has.
     if (!(std::abs(determinant) > 1e-6 * scale))
         return false;
@@ -147,6 +147,8 @@ std::optional<Vec3> step_to_tie(const Volume& volume, const Vec3& x, const Mater
 std::optional<Vec3> project_to_tie(const Volume& volume, const Vec3& x, const Vec3& start, const MaterialSet& set,
                                    unsigned frozen, double reach, Samples& scratch)
 {
+    // Near a tie each step squares the error. A search that needs more than five is in a place where functions hardly
+    // differ.
     constexpr int kSteps = 5;
     constexpr double kTolerance = 0.02;
     const Vec3 free = free_mask(frozen);

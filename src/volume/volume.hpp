@@ -77,7 +77,9 @@ public:
     // Number of voxels of each material.
     Array<int64_t> voxel_counts() const;
 
+    // The material of the greatest indicator, as Samples::best() has it.
     Material material_at(const Vec3& x) const;
+    // What `out` had is overwritten.
     void sample(const Vec3& x, Samples& out) const;
     // Gradients are with respect to the local frame (world units).
     void sample_gradient(const Vec3& x, Samples& out) const;

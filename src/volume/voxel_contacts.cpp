@@ -1,5 +1,5 @@
-// Which pairs of materials share a face or an edge of voxels. The label report tells with it which contacts the mesh
-// invented.
+// Which pairs of materials share a face or an edge of voxels. The label report finds with it the contacts that only the
+// mesh has.
 #include "volume/voxel_contacts.hpp"
 
 #include <algorithm>
