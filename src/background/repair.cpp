@@ -21,7 +21,7 @@ constexpr int64_t kRepairedAtOnce = 256;  // tetrahedra, between two looks for a
 // The sweep mends most of what is better than this, and may leave a tetrahedron as bad as this.
 constexpr double kSweepAngle = 22;  // degrees
 // Points whose tetrahedra are all better than this have no need of it.
-// More would move nearly all points, for angles that nobody asks for.
+// With a greater angle the sweep would move nearly all points, for angles that nobody asks for.
 constexpr double kGoodAngle = 38;  // degrees
 // With six edges the repair took 1.1 times as long as TetGen, with two 0.74 times, and ended at the same angle.
 constexpr size_t kEdgesTried = 2;  // the others never helped in 10,000 tries

@@ -68,7 +68,6 @@ Array<uint8_t> broken_components(const Array<Shared>& pairs, size_t components)
 }
 
 // By component: whether it shares a part of the mesh with another.
-// Stable, so that pairs of a part keep their order by component.
 Array<uint8_t> joined_components(Array<Shared> pairs, size_t components)
 {
     std::stable_sort(pairs.begin(), pairs.end(), [](const Shared& a, const Shared& b) { return a.part < b.part; });

@@ -174,7 +174,7 @@ CLEFT_WIDE_VECTORS void ConeScan::offer(const ConeRow& from, int32_t number, int
     }
 }
 
-// After all offers: the rows of neighbours must not change while they are compared.
+// Once, after all offers: only the best of them is copied.
 void ConeScan::take(const FixedArray<const ConeRow*, 4>& from, Scratch& s, ConeRow& own) const
 {
     for (int32_t i = 0; i < grid_.dims[0]; ++i) {

@@ -11,8 +11,8 @@ namespace cleft
 // Cubes of these lengths, and quotients of such cubes, are far within the range of a double.
 inline constexpr double kLeastSpacing = 1e-15, kGreatestSpacing = 1e15;
 // The greatest spacing over the least.
-// A bound for cells that still make sense. The lattice, the octree and the kernels work in voxels, so their shapes
-// stretch with it.
+// Kernels work in voxels, sizes and distances in world units, and the two agree less the greater this is. Random
+// volumes are stretched up to here in tests, and beyond to see that they are refused (docs/reliability.md).
 inline constexpr double kGreatestStretch = 1000;
 // The greatest world coordinate of the box over the least distance between planes of voxels.
 // A double then has at least 45 steps between two planes; at ten times the distance it could have as few as four.
@@ -28,6 +28,7 @@ inline bool is_size(double h) { return h >= kLeastSize && h <= kGreatestSize; }
 // counts as so many times the greatest magnitude that is within.
 // The float that stores the value, doubled by kFarValue, is finite, and so are the products of doubles that use it.
 inline constexpr double kGreatestValue = 1e30;
+// With 2, a band of distances among sentinels comes out whole: the interpolation does not cross zero beside it.
 inline constexpr double kFarValue = 2;
 
 // Throws an Error that names the value which is beyond its limit.
