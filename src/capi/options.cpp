@@ -8,8 +8,8 @@
 #include "capi/kept_labels.hpp"
 #include "sizing/compute.hpp"
 
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <type_traits>
 
@@ -71,6 +71,16 @@ double choice_number(const OptionRow& row, const char* text)
     return number;
 }
 
+// In C notation whatever the locale of the caller's program, unlike strtod().
+bool reads_number(const char* text, double& value)
+{
+    const char* begin = text + (text[0] == '+' && text[1] != '-' ? 1 : 0);  // from_chars() knows no leading '+'
+    const char* end = text + std::strlen(text);
+    const auto result = std::from_chars(begin, end, value);
+    // All of the text: "1,5" must not become 1.
+    return result.ec == std::errc() && result.ptr == end;
+}
+
 double parsed(const OptionRow& row, const char* text)
 {
     if (row.type == CLEFT_OPTION_TYPE_CHOICE)
@@ -79,10 +89,8 @@ double parsed(const OptionRow& row, const char* text)
         return 1;
     if (row.type == CLEFT_OPTION_TYPE_FLAG && !std::strcmp(text, "false"))
         return 0;
-    char* end = nullptr;
-    const double value = std::strtod(text, &end);
-    // All of the text: "1,5" must not become 1.
-    const bool is_number = end != text && *end == '\0';
+    double value = 0;
+    const bool is_number = reads_number(text, value);
     if (row.type == CLEFT_OPTION_TYPE_FLAG && !is_number)
         throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is neither true nor false: " + printable(text));
     if (!is_number)

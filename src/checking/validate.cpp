@@ -2,13 +2,12 @@
 #include "checking/validate.hpp"
 
 #include "base/counted.hpp"
+#include "base/number_text.hpp"
 #include "base/ordinal.hpp"
 #include "base/stage.hpp"
 #include "checking/check_faces.hpp"
 #include "checking/check_points.hpp"
 #include "mesh/face_buckets.hpp"
-
-#include <cstdio>
 
 namespace cleft
 {
@@ -20,14 +19,7 @@ namespace
 // box.
 constexpr double kSameMeasure = 1e-9;  // relative, of volumes and areas
 
-std::string text(double x)
-{
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.10g", x);
-    return buffer;
-}
-
-std::string text(const Vec3& x) { return "(" + text(x[0]) + ", " + text(x[1]) + ", " + text(x[2]) + ")"; }
+std::string text(const Vec3& x) { return "(" + text_of(x[0]) + ", " + text_of(x[1]) + ", " + text_of(x[2]) + ")"; }
 
 // Names the parts of a mesh with their places.
 class Naming
@@ -107,10 +99,10 @@ std::string first_box_fault(const RegionMesh& mesh, const Placement& world, cons
     if (faces.open_edges.count)
         return "an interface ends inside the box at " + name.edge(faces.open_edges.first);
     if (differ(v.volume, v.box_volume))
-        return "the tetrahedra have a volume of " + text(v.volume) + ", but their bounding box has " +
-               text(v.box_volume);
+        return "the tetrahedra have a volume of " + text_of(v.volume) + ", but their bounding box has " +
+               text_of(v.box_volume);
     if (differ(v.hull_area, v.box_area))
-        return "the hull has an area of " + text(v.hull_area) + ", but the bounding box has " + text(v.box_area);
+        return "the hull has an area of " + text_of(v.hull_area) + ", but the bounding box has " + text_of(v.box_area);
     return "";
 }
 

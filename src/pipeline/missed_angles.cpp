@@ -3,11 +3,12 @@
 
 #include "base/counted.hpp"
 #include "base/degrees.hpp"
+#include "base/number_text.hpp"
 #include "mesh/quality.hpp"
+#include "volume/limits.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 namespace cleft
@@ -18,9 +19,6 @@ namespace
 
 // Improving leaves no angle nearer to its target than by this share, but for rounding.
 constexpr double kRounding = 1e-6;
-// Thin volumes whose spacings differ by more may have no good tetrahedra.
-// As in src/sizing/compute.cpp, where sizes stop following the thickness.
-constexpr double kMostStretch = 6;
 
 struct MissedAngles {
     int64_t tets = 0;
@@ -48,13 +46,6 @@ MissedAngles missed_angles(const LabelledMesh& mesh, const PipelineOptions& opti
     return missed;
 }
 
-std::string text(double value, const char* format)
-{
-    char out[32];
-    std::snprintf(out, sizeof out, format, value);
-    return out;
-}
-
 }  // namespace
 
 void warn_of_missed_angles(const Volume& volume, const LabelledMesh& mesh, const PipelineOptions& options,
@@ -70,9 +61,9 @@ void warn_of_missed_angles(const Volume& volume, const LabelledMesh& mesh, const
     const Vec3 spacing = volume.grid().spacing;
     const double stretch = spacing.maxCoeff() / spacing.minCoeff();
     run.warn(counted(missed.tets, "tetrahedron has", "tetrahedra have") + " dihedral angles below " +
-             text(options.improve.target_angle, "%g") + " or above 155 degrees, from " + text(missed.least, "%.1f") +
-             " to " + text(missed.greatest, "%.1f") +
-             (stretch > kMostStretch ? "; the voxel spacings differ by a factor of " + text(stretch, "%.3g") : ""));
+             number_text(options.improve.target_angle) + " or above 155 degrees, from " +
+             decimals_text(missed.least, 1) + " to " + decimals_text(missed.greatest, 1) +
+             (stretch > kUsualStretch ? "; the voxel spacings differ by a factor of " + digits_text(stretch, 3) : ""));
 }
 
 }  // namespace cleft

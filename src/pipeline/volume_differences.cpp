@@ -2,11 +2,11 @@
 // than the tetrahedra.
 #include "pipeline/volume_differences.hpp"
 
+#include "base/number_text.hpp"
 #include "mesh/materials.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 #include <string>
 
@@ -29,9 +29,8 @@ struct Difference {
 // "label 3 (+12 %)"
 std::string text(const Difference& difference)
 {
-    char percent[32];
-    std::snprintf(percent, sizeof percent, "%+.3g %%", 100 * difference.share);
-    return "label " + std::to_string(difference.label) + " (" + percent + ")";
+    const std::string sign = difference.share >= 0 ? "+" : "";
+    return "label " + std::to_string(difference.label) + " (" + sign + digits_text(100 * difference.share, 3) + " %)";
 }
 
 // The comparison makes no sense where a background of the user fills only a part of the box.

@@ -57,10 +57,9 @@ struct Limits {
 // Without this bound 5 % of random thin volumes missed 20 degrees, with it 6 of 1,920 runs (docs/quality.md, Thin
 // volumes).
 constexpr double kMostOfThickness = 1.5;
-// Where voxels are longer than wide by more than this, a plate may need very many elements of its thickness; it gets
-// them if they are no more than so many squares of that side.
+// Beyond kUsualStretch a plate may need very many elements of its thickness; it gets them if they are no more than so
+// many squares of that side.
 // A plate of 20 x 20 voxels of 50 x 50 x 1 would have millions of tetrahedra for nothing that its labels need.
-constexpr double kMostStretch = 6;
 // These many have some 140,000 background tetrahedra by the estimate of sizing_field.cpp.
 constexpr double kMostSquares = 20000;
 
@@ -73,7 +72,7 @@ double default_size_max(const Grid& grid)
     const double whole = std::max(longest_voxel, std::min(0.25 * box.maxCoeff(), box.minCoeff()));
     const double thin = kMostOfThickness * box.minCoeff();
     // The share covers the rounding of spacings that come from an affine.
-    const bool is_usual = longest_voxel <= kMostStretch * grid.spacing.minCoeff() * (1 + 1e-9);
+    const bool is_usual = longest_voxel <= kUsualStretch * grid.spacing.minCoeff() * (1 + 1e-9);
     const double squares = box.prod() / (box.minCoeff() * thin * thin);
     return is_usual || squares <= kMostSquares ? std::min(whole, thin) : whole;
 }

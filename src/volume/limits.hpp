@@ -14,6 +14,9 @@ inline constexpr double kLeastSpacing = 1e-15, kGreatestSpacing = 1e15;
 // Kernels work in voxels, sizes and distances in world units, and the two agree less the greater this is. Random
 // volumes are stretched up to here in tests, and beyond to see that they are refused (docs/reliability.md).
 inline constexpr double kGreatestStretch = 1000;
+// Up to this stretch the sizes follow the thickness of a plate whatever it costs. Beyond it thin volumes may have no
+// good tetrahedra, and the warning on missed angles names the stretch.
+inline constexpr double kUsualStretch = 6;
 // The greatest world coordinate of the box over the least distance between planes of voxels.
 // A double then has at least 45 steps between two planes; at ten times the distance it could have as few as four.
 inline constexpr double kGreatestDistance = 1e14;
