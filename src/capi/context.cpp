@@ -151,8 +151,10 @@ cleft_status cleft_context_metric(const cleft_context* context, int64_t index, c
         const auto& items = context->metrics.items;
         if (index < 0 || index >= static_cast<int64_t>(items.size()))
             throw cleft::Error(CLEFT_ERROR_ARGUMENT, "there is no such metric");
-        *required(name, "name") = items[index].first.c_str();
-        *required(value, "value") = items[index].second;
+        required(name, "name");
+        required(value, "value");
+        *name = items[index].first.c_str();
+        *value = items[index].second;
     });
 }
 

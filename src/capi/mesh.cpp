@@ -199,19 +199,23 @@ cleft_status cleft_mesh_copy_quadratic(const cleft_mesh* mesh, int32_t index_bas
         // not.
         if (corners + middles.count() >= INT32_MAX)
             throw Error(CLEFT_ERROR_TOO_LARGE, "more than 2147483646 points");
+        // All checks come before the first write: a failure leaves the caller's memory as it was.
+        if (points || tets) {
+            required(points, "points");
+            required(tets, "tets");
+            check_capacity(point_capacity, 3 * (corners + middles.count()));
+            check_capacity(tet_capacity, 10 * from.tets.size());
+        }
         *point_count = static_cast<int64_t>(corners + middles.count());
         // The first of two calls: the number of middles is not known from the counts of the mesh.
-        if (!points && !tets)
+        if (!points)
             return;
-        check_capacity(point_capacity, 3 * (corners + middles.count()));
-        check_capacity(tet_capacity, 10 * from.tets.size());
         if (corners > 0)
-            std::memcpy(required(points, "points"), from.points.front().data(), corners * sizeof(cleft::Vec3));
+            std::memcpy(points, from.points.front().data(), corners * sizeof(cleft::Vec3));
         for (size_t m = 0; m < middles.count(); ++m) {
             const cleft::Vec3 middle = middles.place(m, from.points);
             std::copy(middle.data(), middle.data() + 3, points + 3 * (corners + m));
         }
-        required(tets, "tets");
         for (const cleft::Tet& tet : from.tets)
             for (const int32_t node : middles.nodes(tet, corners))
                 *tets++ = node + index_base;

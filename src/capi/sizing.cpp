@@ -73,6 +73,7 @@ cleft_status cleft_sizing_create_values(cleft_context* context, const cleft_volu
         warn_of_unused_smooth(v->volume, options, run);
         const cleft::Array<double> doubles = as_doubles(type, values, v->frame.grid.size());
         SizingField field = cleft::sizing_from_values(v->frame.grid, doubles.data());
+        field.gradation = p.sizing.gradation;  // by which a search for a number scales it
         if (combine) {
             // The old field is read until the new one is complete; the assignment comes after that.
             p.sizing.user = field.h.data();

@@ -164,7 +164,13 @@ static void ten_nodes_share_their_middles(void** state)
                 const double* b = points + 3 * tets[10 * t + kMiddles[e][1]];
                 assert_true(points[3 * tets[10 * t + 4 + e] + axis] == 0.5 * (a[axis] + b[axis]));
             }
+    /* a failure writes nothing */
+    count = -1;
+    points[0] = -1e6;
     assert_int_equal(cleft_mesh_copy_quadratic(mesh, 0, points, 3 * 14 - 1, tets, 20, &count), CLEFT_ERROR_BUFFER);
+    assert_int_equal(cleft_mesh_copy_quadratic(mesh, 0, points, 3 * 14, NULL, 20, &count), CLEFT_ERROR_NULL);
+    assert_int_equal(cleft_mesh_copy_quadratic(mesh, 0, NULL, 3 * 14, tets, 20, &count), CLEFT_ERROR_NULL);
+    assert_true(count == -1 && points[0] == -1e6);
     cleft_mesh_destroy(mesh);
     cleft_context_destroy(context);
 }

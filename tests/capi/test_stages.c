@@ -148,6 +148,12 @@ static void one_call_gives_the_same_bytes_for_every_thread_count(void** state)
     double value = -1;
     assert_ok(context, cleft_context_metric(context, metrics - 1, &name, &value));
     assert_non_null(name);
+    /* a failure writes nothing */
+    name = NULL;
+    value = -1;
+    assert_int_equal(cleft_context_metric(context, 0, &name, NULL), CLEFT_ERROR_NULL);
+    assert_int_equal(cleft_context_metric(context, 0, NULL, &value), CLEFT_ERROR_NULL);
+    assert_true(!name && value == -1);
     assert_ok(context, cleft_context_clear_metrics(context));
     assert_int_equal(cleft_context_metric_count(context), 0);
     for (int t = 0; t < 3; ++t)
@@ -403,6 +409,32 @@ static void make_sizing(cleft_context* context, const cleft_volume* volume, cons
     assert_ok(context, cleft_sizing_create_values(context, volume, CLEFT_TYPE_FLOAT32, sizes, 0, options, out));
 }
 
+/* A search for a number makes sizes grow; then they grow from voxel to voxel by no more than was asked for. */
+static void own_sizes_are_scaled_by_the_gradation(void** state)
+{
+    static float sizes[N * N * N];
+    cleft_context* context = new_context();
+    cleft_volume* volume = ball_volume(context, N);
+    cleft_options* options = NULL;
+    cleft_sizing* sizing = NULL;
+    const float* scaled = NULL;
+    (void)state;
+    for (int v = 0; v < N * N * N; ++v)
+        sizes[v] = v % N < N / 2 ? 2 : 3;
+    assert_int_equal(cleft_options_create(&options), CLEFT_OK);
+    assert_int_equal(cleft_options_set_real(options, CLEFT_OPTION_GRADATION, 0.05), CLEFT_OK);
+    assert_int_equal(cleft_options_set_integer(options, CLEFT_OPTION_TETS, 500), CLEFT_OK);
+    assert_ok(context, cleft_sizing_create_values(context, volume, CLEFT_TYPE_FLOAT32, sizes, 0, options, &sizing));
+    scaled = cleft_sizing_values(sizing);
+    assert_true(scaled[0] > 2.1f);
+    for (int v = 1; v < N; ++v)
+        assert_true(scaled[v] - scaled[v - 1] < 0.051f);
+    cleft_sizing_destroy(sizing);
+    cleft_options_destroy(options);
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
 static void assert_same_arrays(const cleft_mesh* a, const cleft_mesh* b)
 {
     const size_t points = (size_t)cleft_mesh_point_count(a), tets = (size_t)cleft_mesh_tet_count(a);
@@ -473,6 +505,7 @@ int main(void)
         cmocka_unit_test(a_users_background_is_cleaved),
         cmocka_unit_test(progress_moves_forward_and_may_cancel_anywhere),
         cmocka_unit_test(strict_refuses_a_mesh_without_a_label),
+        cmocka_unit_test(own_sizes_are_scaled_by_the_gradation),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
