@@ -6,6 +6,7 @@
 #include "background/insertion_order.hpp"
 #include "background/tetgen_run.hpp"
 #include "base/large_pages.hpp"
+#include "base/ordinal.hpp"
 #include "base/stage.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/predicates.hpp"
@@ -30,7 +31,8 @@ void check_points(const Array<Vec3>& points)
                     std::to_string(points.size()) + " points are too many for one Delaunay mesh");
     for (size_t i = 0; i < points.size(); ++i)
         if (!points[i].allFinite())
-            throw Error(CLEFT_ERROR_NOT_FINITE, "point " + std::to_string(i) + " has a coordinate that is not finite");
+            throw Error(CLEFT_ERROR_NOT_FINITE,
+                        "the " + ordinal(static_cast<int64_t>(i)) + " point has a coordinate that is not finite");
 }
 
 // Three corners of the widest triangle met, then any point off its plane (exactly).
@@ -150,7 +152,7 @@ void check_all_used(const Array<Tet>& tets, size_t point_count)
             used[v] = 1;
     const auto unused = std::find(used.begin(), used.end(), 0) - used.begin();
     if (unused < used.count())
-        throw Error(CLEFT_ERROR_ARGUMENT, "point " + std::to_string(unused) + " lies on another point");
+        throw Error(CLEFT_ERROR_ARGUMENT, "the " + ordinal(unused) + " point lies on another point");
 }
 
 }  // namespace

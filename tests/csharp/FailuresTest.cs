@@ -231,7 +231,7 @@ sealed class FailuresTest
         foreach (var wrong in new Dictionary<string, Action> {
             ["SizeMax is -1"] = () => new Options { SizeMax = -1 }.Dispose(),
             ["Size is "] = () => new Options { Size = double.NaN }.Dispose(),
-            ["SizeMax is less than SizeMin"] = () => mesher.Mesh(volume, new Options { SizeMin = 3, SizeMax = 2 }),
+            ["SizeMax is 2, less than SizeMin"] = () => mesher.Mesh(volume, new Options { SizeMin = 3, SizeMax = 2 }),
             ["Strip would leave"] = () => mesher.Mesh(volume, new Options { Strip = volume.Labels.ToArray() }),
             ["Only would leave"] = () => mesher.Mesh(volume, new Options { Only = new[] { 99 } }),
             ["the size of label 3 is -1"] = () => new Options().SetLabelSize(3, -1),

@@ -210,7 +210,7 @@ final class FailuresTest {
         Class<CleftException> kind = CleftException.class;
         named(kind, "sizeMax is -1", () -> new Options().sizeMax(-1));
         named(kind, "maxTets", () -> new Options().maxTets(-1));
-        named(kind, "sizeMax is less than sizeMin", () -> mesher.mesh(volume, new Options().sizeMin(3).sizeMax(2)));
+        named(kind, "sizeMax is 2, less than sizeMin", () -> mesher.mesh(volume, new Options().sizeMin(3).sizeMax(2)));
         named(kind, "size_max is not a number", () -> new Options().set("size_max", "x"));
         named(kind, "/no/size_max.vtu", () -> MeshFiles.readMesh(mesher, java.nio.file.Path.of("/no/size_max.vtu")));
     }
