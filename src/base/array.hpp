@@ -54,7 +54,7 @@ public:
         return Vector::operator[](to_size(i));
     }
 
-    // size() as numbers count.
+    // size() as int64_t, the type by which points, tetrahedra and voxels are counted.
     int64_t count() const { return static_cast<int64_t>(this->size()); }
 
     template <class Integer>

@@ -8,10 +8,11 @@
 namespace cleft
 {
 
-// A triangle whose corners lie on a curved interface is a chord: the convex side loses volume, by some h^2 / (4 R^2) on
-// a sphere of radius R. Moves the points of interfaces, and of lines where interfaces meet, along the normals (not off
-// the walls), so that the corners of each triangle give back its share of the loss. No tetrahedron gets worse than
-// `least_angle` degrees (or than the worst around already is). Notes fitting.*.
+// A triangle whose corners lie on a curved interface is a chord: the convex side loses volume, by some
+// 3 h^2 / (8 R^2) of it with edges h on a sphere of radius R. Moves the points of interfaces, and of lines where
+// interfaces meet, along the normals (not off the walls), so that the corners of each triangle give back its share of
+// the loss. No tetrahedron gets worse than `least_angle` degrees (or than the worst around already is). Notes
+// fitting.*.
 void fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, const Run& run);
 void fit_volumes(LabelledMesh& mesh, const Volume& volume, double least_angle, const Run& run);
 

@@ -14,8 +14,8 @@ namespace cleft
 namespace
 {
 
-// The interface is looked for within this share of a triangle's longest edge: a chord of length h on a sphere of radius
-// h lies h / 6 below it.
+// The interface is looked for within this share of a triangle's longest edge: the centroid of a triangle with edges h
+// on a sphere of radius h lies 0.18 h below it.
 constexpr double kReachOfTriangle = 0.3;
 // Steps of the search, in the least voxel spacing: label indicators are flat further away than that.
 constexpr double kStep = 0.4;

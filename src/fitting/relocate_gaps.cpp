@@ -49,7 +49,7 @@ public:
     }
 
     // Moves the point onto an interface, and one of three materials or more also towards their tie, as far as may be.
-    // False if there is way left.
+    // False if another round may bring it further.
     bool relocate(int32_t v)
     {
         star_.load(mesh_, v);

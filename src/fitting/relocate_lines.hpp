@@ -1,4 +1,4 @@
-// Points where three or four materials meet belong on the tie of all of them.
+// Points where three materials or more meet belong on the tie of all of them.
 #pragma once
 
 #include "base/array.hpp"

@@ -29,7 +29,7 @@ FitMove move_of(const Residual& residual, uint8_t frozen)
     Eigen::SelfAdjointEigenSolver<Mat3> eigen;
     eigen.computeDirect(free * residual.normals * free);
     const double strongest = eigen.eigenvalues()[2];
-    if (!(strongest > kLeastShare * residual.area))  // across the wall
+    if (!(strongest > kLeastShare * residual.area))  // no free axis crosses the interface
         return move;
     move.along = free;
     for (int i = 0; i < 3; ++i)
@@ -69,7 +69,7 @@ int64_t VolumeCorrector::apply(const Array<Residual>& residuals, Array<FitPoint>
     return held;
 }
 
-// Of the star that is loaded.
+// star_ has the star of the point.
 void VolumeCorrector::count_gains(const Vec3& shift, VolumeDeficits& deficits) const
 {
     for (size_t i = 0; i < star_.tets().size(); ++i)

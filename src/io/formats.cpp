@@ -1,5 +1,5 @@
-// The table of all formats that are read and written, and searches in it. The command's help, the bindings and the
-// choice by extension all come from it.
+// The tables of all formats, and searches in them. The command's help, the bindings and the choice by extension all
+// come from them. Who reads which volume stands in read_image.cpp.
 #include "io/formats.hpp"
 
 #include "io/file_name.hpp"

@@ -10,7 +10,8 @@ namespace cleft
 namespace
 {
 
-// What real volumes took, rounded up: for the program, a voxel and a tetrahedron. Many labels have tables of theirs.
+// What real volumes took, rounded up: for the program, a voxel and a tetrahedron. Where labels are many, tables for
+// each label add to it.
 double peak_bytes(const Volume& volume, const Estimate& estimate)
 {
     // Users choose a machine by this, so each is rounded up: too little would end a run, a little too much costs

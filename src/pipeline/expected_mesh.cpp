@@ -86,7 +86,7 @@ std::array<Vec3, 4> corners_around(const Vec3& x, double edge, uint64_t sample)
     return corners;
 }
 
-// A place in a voxel.
+// A random place in the voxel.
 // The same sample always has the same place, so the same call gives the same estimate.
 Vec3 place_in(int64_t voxel, const Grid& grid, uint64_t sample)
 {
@@ -151,8 +151,8 @@ private:
     const SizingField& field_;
     const Volume& volume_;
     const Array<char>& keep_;
-    double kept_ = 0, other_ = 0,
-           boost_ = 1;  // sums of the density, and how much denser the samples are in kept voxels
+    double kept_ = 0, other_ = 0;  // sums of the density
+    double boost_ = 1;             // how much denser the samples are in kept voxels
 };
 
 // The same of tetrahedra that are there.

@@ -1,4 +1,5 @@
-// Improves a cleaved mesh; again, on other ways, where the first one ends with a few bad tetrahedra.
+// Improves a cleaved mesh. Where that ends with a few bad tetrahedra, tries again from the cleaved mesh with higher
+// aims.
 #include "pipeline/improved_mesh.hpp"
 
 #include "base/stage.hpp"

@@ -28,7 +28,8 @@ struct PipelineOptions {
     bool keeps(Material m) const { return keep.empty() || keep[m] != 0; }
 };
 
-// The stage of sizing. With options.tets the field is scaled until its mesh has that number, for which meshes are made.
+// The stage of sizing. With options.tets the field is scaled until its mesh has that number, which it finds by making
+// meshes.
 ScaledSizing make_sizing(const Volume& volume, const PipelineOptions& options, const Run& run);
 // The same for a field that is given.
 void scale_to_number(ScaledSizing& sizing, const Volume& volume, const PipelineOptions& options, const Run& run);
@@ -40,7 +41,7 @@ TetMesh make_background(const ScaledSizing& sizing, const PipelineOptions& optio
 // Repairs poor tetrahedra of a user-supplied background, as the options say.
 void repair_background(TetMesh& background, const PipelineOptions& options, const Run& run);
 
-// Cleaving and improving, without what ends a mesh.
+// Cleaving, improving and fitting, without the final checks and the ordering.
 LabelledMesh cleave_and_improve(const Volume& volume, const TetMesh& background, const PipelineOptions& options,
                                 const Run& run);
 

@@ -29,9 +29,9 @@ KINDS = (
     Kind(
         ("CANCELLED",),
         "Cancelled",
-        "",
-        "Cancelled",
         "",  # in C# an OperationCanceledException, by hand
+        "Cancelled",
+        "",
         "The progress function answered false, the thread was interrupted, or {@link Mesher#cancel} was called.",
         python_text="The progress function answered a false value, or Mesher.cancel() was called.",
     ),
