@@ -15,7 +15,7 @@ constexpr BackgroundRow kRows[] = {
     {[](const SizingField& field, const BackgroundOptions& options, const Run& run) {
          return particle_background(field, options.particles, run);
      },
-     [](const SizingField& field, const BackgroundOptions&, const Run&) { return expected_background_tets(field); },
+     [](const SizingField& field, const BackgroundOptions&, const Run&) { return expected_particle_tets(field); },
      nullptr, 57},
     {[](const SizingField& field, const BackgroundOptions& options, const Run& run) {
          return field_lattice(field, options.lattice, run);
@@ -48,15 +48,15 @@ double kept_share_of_voxels(const Volume& volume, const Array<char>& keep)
 
 const BackgroundRow& row_of(BackgroundKind kind) { return kRows[static_cast<int>(kind)]; }
 
-ExpectedTets expected_tets(const SizingField& field, const BackgroundOptions& options, const Volume& volume,
-                           const Array<char>& keep, const Run& run)
+ExpectedBackground expected_background(const SizingField& field, const BackgroundOptions& options, const Volume& volume,
+                                       const Array<char>& keep, const Run& run)
 {
     const double all = row_of(options.kind).expected_tets(field, options, run);
     if (keep.empty())
         return {all, all};
     // A graded background has more tetrahedra where h is small, a lattice the same number everywhere.
     const double share = is_graded(options.kind)
-                             ? expected_background_tets(field, volume, keep) / expected_background_tets(field)
+                             ? expected_particle_tets(field, volume, keep) / expected_particle_tets(field)
                              : kept_share_of_voxels(volume, keep);
     return {all, all * share};
 }

@@ -33,11 +33,11 @@ const BackgroundRow& row_of(BackgroundKind kind);
 inline bool is_graded(BackgroundKind kind) { return !row_of(kind).uniform_size; }
 
 // Of a background, of which some tetrahedra lie in materials with keep[material] != 0 (all if it is empty).
-struct ExpectedTets {
+struct ExpectedBackground {
     double all = 0, kept = 0;
 };
 // As exact as the estimate of each kind. For an octree its tree is built, which takes a while.
-ExpectedTets expected_tets(const SizingField& field, const BackgroundOptions& options, const Volume& volume,
-                           const Array<char>& keep, const Run& run);
+ExpectedBackground expected_background(const SizingField& field, const BackgroundOptions& options, const Volume& volume,
+                                       const Array<char>& keep, const Run& run);
 
 }  // namespace cleft

@@ -33,7 +33,7 @@ constexpr double kTetsOverParticles = 1.5;
 
 void refuse_too_many(const SizingField& field)
 {
-    const double tets = kTetsOverParticles * expected_background_tets(field);
+    const double tets = kTetsOverParticles * expected_particle_tets(field);
     if (tets > kMostTets)
         throw Error(CLEFT_ERROR_TOO_LARGE, "the sizes ask for an octree of about " + count_text(tets / 1e6) +
                                                " million tetrahedra, but it can have 600 million at most: set a "

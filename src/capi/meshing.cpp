@@ -109,7 +109,7 @@ cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volu
             require_valid(*from, "mesh", run);
         // The caller's handle holds the cleaved mesh, so further tries copy it instead of cleaving again.
         const cleft::Cleaved cleaved = [&](const Run&) { return to_stage(*from, *v); };
-        cleft_mesh result = cleft::capi::to_user(cleft::improved_and_finished(v->volume, cleaved, p, run), v->frame,
+        cleft_mesh result = cleft::capi::to_user(cleft::improve_and_finish(v->volume, cleaved, p, run), v->frame,
                                                  v->volume.labels(), run);
         // Names on the mesh come first: the caller gave them later than those of the volume.
         add_label_names(result.names, from->names, result.labels);

@@ -30,7 +30,8 @@ cleft::Array<double> as_doubles(cleft_type type, const void* values, int64_t cou
 // The expected number is found once, since cleft_sizing_expected_tets() has no context that could be cancelled.
 cleft_sizing finished(const cleft_volume& v, ScaledSizing sizing, const cleft::PipelineOptions& p, const Run& run)
 {
-    const cleft::ExpectedTets expected = cleft::expected_tets(sizing.field, p.background, v.volume, p.keep, run);
+    const cleft::ExpectedBackground expected =
+        cleft::expected_background(sizing.field, p.background, v.volume, p.keep, run);
     run.note("sizing.expected_background_tets", expected.all);
     return {{}, v.frame, std::move(sizing), expected.kept};
 }
@@ -57,7 +58,7 @@ cleft_status cleft_sizing_create_constant(cleft_context* context, const cleft_vo
             throw Error(CLEFT_ERROR_NOT_FINITE, "the size is NaN or infinite");
         // On the grid of the volume, so that all stages read it like any other field.
         SizingField field = cleft::constant_sizing(v->frame.grid, size);
-        const double expected = cleft::expected_background_tets(field);
+        const double expected = cleft::expected_particle_tets(field);
         return cleft_sizing{{}, v->frame, {std::move(field)}, expected};
     });
 }
@@ -80,7 +81,7 @@ cleft_status cleft_sizing_create_values(cleft_context* context, const cleft_volu
             field = cleft::compute_sizing(v->volume, p.sizing, run);
         }
         ScaledSizing sizing{std::move(field)};
-        cleft::scale_to_number(sizing, v->volume, p, run);
+        cleft::scale_by_meshing(sizing, v->volume, p, run);
         return finished(*v, std::move(sizing), p, run);
     });
 }

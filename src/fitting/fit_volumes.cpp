@@ -52,7 +52,7 @@ void fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, cons
     find_heights(mesh, volume, without_tie, triangles, of_heights);
     const Run of_volumes = stage.next();
     Array<FitPoint> points = find_points(mesh, without_tie, triangles);
-    const Array<Contact> contacts = find_contacts(triangles);
+    const Array<SharedArea> shared = find_shared_areas(triangles);
     VolumeCorrector corrector(mesh, floor);
     VolumeDeficits deficits(mesh, volume);
     for (int round = 0; round < kMostRounds; ++round) {
@@ -63,7 +63,7 @@ void fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, cons
             deficits.widen();
         // Exact fields say where the surface is. Only voxels give a volume to compare with.
         if (volume.is_label_map())
-            add_offsets(mesh, deficits, volume.grid().spacing, points, round == 0, contacts, triangles);
+            add_offsets(mesh, deficits, volume.grid().spacing, points, round == 0, shared, triangles);
         const int64_t held = corrector.apply(find_residuals(mesh, triangles, points), points, deficits, of_volumes);
         run.note("fitting.held", static_cast<double>(held));
     }

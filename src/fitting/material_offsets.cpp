@@ -13,10 +13,10 @@ namespace
 {
 
 // By material: the same number for all that touch, directly or over others.
-Array<int32_t> groups_in_touch(const Array<Contact>& contacts, size_t materials)
+Array<int32_t> groups_in_touch(const Array<SharedArea>& shared, size_t materials)
 {
     DisjointSets sets(materials);
-    for (const Contact& c : contacts)
+    for (const SharedArea& c : shared)
         sets.join(c.first, c.second);
     return sets.take();
 }
@@ -24,13 +24,13 @@ Array<int32_t> groups_in_touch(const Array<Contact>& contacts, size_t materials)
 // What one material wins another loses, so a group in touch cannot win together: what it misses in sum (the volume of a
 // label that is not in the mesh; rounding) is taken off, by areas. Without that the system has no solution, and
 // conjugate gradients run away.
-Eigen::VectorXd attainable(const Array<Contact>& contacts, const Array<double>& missing)
+Eigen::VectorXd attainable(const Array<SharedArea>& shared, const Array<double>& missing)
 {
     const size_t n = missing.size();
-    const Array<int32_t> group = groups_in_touch(contacts, n);
+    const Array<int32_t> group = groups_in_touch(shared, n);
     const auto of = [&](size_t m) { return group[m]; };
     Array<double> area(n, 0), group_area(n, 0), group_missing(n, 0);
-    for (const Contact& c : contacts) {
+    for (const SharedArea& c : shared) {
         area[c.first] += c.area;
         area[c.second] += c.area;
     }
@@ -48,14 +48,14 @@ Eigen::VectorXd attainable(const Array<Contact>& contacts, const Array<double>& 
 
 }  // namespace
 
-Array<double> material_offsets(const Array<Contact>& contacts, const Array<double>& missing)
+Array<double> material_offsets(const Array<SharedArea>& shared, const Array<double>& missing)
 {
     // Area-weighted graph Laplacian: singular, as offsets that are all equal move nothing. Conjugate gradients from
     // zero stay orthogonal to that.
     const auto n = static_cast<Eigen::Index>(missing.size());
     Array<Eigen::Triplet<double>> entries;
-    entries.reserve(4 * contacts.size());
-    for (const Contact& c : contacts) {
+    entries.reserve(4 * shared.size());
+    for (const SharedArea& c : shared) {
         entries.emplace_back(c.first, c.first, c.area);
         entries.emplace_back(c.second, c.second, c.area);
         entries.emplace_back(c.first, c.second, -c.area);
@@ -68,7 +68,7 @@ Array<double> material_offsets(const Array<Contact>& contacts, const Array<doubl
     // the time for long chains of labels.
     solver.setTolerance(1e-6);
     solver.setMaxIterations(500);
-    const Eigen::VectorXd offsets = solver.solve(attainable(contacts, missing));
+    const Eigen::VectorXd offsets = solver.solve(attainable(shared, missing));
     return {offsets.data(), offsets.data() + n};
 }
 

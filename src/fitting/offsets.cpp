@@ -16,19 +16,19 @@ constexpr double kMostOffset = 0.2;
 // With it, shells one voxel thick keep their volume within 5 %. At 0.5 voxels the two sides of a shell could meet.
 constexpr double kWideOffset = 0.45;
 
-Contact& contact_of(Array<Contact>& contacts, const std::array<Material, 2>& pair)
+SharedArea& shared_area_of(Array<SharedArea>& shared, const std::array<Material, 2>& pair)
 {
     const auto found =
-        std::lower_bound(contacts.begin(), contacts.end(), pair, [](const Contact& c, const auto& wanted) {
+        std::lower_bound(shared.begin(), shared.end(), pair, [](const SharedArea& c, const auto& wanted) {
             return c.first != wanted[0] ? c.first < wanted[0] : c.second < wanted[1];
         });
-    CLEFT_ASSERT(found != contacts.end() && found->first == pair[0] && found->second == pair[1]);
+    CLEFT_ASSERT(found != shared.end() && found->first == pair[0] && found->second == pair[1]);
     return *found;
 }
 
 }  // namespace
 
-Array<Contact> find_contacts(const Array<InterfaceTriangle>& triangles)
+Array<SharedArea> find_shared_areas(const Array<InterfaceTriangle>& triangles)
 {
     Array<std::array<Material, 2>> pairs;
     for (const InterfaceTriangle& t : triangles)
@@ -37,14 +37,14 @@ Array<Contact> find_contacts(const Array<InterfaceTriangle>& triangles)
             pairs.push_back(t.pair);
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    Array<Contact> contacts;
+    Array<SharedArea> shared;
     for (const auto& pair : pairs)
-        contacts.push_back({pair[0], pair[1], 0});
-    return contacts;
+        shared.push_back({pair[0], pair[1], 0});
+    return shared;
 }
 
 void add_offsets(const LocalMesh& mesh, const VolumeDeficits& deficits, const Vec3& spacing,
-                 const Array<FitPoint>& points, bool first, Array<Contact> contacts,
+                 const Array<FitPoint>& points, bool first, Array<SharedArea> shared,
                  Array<InterfaceTriangle>& triangles)
 {
     Array<double> missing = deficits.missing();
@@ -52,13 +52,13 @@ void add_offsets(const LocalMesh& mesh, const VolumeDeficits& deficits, const Ve
     for (const InterfaceTriangle& t : triangles) {
         const Vec3& a = place(t.corners[0]);
         const double area = 0.5 * (place(t.corners[1]) - a).cross(place(t.corners[2]) - a).norm();
-        contact_of(contacts, t.pair).area += area;
+        shared_area_of(shared, t.pair).area += area;
         if (first) {
             missing[t.pair[0]] -= area * t.height;
             missing[t.pair[1]] += area * t.height;
         }
     }
-    const Array<double> offsets = material_offsets(contacts, missing);
+    const Array<double> offsets = material_offsets(shared, missing);
     for (InterfaceTriangle& t : triangles) {
         const double more = offsets[t.pair[0]] - offsets[t.pair[1]];
         const bool is_wide = deficits.is_wide(t.pair[0]) || deficits.is_wide(t.pair[1]);

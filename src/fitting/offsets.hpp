@@ -10,12 +10,12 @@ namespace cleft
 {
 
 // The pairs of materials that touch, each once, without areas.
-Array<Contact> find_contacts(const Array<InterfaceTriangle>& triangles);
+Array<SharedArea> find_shared_areas(const Array<InterfaceTriangle>& triangles);
 
 // Adds to the offsets of the triangles what the labels miss. The first round counts the heights as applied; later, what
 // has not been applied will hardly be.
 void add_offsets(const LocalMesh& mesh, const VolumeDeficits& deficits, const Vec3& spacing,
-                 const Array<FitPoint>& points, bool first, Array<Contact> contacts,
+                 const Array<FitPoint>& points, bool first, Array<SharedArea> shared,
                  Array<InterfaceTriangle>& triangles);
 
 }  // namespace cleft

@@ -126,14 +126,14 @@ bool is_volume_path(const std::string& path)
 
 std::string extensions_with(int32_t direction)
 {
-    std::string text;
+    std::string text = " ";  // a blank around each, so that .vtk is not found in .vtkx
     for (int32_t i = 0; i < format_count(); ++i) {
         const Description& entry = format_row(i);
         // Two formats may have the same extensions, as both versions of MSH do; a message names them once.
-        if ((entry.directions & direction) && text.find(entry.extensions) == std::string::npos)
-            text += (text.empty() ? "" : " ") + std::string(entry.extensions);
+        if ((entry.directions & direction) && text.find(" " + std::string(entry.extensions) + " ") == std::string::npos)
+            text += std::string(entry.extensions) + " ";
     }
-    return text;
+    return text.substr(1, text.size() - 2);
 }
 
 }  // namespace cleft::io

@@ -37,7 +37,7 @@ Estimate estimate_of(const Volume& volume, const ExpectedMesh& expected, double 
 
 Estimate estimate_from_sizing(const Volume& volume, ScaledSizing sizing, const PipelineOptions& options, const Run& run)
 {
-    fit_to_number(sizing, volume, options, run);
+    scale_by_estimate(sizing, volume, options, run);
     const ExpectedMesh expected = expected_mesh(volume, sizing.field, options, run);
     // The search goes on by meshing, to the number itself.
     // So the estimate is of the wanted number, and not of what the fitted sizes are expected to give.

@@ -30,11 +30,12 @@ struct Pieces {
     double all = 0, kept = 0;
 };
 
-class Cutter
+class PieceCounter
 {
 public:
     // `points`: how many points the background has in each material.
-    Cutter(const Volume& volume, const Array<char>& keep, const Array<double>& points) : volume_(volume), keep_(keep)
+    PieceCounter(const Volume& volume, const Array<char>& keep, const Array<double>& points)
+        : volume_(volume), keep_(keep)
     {
         double lone = 0, all = 0;
         for (const double n : points) {
@@ -122,7 +123,7 @@ public:
         boost_ = kept_ > 0 ? std::max(1.0, other_ / kept_) : 1;
     }
 
-    Pieces mean_pieces(const Cutter& cutter, const Run& run) const
+    Pieces mean_pieces(const PieceCounter& counter, const Run& run) const
     {
         const double whole = boost_ * kept_ + other_;
         Pieces sum;
@@ -135,7 +136,7 @@ public:
             // Steps of equal weight through the voxels spread the samples more evenly than drawing each voxel would.
             for (; static_cast<double>(samples) + 0.5 < passed; ++samples) {
                 const Vec3 x = place_in(v, field_.grid, samples);
-                const Pieces pieces = cutter.pieces(corners_around(x, field_.at(x), samples));
+                const Pieces pieces = counter.pieces(corners_around(x, field_.at(x), samples));
                 sum.all += pieces.all / boost;
                 sum.kept += pieces.kept / boost;
                 weights += 1 / boost;
@@ -156,7 +157,7 @@ private:
 };
 
 // The same of tetrahedra that are there.
-Pieces mean_pieces(const TetMesh& background, const Cutter& cutter)
+Pieces mean_pieces(const TetMesh& background, const PieceCounter& counter)
 {
     const size_t count = background.tets.size(), step = std::max<size_t>(1, count / kSamples);
     Pieces sum;
@@ -165,23 +166,23 @@ Pieces mean_pieces(const TetMesh& background, const Cutter& cutter)
         std::array<Vec3, 4> corners;
         for (size_t i = 0; i < 4; ++i)
             corners[i] = background.points[background.tets[t][i]];
-        const Pieces pieces = cutter.pieces(corners);
+        const Pieces pieces = counter.pieces(corners);
         sum.all += pieces.all;
         sum.kept += pieces.kept;
     }
     return {sum.all / samples, sum.kept / samples};
 }
 
-ExpectedMesh of_pieces(double background_tets, const Pieces& mean, const Cutter& cutter)
+ExpectedMesh mesh_of_pieces(double background_tets, const Pieces& mean, const PieceCounter& counter)
 {
-    return {background_tets, background_tets * mean.all, background_tets * mean.kept, cutter.stay() > 0};
+    return {background_tets, background_tets * mean.all, background_tets * mean.kept, counter.stay() > 0};
 }
 
-ExpectedMesh of_sizes(const Volume& volume, const SizingField& field, const Array<char>& keep, double background_tets,
-                      const Run& run)
+ExpectedMesh mesh_of_sizes(const Volume& volume, const SizingField& field, const Array<char>& keep,
+                           double background_tets, const Run& run)
 {
-    const Cutter cutter(volume, keep, expected_points(field, volume));
-    return of_pieces(background_tets, Sampling(field, volume, keep).mean_pieces(cutter, run), cutter);
+    const PieceCounter counter(volume, keep, expected_points(field, volume));
+    return mesh_of_pieces(background_tets, Sampling(field, volume, keep).mean_pieces(counter, run), counter);
 }
 
 }  // namespace
@@ -192,9 +193,9 @@ ExpectedMesh expected_mesh(const Volume& volume, const SizingField& field, const
     const BackgroundRow& row = row_of(options.background.kind);
     const double tets = row.expected_tets(field, options.background, run);
     if (!row.uniform_size)
-        return of_sizes(volume, field, options.keep, tets, run);
-    return of_sizes(volume, constant_sizing(field.grid, row.uniform_size(field, options.background)), options.keep,
-                    tets, run);
+        return mesh_of_sizes(volume, field, options.keep, tets, run);
+    return mesh_of_sizes(volume, constant_sizing(field.grid, row.uniform_size(field, options.background)), options.keep,
+                         tets, run);
 }
 
 ExpectedMesh expected_mesh(const Volume& volume, const TetMesh& background, const Array<char>& keep, const Run& run)
@@ -204,8 +205,8 @@ ExpectedMesh expected_mesh(const Volume& volume, const TetMesh& background, cons
         run.check_at(p);
         points[volume.material_at(background.points[p])] += 1;
     }
-    const Cutter cutter(volume, keep, points);
-    return of_pieces(static_cast<double>(background.tets.size()), mean_pieces(background, cutter), cutter);
+    const PieceCounter counter(volume, keep, points);
+    return mesh_of_pieces(static_cast<double>(background.tets.size()), mean_pieces(background, counter), counter);
 }
 
 }  // namespace cleft

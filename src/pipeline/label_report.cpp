@@ -101,28 +101,31 @@ Array<LabelContact> new_contacts(const Volume& volume, const VoxelComponents& co
     return contacts;
 }
 
-}  // namespace
-
-LabelReport label_report(const Volume& volume, const LabelledMesh& mesh, const Run& run)
+// Labels, voxels and volumes; the counts of tetrahedra and pieces are not in them yet.
+Array<LabelRow> rows_of_labels(const Volume& volume, const LabelledMesh& mesh)
 {
-    const Grid& grid = volume.grid();
-    const Material count = volume.material_count();
-    Array<LabelRow> rows(count);
     const Array<int64_t> voxels = volume.voxel_counts();
-    const Array<double> volumes = material_volumes(mesh, count);
-    Steps steps(run, {{"finding parts", 4}, {"counting components", 4}, {"looking for contacts", 2}});
-    const MeshParts parts = mesh_parts(mesh, steps.next());
-    const Array<int32_t>& part = parts.of_tet;
+    const Array<double> volumes = material_volumes(mesh, volume.material_count());
+    Array<LabelRow> rows(volume.material_count());
     for (size_t m = 0; m < rows.size(); ++m) {
         rows[m].label = volume.labels()[m];
         rows[m].voxels = voxels[m];
-        rows[m].voxel_volume = static_cast<double>(voxels[m]) * grid.spacing.prod();
+        rows[m].voxel_volume = static_cast<double>(voxels[m]) * volume.grid().spacing.prod();
         rows[m].mesh_volume = volumes[m];
     }
+    return rows;
+}
 
-    const VoxelComponents components = voxel_components(volume, steps.next());
-    Array<uint8_t> is_met(components.voxels.size(), 0);  // by a tetrahedron in it
-    Array<Shared> shared;
+// What the tetrahedra say of the components of the voxels.
+struct MetComponents {
+    Array<uint8_t> is_met;  // by component: by a tetrahedron in it
+    Array<Shared> shared;   // of large ones: the volume in each part of the mesh
+};
+
+MetComponents count_tets(const Grid& grid, const LabelledMesh& mesh, const Array<int32_t>& part,
+                         const VoxelComponents& components, Array<LabelRow>& rows)
+{
+    MetComponents met{Array<uint8_t>(components.voxels.size(), 0), {}};
     for (size_t t = 0; t < mesh.tets.size(); ++t) {
         const Tet& tet = mesh.tets[t];
         const auto point = [&](size_t i) -> const Vec3& { return mesh.points[tet[i]]; };
@@ -136,23 +139,39 @@ LabelReport label_report(const Volume& volume, const LabelledMesh& mesh, const R
         // either piece.
         if (components.material[component] != mesh.material[t])
             continue;
-        is_met[component] = 1;
+        met.is_met[component] = 1;
         if (components.voxels[component] > kLargeComponent)
-            add(shared, {component, part[t], orient(point(0), point(1), point(2), point(3)) / 6});
+            add(met.shared, {component, part[t], orient(point(0), point(1), point(2), point(3)) / 6});
     }
-    const Array<Shared> pairs = summed(std::move(shared), kLeastPart * grid.spacing.prod());
-    const Array<uint8_t> broken = broken_components(pairs, is_met.size());
-    const Array<uint8_t> joined = joined_components(pairs, is_met.size());
-    for (size_t c = 0; c < is_met.size(); ++c) {
+    return met;
+}
+
+void count_components(const Grid& grid, const VoxelComponents& components, MetComponents met, Array<LabelRow>& rows)
+{
+    const Array<Shared> pairs = summed(std::move(met.shared), kLeastPart * grid.spacing.prod());
+    const Array<uint8_t> broken = broken_components(pairs, met.is_met.size());
+    const Array<uint8_t> joined = joined_components(pairs, met.is_met.size());
+    for (size_t c = 0; c < met.is_met.size(); ++c) {
         LabelRow& row = rows[components.material[c]];
         ++row.voxel_components;
         if (components.voxels[c] > kLargeComponent) {
             ++row.large_components;
-            row.large_components_lost += is_met[c] == 0;
+            row.large_components_lost += met.is_met[c] == 0;
             row.large_components_broken += broken[c];
             row.large_components_joined += joined[c];
         }
     }
+}
+
+}  // namespace
+
+LabelReport label_report(const Volume& volume, const LabelledMesh& mesh, const Run& run)
+{
+    Steps steps(run, {{"finding parts", 4}, {"counting components", 4}, {"looking for contacts", 2}});
+    const MeshParts parts = mesh_parts(mesh, steps.next());
+    const VoxelComponents components = voxel_components(volume, steps.next());
+    Array<LabelRow> rows = rows_of_labels(volume, mesh);
+    count_components(volume.grid(), components, count_tets(volume.grid(), mesh, parts.of_tet, components, rows), rows);
     return {std::move(rows), new_contacts(volume, components, parts.borders, steps.next())};
 }
 

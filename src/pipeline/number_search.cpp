@@ -42,7 +42,7 @@ LabelledMesh attempt(const Volume& volume, const ScaledSizing& sizing, const Pip
     const double share = row_of(options.background.kind).share_of_time;
     Steps steps(run, {{nullptr, share}, {nullptr, 100 - share}});
     const TetMesh background = make_background(sizing, options, steps.next());
-    return cleave_and_improve(volume, background, options, steps.next());
+    return cleave_improve_and_fit(volume, background, options, steps.next());
 }
 
 // Finds the factor on the sizing field that gives the wanted number. The number falls with the factor by a power
@@ -115,8 +115,9 @@ PipelineOptions without_limit(PipelineOptions options)
 void warn_of_number(const LabelledMesh& mesh, const PipelineOptions& options, bool is_limited, const Run& run)
 {
     const int64_t kept = kept_count(mesh, options);
+    constexpr double kMet = 0.1;  // as the text of the option says
     const double wanted = static_cast<double>(options.tets);
-    if (std::abs(static_cast<double>(kept) - wanted) <= 0.1 * wanted)
+    if (std::abs(static_cast<double>(kept) - wanted) <= kMet * wanted)
         return;
     std::string sentence =
         "the wanted number of tetrahedra, " + std::to_string(options.tets) + ", was not met: " + std::to_string(kept);
@@ -128,7 +129,7 @@ void warn_of_number(const LabelledMesh& mesh, const PipelineOptions& options, bo
 
 }  // namespace
 
-void fit_to_number(ScaledSizing& sizing, const Volume& volume, const PipelineOptions& options, const Run& run)
+void scale_by_estimate(ScaledSizing& sizing, const Volume& volume, const PipelineOptions& options, const Run& run)
 {
     constexpr int kFittingRounds = 6;  // the gradation limit bends the power law
     constexpr double kFitted = 0.01;   // of the factor: 3 % of the number
@@ -158,7 +159,7 @@ LabelledMesh mesh_of_number(const Volume& volume, ScaledSizing& sizing, const Pi
     Steps steps(run, steps_of_rounds());
     const bool was_found = sizing.found_for == options.tets;
     double factor = 1, next = 1;
-    fit_to_number(sizing, volume, options, steps.next());
+    scale_by_estimate(sizing, volume, options, steps.next());
     bool is_limited = false;
     LabelledMesh mesh;
     for (int round = 0; round < kRounds && !is_limited; ++round) {

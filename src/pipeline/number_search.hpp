@@ -8,7 +8,7 @@ namespace cleft
 
 // Scales a sizing field so that about options.tets tetrahedra of the kept materials are to be expected of the finished
 // mesh; 0: leaves it.
-void fit_to_number(ScaledSizing& sizing, const Volume& volume, const PipelineOptions& options, const Run& run);
+void scale_by_estimate(ScaledSizing& sizing, const Volume& volume, const PipelineOptions& options, const Run& run);
 
 // The mesh at the scale of the sizing field that gives options.tets tetrahedra of the kept materials, without the
 // finishing; it is left at that scale. One whose scale was found for that number is tried as it is. Warns if

@@ -7,7 +7,7 @@
 #include "base/stage.hpp"
 #include "fitting/fit_volumes.hpp"
 #include "mesh/order.hpp"
-#include "pipeline/improved_mesh.hpp"
+#include "pipeline/best_of_tries.hpp"
 #include "pipeline/label_report.hpp"
 #include "pipeline/missed_angles.hpp"
 #include "pipeline/number_search.hpp"
@@ -60,13 +60,14 @@ void require_kept(const LabelledMesh& mesh, const PipelineOptions& options)
                     "none of the labels that are kept has a tetrahedron; a smaller size would keep them");
 }
 
-LabelledMesh improved(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options, const Run& run)
+LabelledMesh improve_and_fit(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options,
+                             const Run& run)
 {
     if (options.improve.effort == Effort::off)
         return cleaved(run);
     // Fitting comes second: it keeps the angles that improving has reached, whereas improving would undo volumes.
     Steps steps(run, {{nullptr, 74}, {nullptr, 26}});
-    LocalMesh mesh = improved_mesh(volume, cleaved, options, steps.next());
+    LocalMesh mesh = best_of_tries(volume, cleaved, options, steps.next());
     fit_volumes(mesh, volume, options.improve.target_angle, steps.next());
     return mesh.take();
 }
@@ -91,11 +92,11 @@ ScaledSizing make_sizing(const Volume& volume, const PipelineOptions& options, c
 {
     Steps steps(run, {{nullptr, 1}, {nullptr, options.tets > 0 ? 20.0 : 0}});
     ScaledSizing sizing{compute_sizing(volume, options.sizing, steps.next())};
-    scale_to_number(sizing, volume, options, steps.next());
+    scale_by_meshing(sizing, volume, options, steps.next());
     return sizing;
 }
 
-void scale_to_number(ScaledSizing& sizing, const Volume& volume, const PipelineOptions& options, const Run& run)
+void scale_by_meshing(ScaledSizing& sizing, const Volume& volume, const PipelineOptions& options, const Run& run)
 {
     if (options.tets > 0)
         mesh_of_number(volume, sizing, options, run);
@@ -125,19 +126,19 @@ void repair_background(TetMesh& background, const PipelineOptions& options, cons
     repair(background, repair_options, stage.next());
 }
 
-LabelledMesh cleave_and_improve(const Volume& volume, const TetMesh& background, const PipelineOptions& options,
-                                const Run& run)
+LabelledMesh cleave_improve_and_fit(const Volume& volume, const TetMesh& background, const PipelineOptions& options,
+                                    const Run& run)
 {
     // Improving may ask for it again, and holds no copy of it meanwhile.
     const Cleaved cleaved = [&](const Run& part) { return cleave(volume, background, options.cleave, part); };
-    return improved(volume, cleaved, options, run);
+    return improve_and_fit(volume, cleaved, options, run);
 }
 
-LabelledMesh improved_and_finished(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options,
-                                   const Run& run)
+LabelledMesh improve_and_finish(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options,
+                                const Run& run)
 {
     Steps steps(run, {{nullptr, 90}, {nullptr, 10}});
-    LabelledMesh mesh = improved(volume, cleaved, options, steps.next());
+    LabelledMesh mesh = improve_and_fit(volume, cleaved, options, steps.next());
     return finished(volume, std::move(mesh), options, steps.next());
 }
 
@@ -162,7 +163,7 @@ LabelledMesh mesh_from_sizing(const Volume& volume, ScaledSizing sizing, const P
     TetMesh background = make_background(sizing, options, steps.next());
     // Only the background needs the sizes. Freed here, their memory is there for cleaving.
     sizing = ScaledSizing();
-    LabelledMesh mesh = cleave_and_improve(volume, background, options, steps.next());
+    LabelledMesh mesh = cleave_improve_and_fit(volume, background, options, steps.next());
     background = TetMesh();
     return finished(volume, std::move(mesh), options, steps.next());
 }
@@ -172,7 +173,7 @@ LabelledMesh mesh_from_background(const Volume& volume, TetMesh background, cons
 {
     Steps steps(run, {{nullptr, 20}, {nullptr, 75}, {nullptr, 5}});
     repair_background(background, options, steps.next());
-    LabelledMesh mesh = cleave_and_improve(volume, background, options, steps.next());
+    LabelledMesh mesh = cleave_improve_and_fit(volume, background, options, steps.next());
     background = TetMesh();
     return finished(volume, std::move(mesh), options, steps.next());
 }

@@ -32,7 +32,7 @@ struct PipelineOptions {
 // meshes.
 ScaledSizing make_sizing(const Volume& volume, const PipelineOptions& options, const Run& run);
 // The same for a field that is given.
-void scale_to_number(ScaledSizing& sizing, const Volume& volume, const PipelineOptions& options, const Run& run);
+void scale_by_meshing(ScaledSizing& sizing, const Volume& volume, const PipelineOptions& options, const Run& run);
 
 // Of the kind that the options name, in the local frame. Throws CLEFT_ERROR_TOO_LARGE where it would have too many
 // elements.
@@ -42,16 +42,16 @@ TetMesh make_background(const ScaledSizing& sizing, const PipelineOptions& optio
 void repair_background(TetMesh& background, const PipelineOptions& options, const Run& run);
 
 // Cleaving, improving and fitting, without the final checks and the ordering.
-LabelledMesh cleave_and_improve(const Volume& volume, const TetMesh& background, const PipelineOptions& options,
-                                const Run& run);
+LabelledMesh cleave_improve_and_fit(const Volume& volume, const TetMesh& background, const PipelineOptions& options,
+                                    const Run& run);
 
 // Gives a cleaved mesh, the same one whenever it is called: improving may need it again, and need not hold it.
 using Cleaved = std::function<LabelledMesh(const Run& run)>;
 
 // The last stage: angles and volumes of a cleaved mesh are improved, what was missed is reported (with `strict`,
 // refused), and the mesh is ordered.
-LabelledMesh improved_and_finished(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options,
-                                   const Run& run);
+LabelledMesh improve_and_finish(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options,
+                                const Run& run);
 
 // All stages.
 LabelledMesh mesh_from_volume(const Volume& volume, const PipelineOptions& options, const Run& run);

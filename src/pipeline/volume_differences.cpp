@@ -77,7 +77,7 @@ void warn_of_volume_differences(const Volume& volume, const LabelledMesh& mesh, 
         names += " and " + std::to_string(all.size() - kNamed) + " more";
     run.warn((all.size() == 1 ? std::string("the volume of one label differs")
                               : "the volumes of " + std::to_string(all.size()) + " labels differ") +
-             " by more than 5 % from that of the voxels: " + names);
+             " by more than " + digits_text(100 * kMostDifference, 3) + " % from that of the voxels: " + names);
 }
 
 }  // namespace cleft

@@ -163,7 +163,7 @@ void note_field(const SizingField& field, const Run& run)
 {
     run.note("sizing.least", field.least());
     run.note("sizing.greatest", field.greatest());
-    run.note("sizing.expected_background_tets", expected_background_tets(field));
+    run.note("sizing.expected_background_tets", expected_particle_tets(field));
 }
 
 // Everything that the sizes are computed from.
@@ -206,7 +206,7 @@ void keep_to_number(const Sources& from, Limits limits, SizingField& field, cons
     // percent, so a warning begins only at kNearly.
     constexpr double kClose = 1.02, kNearly = 1.2;
     const double wanted = from.options.max_tets;
-    const double asked = expected_background_tets(field);
+    const double asked = expected_particle_tets(field);
     if (wanted <= 0 || from.options.size > 0 || from.options.size_min > 0 || asked <= wanted)
         return;
     double expected = asked;
@@ -219,7 +219,7 @@ void keep_to_number(const Sources& from, Limits limits, SizingField& field, cons
         // Frees the old values before the new ones are made: a field can be the largest array of the stage.
         field = SizingField();
         field = field_of(from, limits, run);
-        expected = expected_background_tets(field);
+        expected = expected_particle_tets(field);
     }
     run.note("sizing.raised_size_min", limits.least_feature);
     const std::string raised = "the features ask for about " + count_text(asked) +

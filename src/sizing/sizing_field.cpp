@@ -73,15 +73,15 @@ double SizingField::least() const { return *std::min_element(h.begin(), h.end())
 
 double SizingField::greatest() const { return *std::max_element(h.begin(), h.end()); }
 
-double expected_background_tets(const SizingField& field)
+double expected_particle_tets(const SizingField& field)
 {
     return kTetsPerParticle * kParticlesPerCharge * sizing_charge(field);
 }
 
-double expected_background_tets(const SizingField& field, const Volume& volume, const Array<char>& keep)
+double expected_particle_tets(const SizingField& field, const Volume& volume, const Array<char>& keep)
 {
     if (keep.empty())
-        return expected_background_tets(field);
+        return expected_particle_tets(field);
     return kTetsPerParticle * kParticlesPerCharge *
            sizing_charge(field, [&](int64_t voxel) { return keep[volume.voxel_material(voxel)] != 0; });
 }

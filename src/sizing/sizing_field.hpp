@@ -59,9 +59,9 @@ void check_sizing_grid(const Grid& grid);
 Error bad_sizing_value(double value, int64_t voxel, const Grid& grid);
 
 // Tetrahedra that the particle background would have.
-double expected_background_tets(const SizingField& field);
+double expected_particle_tets(const SizingField& field);
 // Those of them in the voxels of some materials; keep[material] != 0, all if it is empty.
-double expected_background_tets(const SizingField& field, const Volume& volume, const Array<char>& keep);
+double expected_particle_tets(const SizingField& field, const Volume& volume, const Array<char>& keep);
 // Every value times `factor`, and then as much less as the gradation asks for: sizes at the interfaces scale, their
 // growth away from them does not.
 void scale_sizing(SizingField& field, double factor, const Run& run);

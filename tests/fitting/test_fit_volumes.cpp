@@ -102,30 +102,30 @@ void halves_of_a_ball_keep_their_volumes(void**)
 // Three materials in a row, and one that touches nothing.
 void offsets_give_what_is_missing(void**)
 {
-    const Array<Contact> contacts{{0, 1, 2.0}, {1, 2, 0.5}, {0, 1, 1.0}};
+    const Array<SharedArea> shared{{0, 1, 2.0}, {1, 2, 0.5}, {0, 1, 1.0}};
     const Array<double> missing{3, -2, -1, 0};
-    const Array<double> offsets = material_offsets(contacts, missing);
+    const Array<double> offsets = material_offsets(shared, missing);
     Array<double> gained(4, 0);
-    for (const Contact& c : contacts) {
+    for (const SharedArea& c : shared) {
         const auto a = static_cast<size_t>(c.first), b = static_cast<size_t>(c.second);
         gained[a] += c.area * (offsets[a] - offsets[b]);
         gained[b] -= c.area * (offsets[a] - offsets[b]);
     }
     for (size_t m = 0; m < 4; ++m)
         assert_true(std::abs(gained[m] - missing[m]) < 1e-5);
-    for (const double offset : material_offsets(contacts, {0, 0, 0, 0}))
+    for (const double offset : material_offsets(shared, {0, 0, 0, 0}))
         assert_true(offset == 0);
 }
 
 // A label that is not in the mesh misses what nothing can give; so do two that miss something together, be it rounding.
 void offsets_leave_out_what_nothing_can_give(void**)
 {
-    const Array<Contact> contacts{{0, 1, 2000.0}, {1, 2, 500.0}, {3, 4, 80.0}};
+    const Array<SharedArea> shared{{0, 1, 2000.0}, {1, 2, 500.0}, {3, 4, 80.0}};
     const Array<double> sound{3, -2, -1, 0.5, -0.5, 0};
-    const Array<double> expected = material_offsets(contacts, sound);
+    const Array<double> expected = material_offsets(shared, sound);
     const auto agrees = [&](const Array<double>& missing, double tolerance) {
-        const Array<double> offsets = material_offsets(contacts, missing);
-        for (const Contact& c : contacts) {
+        const Array<double> offsets = material_offsets(shared, missing);
+        for (const SharedArea& c : shared) {
             const auto a = static_cast<size_t>(c.first), b = static_cast<size_t>(c.second);
             if (!(std::abs((offsets[a] - offsets[b]) - (expected[a] - expected[b])) < tolerance))
                 return false;

@@ -255,17 +255,17 @@ void too_many_tets_raise_the_least_size(void**)
 {
     const Labels labels = noise(grid_of(30, 30, 30), 3, 4);
     SizingOptions options;
-    const double asked = expected_background_tets(field_of(labels, options));
+    const double asked = expected_particle_tets(field_of(labels, options));
     options.max_tets = 0.1 * asked;
     const SizingField field = field_of(labels, options);
-    const double kept = expected_background_tets(field);
+    const double kept = expected_particle_tets(field);
     assert_true(kept < 1.02 * options.max_tets && kept > 0.6 * options.max_tets);
     assert_true(worst_slope(field.grid, field.h) < options.gradation * (1 + 1e-4));
     options.max_tets = 2 * asked;  // enough: nothing changes
-    assert_true(expected_background_tets(field_of(labels, options)) == asked);
+    assert_true(expected_particle_tets(field_of(labels, options)) == asked);
     options.max_tets = 0.1 * asked;
     options.size_min = 1;  // what the user says is kept to
-    assert_true(expected_background_tets(field_of(labels, options)) == asked);
+    assert_true(expected_particle_tets(field_of(labels, options)) == asked);
 }
 
 void values_are_taken_as_they_are(void**)

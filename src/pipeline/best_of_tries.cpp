@@ -1,6 +1,6 @@
 // Improves a cleaved mesh. Where that ends with a few bad tetrahedra, tries again from the cleaved mesh with higher
 // aims.
-#include "pipeline/improved_mesh.hpp"
+#include "pipeline/best_of_tries.hpp"
 
 #include "base/stage.hpp"
 
@@ -32,7 +32,7 @@ Try try_with(const Volume& volume, const Cleaved& cleaved, const ImproveOptions&
 
 }  // namespace
 
-LocalMesh improved_mesh(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options, const Run& run)
+LocalMesh best_of_tries(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options, const Run& run)
 {
     Array<Step> shares(1 + std::size(kHigherAims), {nullptr, 0});
     shares[0].share = 1;  // others are seldom needed

@@ -9,6 +9,6 @@ namespace cleft
 
 // The improved mesh. Where few tetrahedra of a small mesh stay short of the target angle, other tries are made and
 // the best one is taken. Notes improving.* of the try that is taken, and improving.tries.
-LocalMesh improved_mesh(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options, const Run& run);
+LocalMesh best_of_tries(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options, const Run& run);
 
 }  // namespace cleft
