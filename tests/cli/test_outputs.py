@@ -15,6 +15,8 @@ def limit_of_files(size):
     def limit():
         signal.signal(signal.SIGXFSZ, signal.SIG_DFL)  # Python ignores it, and children would, too
         resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+        # The counters of a coverage build would be cut off, too, and every later run would complain of them.
+        os.environ.update(GCOV_PREFIX="/dev/null", GCOV_ERROR_FILE="/dev/null")
 
     return limit
 
