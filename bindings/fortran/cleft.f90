@@ -5,8 +5,8 @@
 !   points = mesh%points();  tets = mesh%tets();  labels = mesh%tet_labels()
 !
 ! Points are numbered from 1. Procedures that can fail take the optional arguments `stat` (0, or a CLEFT_ERROR_...) and
-! `errmsg`; without `stat`, a failure stops the program with its sentence. What the figures and options mean is told in
-! include/cleft/cleft.h; docs/fortran.md leads through.
+! `errmsg`; without `stat`, a failure stops the program with its sentence. include/cleft/cleft.h says what the figures
+! and options mean; docs/fortran.md leads through.
 module cleft
   use cleft_c, only: &
     cleft_quality, cleft_validation, cleft_label_report, cleft_contact, cleft_estimate

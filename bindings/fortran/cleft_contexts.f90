@@ -72,7 +72,7 @@ contains
     count = cleft_context_threads(self%c_handle())
   end function
 
-  ! Has progress told to `listener`; to none if it is absent.
+  ! Reports progress to `listener`, or to none if it is absent.
   subroutine set_progress(self, listener, stat, errmsg)
     class(cleft_context), intent(inout) :: self
     procedure(cleft_progress), optional :: listener
@@ -91,7 +91,7 @@ contains
     call self%conclude(cleft_context_set_progress(handle, callback, c_loc(self%listeners)), stat, errmsg)
   end subroutine
 
-  ! Has sentences told to `listener`; to none if it is absent. Until this is called, warnings are shown.
+  ! Gives warnings and remarks to `listener`, or to none if it is absent. Until this is called, warnings are printed.
   subroutine set_log(self, listener, stat, errmsg)
     class(cleft_context), intent(inout) :: self
     procedure(cleft_log), optional :: listener

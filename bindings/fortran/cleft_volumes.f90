@@ -33,7 +33,7 @@ module cleft_volumes
 
 contains
 
-  ! The voxels' places in the world are told by the lengths of a voxel and the centre of the first one, or by `affine`:
+  ! The lengths of a voxel and the centre of the first one place the voxels in the world, or `affine` does:
   ! world = matmul(affine(:, 1:3), index) + affine(:, 4), the index counted from 0. Without them, voxels are unit cubes
   ! and the corner of the box is at the origin. `affine` together with one of the others is refused, for they may
   ! disagree. Voxels of 8 bits are unsigned: 0 to 255.

@@ -1,6 +1,6 @@
 """FreeFEM: heat conduction in a ball of two materials, on the MEDIT file, against the exact solution.
 
-The regions of heat.edp are the labels; the number of the free surface is told by a comment of the file.
+The regions of heat.edp are the labels; a comment of the file says the number of the free surface.
 
     python3 freefem.py             with `cleft` and `FreeFem++-nw` in the PATH
 """

@@ -361,7 +361,7 @@ Command add_mesh_command(CLI::App& app)
     parser
         .add_option("-o,--output", arguments->outputs,
                     "The mesh; may be repeated for several formats. Missing folders\n"
-                    "and unknown extensions are told before the work begins")
+                    "and unknown extensions are refused before the work begins")
         ->allow_extra_args(false)
         ->type_name("OUTPUT");
     parser.add_option("--msh-version", arguments->msh_version, "Version of Gmsh's format for .msh (default 4.1)")

@@ -21,7 +21,7 @@ void fail_if(int error, bool is_report)
         return;
     Failure failure(EXIT_CANNOT_WRITE, CLEFT_ERROR_FILE,
                     std::string("standard output cannot be written: ") + std::strerror(error));
-    // A report that cannot be printed cannot be told of in a report.
+    // No report says that a report cannot be printed.
     failure.is_reported = !is_report;
     throw failure;
 }

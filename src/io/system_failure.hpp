@@ -1,4 +1,4 @@
-// Failures that calls of the system and libraries in C tell by errno. Want of memory is told from all others.
+// Failures that calls of the system and libraries in C report by errno. Lack of memory has a status of its own.
 #pragma once
 
 #include "base/error.hpp"

@@ -2,7 +2,7 @@ using System;
 
 namespace Cleft
 {
-    /// <summary>What arguments must be. Whoever gave a wrong one is told its name in C#, and its value.</summary>
+    /// <summary>What arguments must be. The sentence on a wrong one has its name in C#, and its value.</summary>
     internal static class Arguments
     {
         internal static T NotNull<T>(T value, string name) where T : class

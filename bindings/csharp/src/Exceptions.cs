@@ -3,7 +3,7 @@ using System.Threading;
 
 namespace Cleft
 {
-    /// <summary>A failure of the library, told in one sentence. Each kind of failure has a subclass.</summary>
+    /// <summary>A failure of the library, with one sentence on it. Each kind has a subclass.</summary>
     public class CleftException : Exception
     {
         internal CleftException(int status, string sentence) : base(sentence) { Status = status; }

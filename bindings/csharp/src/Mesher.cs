@@ -44,14 +44,14 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Is told the fraction done and the stage in words, on the thread that made the call: true to go on, false to
-        /// stop with a CancelledException. What it throws stops the call and comes out of it. May be null.
+        /// Receives the fraction done and the stage in words, on the thread that made the call. It returns true to go
+        /// on, false to stop with a CancelledException. What it throws stops the call and comes out of it. May be null.
         /// </summary>
         public Func<double, string, bool> Progress { get; set; }
 
         /// <summary>
-        /// Is told what is worth knowing, on the thread that made the call: at first <see cref="ShowWarnings"/>. May be
-        /// null.
+        /// Receives warnings and remarks, on the thread that made the call. It is <see cref="ShowWarnings"/> until it
+        /// is set. May be null.
         /// </summary>
         public Action<LogLevel, string> Log { get; set; } = ShowWarnings;
 

@@ -2,7 +2,7 @@ using System;
 
 namespace Cleft
 {
-    // Meshes, and what is told of them.
+    // Meshes, and the reports on them.
     public sealed partial class Mesher
     {
         // ----------------------------------------------------------------------------------------------- meshes

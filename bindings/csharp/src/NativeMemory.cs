@@ -5,8 +5,8 @@ namespace Cleft
 {
     /// <summary>
     /// The bytes that objects hold outside the heap, which the collector does not see: a mesh is a few bytes to it. So
-    /// objects that nobody disposes of would pile up long before the heap fills. .NET is told by GC.AddMemoryPressure;
-    /// Mono does not listen to that. So when what is held has grown by more than a budget, the collector is asked to
+    /// objects that nobody disposes of would pile up long before the heap fills. GC.AddMemoryPressure reports them to
+    /// .NET, but Mono ignores it. So when what is held has grown by more than a budget, the collector is asked to
     /// find the objects that nobody reaches any more.
     /// </summary>
     internal static class NativeMemory

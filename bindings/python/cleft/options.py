@@ -245,7 +245,7 @@ def _text(value: str, name: str) -> str:
 
 
 def options_of_volume(options: Options | None, keywords: Mapping[str, Any]) -> Options | None:
-    """The options of a call that makes a volume. What it does not read is told, where it was given to it alone."""
+    """The options of a call that makes a volume. A keyword that it does not read gives a warning."""
     for name in keywords:
         if name in _TABLE and "volume" not in _TABLE[name].calls or name in _LISTS:
             warn(f"a volume has no use for the option {name}: give it to mesh()")

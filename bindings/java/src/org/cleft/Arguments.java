@@ -3,7 +3,7 @@ package org.cleft;
 import java.util.Arrays;
 import java.util.Objects;
 
-/** What arguments must be. Whoever gave a wrong one is told its name in Java, and its value. */
+/** What arguments must be. The sentence on a wrong one has its name in Java, and its value. */
 final class Arguments {
     private Arguments() {}
 

@@ -1,6 +1,6 @@
 package org.cleft;
 
-/** A failure of the library, told in one sentence. Each status of the library has a subclass. */
+/** A failure of the library, with one sentence on the cause. Each status of the library has a subclass. */
 public class CleftException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

@@ -1,6 +1,6 @@
 package org.cleft;
 
-/** Is told what is worth knowing. A mesher has {@link #showWarnings} unless it is given another. */
+/** Receives warnings and remarks. A mesher has {@link #showWarnings} unless it is given another. */
 @FunctionalInterface
 public interface Log {
     /** How much a sentence matters. */

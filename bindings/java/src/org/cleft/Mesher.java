@@ -63,7 +63,7 @@ public final class Mesher extends NativeObject {
     }
 
     /**
-     * Sets who is told how far calls have come.
+     * Sets the function that receives how far calls have come.
      *
      * @param progress a function, or null
      * @return this mesher
@@ -74,7 +74,7 @@ public final class Mesher extends NativeObject {
     }
 
     /**
-     * Sets who is told what is worth knowing: at first {@link Log#showWarnings}.
+     * Sets the function that receives warnings and remarks: at first {@link Log#showWarnings}.
      *
      * @param log a function, or null for nobody
      * @return this mesher

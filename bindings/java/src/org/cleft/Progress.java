@@ -1,6 +1,6 @@
 package org.cleft;
 
-/** Is told how far a call has come. */
+/** Receives how far a call has come. */
 @FunctionalInterface
 public interface Progress {
     /**
