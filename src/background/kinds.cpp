@@ -34,14 +34,14 @@ constexpr BackgroundRow kRows[] = {
      nullptr, 10},
 };
 
-// The share of the voxels that are in materials with keep[material] != 0.
-double kept_share_of_voxels(const Volume& volume, const Array<char>& keep)
+// The share of the voxels that are in kept materials.
+double kept_share_of_voxels(const Volume& volume, const KeptMaterials& kept)
 {
     const Array<int64_t> voxels = volume.voxel_counts();
-    double kept = 0;
+    double in_kept = 0;
     for (size_t m = 0; m < voxels.size(); ++m)
-        kept += keep[m] != 0 ? static_cast<double>(voxels[m]) : 0;
-    return kept / static_cast<double>(volume.grid().size());
+        in_kept += kept.has(static_cast<Material>(m)) ? static_cast<double>(voxels[m]) : 0;
+    return in_kept / static_cast<double>(volume.grid().size());
 }
 
 }  // namespace
@@ -49,15 +49,15 @@ double kept_share_of_voxels(const Volume& volume, const Array<char>& keep)
 const BackgroundRow& row_of(BackgroundKind kind) { return kRows[static_cast<int>(kind)]; }
 
 ExpectedBackground expected_background(const SizingField& field, const BackgroundOptions& options, const Volume& volume,
-                                       const Array<char>& keep, const Run& run)
+                                       const KeptMaterials& kept, const Run& run)
 {
     const double all = row_of(options.kind).expected_tets(field, options, run);
-    if (keep.empty())
+    if (kept.all())
         return {all, all};
     // A graded background has more tetrahedra where h is small, a lattice the same number everywhere.
     const double share = is_graded(options.kind)
-                             ? expected_particle_tets(field, volume, keep) / expected_particle_tets(field)
-                             : kept_share_of_voxels(volume, keep);
+                             ? expected_particle_tets(field, volume, kept) / expected_particle_tets(field)
+                             : kept_share_of_voxels(volume, kept);
     return {all, all * share};
 }
 

@@ -3,7 +3,7 @@
 
 #include "background/field_lattice.hpp"
 #include "background/particles.hpp"
-#include "base/array.hpp"
+#include "volume/kept_materials.hpp"
 
 namespace cleft
 {
@@ -32,12 +32,12 @@ const BackgroundRow& row_of(BackgroundKind kind);
 
 inline bool is_graded(BackgroundKind kind) { return !row_of(kind).uniform_size; }
 
-// Of a background, of which some tetrahedra lie in materials with keep[material] != 0 (all if it is empty).
+// Of a background, of which some tetrahedra lie in kept materials.
 struct ExpectedBackground {
     double all = 0, kept = 0;
 };
 // As exact as the estimate of each kind. For an octree its tree is built, which takes a while.
 ExpectedBackground expected_background(const SizingField& field, const BackgroundOptions& options, const Volume& volume,
-                                       const Array<char>& keep, const Run& run);
+                                       const KeptMaterials& kept, const Run& run);
 
 }  // namespace cleft

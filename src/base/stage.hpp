@@ -26,6 +26,7 @@ public:
     {
         for (const Step& step : steps_)
             all_ += step.share;
+        CLEFT_ASSERT(all_ > 0);
     }
 
     // The run of the step that begins now. A step with a name reports it.

@@ -47,8 +47,9 @@ cleft_status cleft_mesh_estimate(cleft_context* context, const cleft_volume* vol
         // Before the work: a struct whose size was not set should not cost minutes first.
         cleft::check_struct_size(*required(out, "out"), "cleft_estimate");
         const Estimate found = estimated(*v, sizing, background, pipeline_options(options, *v), run);
-        cleft::copy_out<cleft_estimate>(
-            {0, found.is_bound, found.tets, found.whole_tets, found.background_tets, found.peak_bytes}, *out);
+        cleft::copy_out<cleft_estimate>({0, found.mesh.is_bound, found.mesh.kept_tets, found.mesh.whole_tets,
+                                         found.mesh.background_tets, found.peak_bytes},
+                                        *out);
         run.report(1, nullptr);
     });
 }

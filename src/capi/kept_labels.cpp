@@ -43,21 +43,20 @@ std::string list_names(const cleft_options& options)
 
 }  // namespace
 
-Array<char> kept_labels(const Array<int32_t>& labels, const cleft_options* options, const char* whose)
+KeptMaterials kept_labels(const Array<int32_t>& labels, const cleft_options* options, const char* whose)
 {
     if (!options || (options->strip.empty() && options->only.empty()))
         return {};
-    Array<char> keep;
+    Array<char> is_kept;
     for (const int32_t label : labels)
-        keep.push_back(!contains(options->strip, label) && (options->only.empty() || contains(options->only, label)));
-    const bool keeps_some = std::find(keep.begin(), keep.end(), 1) != keep.end();
+        is_kept.push_back(!contains(options->strip, label) &&
+                          (options->only.empty() || contains(options->only, label)));
+    const bool keeps_some = std::find(is_kept.begin(), is_kept.end(), 1) != is_kept.end();
     // An empty mesh would look like success, and fail in the program that reads it.
-    if (!keeps_some && !keep.empty())
+    if (!keeps_some && !is_kept.empty())
         throw Error(CLEFT_ERROR_OPTION,
                     list_names(*options) + " would leave nothing of the " + whose + ", which has " + named(labels));
-    const bool keeps_all = std::find(keep.begin(), keep.end(), 0) == keep.end();
-    // Stages take an empty list for "all" and skip their tests, so lists that leave nothing out cost nothing.
-    return keeps_all ? Array<char>() : keep;
+    return KeptMaterials(std::move(is_kept));
 }
 
 void warn_of_unknown_labels(const Array<int32_t>& labels, const cleft_options* options, const char* whose,
@@ -81,12 +80,12 @@ void warn_of_unknown_labels(const Array<int32_t>& labels, const cleft_options* o
 
 void strip_labels(cleft_mesh& mesh, const cleft_options* options)
 {
-    const Array<char> keep = kept_labels(mesh.labels, options, "mesh");
-    if (keep.empty())
+    const KeptMaterials kept = kept_labels(mesh.labels, options, "mesh");
+    if (kept.all())
         return;
     const auto is_kept = [&](int32_t label) {
         const auto place = std::lower_bound(mesh.labels.begin(), mesh.labels.end(), label) - mesh.labels.begin();
-        return keep[place] != 0;
+        return kept.has(static_cast<Material>(place));
     };
     strip(mesh.mesh.points, mesh.mesh.tets, mesh.mesh.labels, is_kept);
     mesh.labels = distinct_labels(mesh.mesh.labels);

@@ -4,13 +4,14 @@
 #include "base/array.hpp"
 #include "base/run.hpp"
 #include "capi/handles.hpp"
+#include "volume/kept_materials.hpp"
 
 namespace cleft::capi
 {
 
-// By label: whether it is kept; empty if the options leave none of them out. An Error if they leave all of them out.
-// `whose` is what has the labels, in words: "volume" or "mesh".
-Array<char> kept_labels(const Array<int32_t>& labels, const cleft_options* options, const char* whose);
+// By the place of a label in `labels`, which for a volume is its material. An Error if the options leave all of them
+// out. `whose` is what has the labels, in words: "volume" or "mesh".
+KeptMaterials kept_labels(const Array<int32_t>& labels, const cleft_options* options, const char* whose);
 
 // Warns of labels that the lists name and that are not among `labels`.
 void warn_of_unknown_labels(const Array<int32_t>& labels, const cleft_options* options, const char* whose,

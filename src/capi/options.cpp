@@ -154,7 +154,7 @@ PipelineOptions pipeline_options(const cleft_options* options)
 PipelineOptions pipeline_options(const cleft_options* options, const cleft_volume& volume)
 {
     PipelineOptions out = pipeline_options(options);
-    out.keep = kept_labels(volume.volume.labels(), options, "volume");
+    out.kept = kept_labels(volume.volume.labels(), options, "volume");
     return out;
 }
 

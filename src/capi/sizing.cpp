@@ -31,7 +31,7 @@ cleft::Array<double> as_doubles(cleft_type type, const void* values, int64_t cou
 cleft_sizing finished(const cleft_volume& v, ScaledSizing sizing, const cleft::PipelineOptions& p, const Run& run)
 {
     const cleft::ExpectedBackground expected =
-        cleft::expected_background(sizing.field, p.background, v.volume, p.keep, run);
+        cleft::expected_background(sizing.field, p.background, v.volume, p.kept, run);
     run.note("sizing.expected_background_tets", expected.all);
     return {{}, v.frame, std::move(sizing), expected.kept};
 }

@@ -30,7 +30,7 @@ Array<int32_t> relocate(LocalMesh& mesh, const Volume& volume, double floor, con
     run.note("fitting.off_lines", static_cast<double>(lines.off));
     if (volume.is_label_map())
         return {};
-    const Array<int32_t> in_gaps = relocate_gaps(mesh, volume, volume.voxel_counts(), floor, lines.without_tie, run);
+    const Array<int32_t> in_gaps = relocate_gaps(mesh, volume, floor, lines.without_tie, run);
     run.note("fitting.in_gaps", static_cast<double>(in_gaps.size()));
     return in_gaps;
 }
@@ -55,6 +55,7 @@ void fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, cons
     const Array<SharedArea> shared = find_shared_areas(triangles);
     VolumeCorrector corrector(mesh, floor);
     VolumeDeficits deficits(mesh, volume);
+    int64_t held = 0;  // in the last round
     for (int round = 0; round < kMostRounds; ++round) {
         if (round >= kFitRounds && !deficits.is_any_off())
             break;
@@ -63,10 +64,10 @@ void fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, cons
             deficits.widen();
         // Exact fields say where the surface is. Only voxels give a volume to compare with.
         if (volume.is_label_map())
-            add_offsets(mesh, deficits, volume.grid().spacing, points, round == 0, shared, triangles);
-        const int64_t held = corrector.apply(find_residuals(mesh, triangles, points), points, deficits, of_volumes);
-        run.note("fitting.held", static_cast<double>(held));
+            add_offsets(mesh, deficits, volume.grid().spacing, round == 0, shared, triangles);
+        held = corrector.apply(find_residuals(mesh, triangles, points), points, deficits, of_volumes);
     }
+    run.note("fitting.held", static_cast<double>(held));
 }
 
 void fit_volumes(LabelledMesh& mesh, const Volume& volume, double least_angle, const Run& run)

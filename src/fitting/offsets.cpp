@@ -26,6 +26,22 @@ SharedArea& shared_area_of(Array<SharedArea>& shared, const std::array<Material,
     return *found;
 }
 
+void add_areas(const LocalMesh& mesh, const Array<InterfaceTriangle>& triangles, Array<SharedArea>& shared)
+{
+    for (const InterfaceTriangle& t : triangles)
+        shared_area_of(shared, t.pair).area += area_vector(mesh, t).norm();
+}
+
+// What materials gain where each triangle rises to its height.
+void take_heights_off(const LocalMesh& mesh, const Array<InterfaceTriangle>& triangles, Array<double>& missing)
+{
+    for (const InterfaceTriangle& t : triangles) {
+        const double gain = area_vector(mesh, t).norm() * t.height;
+        missing[t.pair[0]] -= gain;
+        missing[t.pair[1]] += gain;
+    }
+}
+
 }  // namespace
 
 Array<SharedArea> find_shared_areas(const Array<InterfaceTriangle>& triangles)
@@ -43,21 +59,13 @@ Array<SharedArea> find_shared_areas(const Array<InterfaceTriangle>& triangles)
     return shared;
 }
 
-void add_offsets(const LocalMesh& mesh, const VolumeDeficits& deficits, const Vec3& spacing,
-                 const Array<FitPoint>& points, bool first, Array<SharedArea> shared,
-                 Array<InterfaceTriangle>& triangles)
+void add_offsets(const LocalMesh& mesh, const VolumeDeficits& deficits, const Vec3& spacing, bool first,
+                 Array<SharedArea> shared, Array<InterfaceTriangle>& triangles)
 {
+    add_areas(mesh, triangles, shared);
     Array<double> missing = deficits.missing();
-    const auto place = [&](int32_t i) -> const Vec3& { return mesh.point(points[i].number); };
-    for (const InterfaceTriangle& t : triangles) {
-        const Vec3& a = place(t.corners[0]);
-        const double area = 0.5 * (place(t.corners[1]) - a).cross(place(t.corners[2]) - a).norm();
-        shared_area_of(shared, t.pair).area += area;
-        if (first) {
-            missing[t.pair[0]] -= area * t.height;
-            missing[t.pair[1]] += area * t.height;
-        }
-    }
+    if (first)
+        take_heights_off(mesh, triangles, missing);
     const Array<double> offsets = material_offsets(shared, missing);
     for (InterfaceTriangle& t : triangles) {
         const double more = offsets[t.pair[0]] - offsets[t.pair[1]];

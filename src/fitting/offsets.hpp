@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/array.hpp"
+#include "fitting/interface_triangles.hpp"
 #include "fitting/material_offsets.hpp"
-#include "fitting/residuals.hpp"
 #include "fitting/volume_deficits.hpp"
 
 namespace cleft
@@ -14,8 +14,7 @@ Array<SharedArea> find_shared_areas(const Array<InterfaceTriangle>& triangles);
 
 // Adds to the offsets of the triangles what the labels miss. The first round counts the heights as applied; later, what
 // has not been applied will hardly be.
-void add_offsets(const LocalMesh& mesh, const VolumeDeficits& deficits, const Vec3& spacing,
-                 const Array<FitPoint>& points, bool first, Array<SharedArea> shared,
-                 Array<InterfaceTriangle>& triangles);
+void add_offsets(const LocalMesh& mesh, const VolumeDeficits& deficits, const Vec3& spacing, bool first,
+                 Array<SharedArea> shared, Array<InterfaceTriangle>& triangles);
 
 }  // namespace cleft

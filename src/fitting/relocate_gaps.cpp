@@ -35,8 +35,8 @@ struct Interface {
 class GapRelocator
 {
 public:
-    GapRelocator(LocalMesh& mesh, const Volume& volume, const Array<int64_t>& voxels, double floor)
-        : mesh_(mesh), volume_(volume), voxels_(voxels), floor_(floor)
+    GapRelocator(LocalMesh& mesh, const Volume& volume, double floor)
+        : mesh_(mesh), volume_(volume), voxels_(volume.voxel_counts()), floor_(floor)
     {
     }
 
@@ -44,7 +44,7 @@ public:
     bool is_inside_another(int32_t v)
     {
         star_.load(mesh_, v);
-        const auto materials = materials_around();
+        const auto materials = materials_of(star_.tets(), mesh_.materials());
         return materials && materials->size() == 2 && disjoint(*materials, MaterialSet(winner(mesh_.point(v))));
     }
 
@@ -53,7 +53,7 @@ public:
     bool relocate(int32_t v)
     {
         star_.load(mesh_, v);
-        const auto materials = materials_around();
+        const auto materials = materials_of(star_.tets(), mesh_.materials());
         if (!materials)
             return true;
         const Vec3 from = mesh_.point(v);
@@ -69,15 +69,6 @@ public:
     int64_t moves() const { return moves_; }
 
 private:
-    std::optional<MaterialSet> materials_around() const
-    {
-        MaterialSet materials;
-        for (const int32_t t : star_.tets())
-            if (!materials.unite(MaterialSet(mesh_.material(t))))
-                return std::nullopt;
-        return materials;
-    }
-
     Material winner(const Vec3& x)
     {
         volume_.sample(x, samples_);
@@ -156,7 +147,7 @@ private:
 
     LocalMesh& mesh_;
     const Volume& volume_;
-    const Array<int64_t>& voxels_;
+    const Array<int64_t> voxels_;  // of each material
     const double floor_;
     TetStar star_;
     Samples samples_;
@@ -183,10 +174,10 @@ void add_points_of_patch(const LocalMesh& mesh, GapRelocator& relocator, Array<i
 
 }  // namespace
 
-Array<int32_t> relocate_gaps(LocalMesh& mesh, const Volume& volume, const Array<int64_t>& voxels, double floor,
-                             Array<int32_t> without_tie, const Run& run)
+Array<int32_t> relocate_gaps(LocalMesh& mesh, const Volume& volume, double floor, Array<int32_t> without_tie,
+                             const Run& run)
 {
-    GapRelocator relocator(mesh, volume, voxels, floor);
+    GapRelocator relocator(mesh, volume, floor);
     add_points_of_patch(mesh, relocator, without_tie, run);
     Array<int32_t> left = without_tie;
     int64_t moves = -1;

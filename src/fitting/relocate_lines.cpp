@@ -29,13 +29,12 @@ public:
     Place relocate(int32_t v)
     {
         star_.load(mesh_, v);
-        MaterialSet materials;
-        for (const int32_t t : star_.tets())
-            if (!materials.unite(MaterialSet(mesh_.material(t))))
-                return Place::without_tie;
+        const auto materials = materials_of(star_.tets(), mesh_.materials());
+        if (!materials)
+            return Place::without_tie;
         const Vec3 from = mesh_.point(v);
         const double reach = star_.reach(from);
-        const auto on_tie = project_to_tie(volume_, from, from, materials, mesh_.frozen(v), reach, samples_);
+        const auto on_tie = project_to_tie(volume_, from, from, *materials, mesh_.frozen(v), reach, samples_);
         if (!on_tie)
             return Place::without_tie;
         if ((*on_tie - from).norm() < kLeastStep * reach)

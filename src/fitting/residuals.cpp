@@ -20,8 +20,8 @@ Array<FitPoint> find_points(const LocalMesh& mesh, const Array<int32_t>& without
             points.push_back({v});
         }
     for (InterfaceTriangle& t : triangles)
-        for (int32_t& v : t.corners)
-            v = index[v];
+        for (size_t i = 0; i < 3; ++i)
+            t.fit_points[i] = index[t.corners[i]];
     Array<int32_t> fixed = without_tie;
     std::sort(fixed.begin(), fixed.end());
     for (FitPoint& p : points)
@@ -33,18 +33,16 @@ Array<Residual> find_residuals(const LocalMesh& mesh, const Array<InterfaceTrian
                                const Array<FitPoint>& points)
 {
     Array<Residual> out(points.size());
-    const auto place = [&](int32_t i) -> const Vec3& { return mesh.point(points[i].number); };
     for (const InterfaceTriangle& t : triangles) {
-        const Vec3& a = place(t.corners[0]);
-        const Vec3 twice = (place(t.corners[1]) - a).cross(place(t.corners[2]) - a);
-        const double area = 0.5 * twice.norm();
-        const Vec3 normal = twice.normalized();
+        const Vec3 along = area_vector(mesh, t);
+        const double area = along.norm();
+        const Vec3 normal = along.normalized();
         double height = t.height + t.offset;
-        for (const int32_t v : t.corners)
+        for (const int32_t p : t.fit_points)
             // A corner that moves along the normal lifts the mean of the triangle by a third of that.
-            height -= points[v].moved.dot(normal) / 3;
-        for (const int32_t v : t.corners) {
-            Residual& residual = out[v];
+            height -= points[p].moved.dot(normal) / 3;
+        for (const int32_t p : t.fit_points) {
+            Residual& residual = out[p];
             residual.normals += area * normal * normal.transpose();
             residual.heights += area * height * normal;
             residual.area += area;

@@ -21,8 +21,8 @@ struct Residual {
     double area = 0;
 };
 
-// Numbers the corners of the triangles among themselves. Those in `without_tie` are fixed, since there is no tie from
-// which to move them.
+// The corners of the triangles, each once, which find their places in it. Those in `without_tie` are fixed, since there
+// is no tie from which to move them.
 // The numbers of the points are in ascending order, which is the order of all moves that follow.
 Array<FitPoint> find_points(const LocalMesh& mesh, const Array<int32_t>& without_tie,
                             Array<InterfaceTriangle>& triangles);

@@ -13,8 +13,8 @@ namespace cleft
 namespace
 {
 
-constexpr size_t kImprovedAtOnce =
-    16;  // tetrahedra, between two looks for a cancel: a compound operation takes milliseconds
+// Tetrahedra between two looks for a cancel: a compound operation takes milliseconds.
+constexpr size_t kImprovedAtOnce = 16;
 
 // Expensive operations are for a few: where a target is out of reach for many (random noise, an angle asked too much),
 // only the worst get them, one in so many tetrahedra of the mesh and some more.

@@ -9,17 +9,16 @@ namespace cleft
 void TieConstraint::set(const LocalMesh& mesh, const Array<int32_t>& tets, const Vec3& x, const Vec3& home,
                         uint8_t frozen, double reach, double tolerance)
 {
-    materials_ = MaterialSet();
-    too_many_ = false;
-    for (const int32_t t : tets)
-        too_many_ = !materials_.unite(MaterialSet(mesh.material(t))) || too_many_;
+    const auto materials = materials_of(tets, mesh.materials());
+    too_many_ = !materials;
+    materials_ = materials.value_or(MaterialSet());
     home_ = home;
     frozen_ = frozen;
     reach_ = reach;
     tolerance_ = tolerance;
     tangent_ = free_axes(frozen);
     // With a tolerance the point may leave its tie, so the directions across it stay free.
-    if (materials_.size() > 1 && tolerance == 0)
+    if (is_at_interface() && tolerance == 0)
         find_tangent(x);
 }
 
@@ -51,7 +50,7 @@ void TieConstraint::find_tangent(const Vec3& x)
 
 bool TieConstraint::project(Vec3& x)
 {
-    if (materials_.size() < 2)
+    if (!is_at_interface())
         return true;
     // A tie further away than half of an edge belongs to another part of the interface.
     const auto on_tie =

@@ -31,6 +31,7 @@ public:
 
 private:
     void find_tangent(const Vec3& x);
+    bool is_at_interface() const { return too_many_ || materials_.size() > 1; }
 
     const Volume& volume_;
     MaterialSet materials_;

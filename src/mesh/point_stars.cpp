@@ -11,11 +11,6 @@
 namespace cleft
 {
 
-namespace
-{
-
-}  // namespace
-
 PointStars::PointStars(const Array<Tet>& tets, size_t point_count, const Run& run)
     : lists_(large_array(point_count, List{0, 0, 0})), pool_(large_array<int32_t>(4 * tets.size()))
 {

@@ -22,6 +22,7 @@ double least_sine(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 // kObtuseWeight. 155 degrees are as bad as 20.
 // It is a little below so that a quality of sin(20) or more also keeps all angles below 155 degrees, in spite of
 // rounding.
+inline constexpr double kGreatestAngle = 155;    // degrees, that goes with a least one of 20
 inline constexpr double kObtuseWeight = 0.8092;  // a little below sin(20) / sin(25)
 double angle_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 

@@ -1,7 +1,6 @@
 // Memory from the expected number of tetrahedra, for the sizes that the search for a wanted number ends at.
 #include "pipeline/estimate.hpp"
 
-#include "pipeline/expected_mesh.hpp"
 #include "pipeline/number_search.hpp"
 
 namespace cleft
@@ -12,25 +11,20 @@ namespace
 
 // What real volumes took, rounded up: for the program, a voxel and a tetrahedron. Where labels are many, tables for
 // each label add to it.
-double peak_bytes(const Volume& volume, const Estimate& estimate)
+double peak_bytes(const Volume& volume, const ExpectedMesh& mesh)
 {
     // Users choose a machine by this, so each is rounded up: too little would end a run, a little too much costs
     // nothing.
     constexpr double kProgram = 3e7, kVoxel = 12, kTet = 200, kTetOfManyLabels = 420;
     return kProgram + kVoxel * static_cast<double>(volume.grid().size()) +
-           (estimate.is_bound ? kTetOfManyLabels : kTet) * estimate.whole_tets;
+           (mesh.is_bound ? kTetOfManyLabels : kTet) * mesh.whole_tets;
 }
 
-// `factor`: on all numbers.
-Estimate estimate_of(const Volume& volume, const ExpectedMesh& expected, double factor = 1)
+Estimate estimate_of(const Volume& volume, const ExpectedMesh& mesh) { return {mesh, peak_bytes(volume, mesh)}; }
+
+ExpectedMesh times(const ExpectedMesh& mesh, double factor)
 {
-    Estimate out;
-    out.background_tets = factor * expected.background;
-    out.whole_tets = factor * expected.whole;
-    out.tets = factor * expected.kept;
-    out.is_bound = expected.is_bound;
-    out.peak_bytes = peak_bytes(volume, out);
-    return out;
+    return {factor * mesh.background_tets, factor * mesh.whole_tets, factor * mesh.kept_tets, mesh.is_bound};
 }
 
 }  // namespace
@@ -41,14 +35,15 @@ Estimate estimate_from_sizing(const Volume& volume, ScaledSizing sizing, const P
     const ExpectedMesh expected = expected_mesh(volume, sizing.field, options, run);
     // The search goes on by meshing, to the number itself.
     // So the estimate is of the wanted number, and not of what the fitted sizes are expected to give.
-    const bool is_searched = options.tets > 0 && expected.kept > 0;
-    return estimate_of(volume, expected, is_searched ? static_cast<double>(options.tets) / expected.kept : 1);
+    const bool is_searched = options.tets > 0 && expected.kept_tets > 0;
+    return estimate_of(
+        volume, is_searched ? times(expected, static_cast<double>(options.tets) / expected.kept_tets) : expected);
 }
 
 Estimate estimate_from_background(const Volume& volume, const TetMesh& background, const PipelineOptions& options,
                                   const Run& run)
 {
-    return estimate_of(volume, expected_mesh(volume, background, options.keep, run));
+    return estimate_of(volume, expected_mesh(volume, background, options.kept, run));
 }
 
 }  // namespace cleft

@@ -34,8 +34,8 @@ class PieceCounter
 {
 public:
     // `points`: how many points the background has in each material.
-    PieceCounter(const Volume& volume, const Array<char>& keep, const Array<double>& points)
-        : volume_(volume), keep_(keep)
+    PieceCounter(const Volume& volume, const KeptMaterials& kept, const Array<double>& points)
+        : volume_(volume), kept_(kept)
     {
         double lone = 0, all = 0;
         for (const double n : points) {
@@ -51,20 +51,20 @@ public:
     Pieces pieces(const std::array<Vec3, 4>& corners) const
     {
         std::array<Material, 4> materials{};
-        double kept = 0;
+        double share = 0;  // of the corners that are kept
         for (size_t i = 0; i < 4; ++i) {
             materials[i] = volume_.material_at(corners[i]);
-            kept += keep_.empty() || keep_[materials[i]] != 0 ? 0.25 : 0;
+            share += kept_.has(materials[i]) ? 0.25 : 0;
         }
         std::sort(materials.begin(), materials.end());
         const auto different = std::unique(materials.begin(), materials.end()) - materials.begin();
         const double all = (1 - stay_) * kSnapped[different - 1] + stay_ * kWhole[different - 1];
-        return {all, all * kept};
+        return {all, all * share};
     }
 
 private:
     const Volume& volume_;
-    const Array<char>& keep_;
+    const KeptMaterials& kept_;
     double stay_ = 0;
 };
 
@@ -114,18 +114,18 @@ Array<double> expected_points(const SizingField& field, const Volume& volume)
 class Sampling
 {
 public:
-    Sampling(const SizingField& field, const Volume& volume, const Array<char>& keep)
-        : field_(field), volume_(volume), keep_(keep)
+    Sampling(const SizingField& field, const Volume& volume, const KeptMaterials& kept)
+        : field_(field), volume_(volume), kept_(kept)
     {
         for (int64_t v = 0; v < field.grid.size(); ++v)
-            (is_kept(v) ? kept_ : other_) += density(field, v);
+            (is_kept(v) ? in_kept_ : in_other_) += density(field, v);
         // Without this, a small label that is kept would get a few samples, and its number would be a matter of chance.
-        boost_ = kept_ > 0 ? std::max(1.0, other_ / kept_) : 1;
+        boost_ = in_kept_ > 0 ? std::max(1.0, in_other_ / in_kept_) : 1;
     }
 
     Pieces mean_pieces(const PieceCounter& counter, const Run& run) const
     {
-        const double whole = boost_ * kept_ + other_;
+        const double whole = boost_ * in_kept_ + in_other_;
         Pieces sum;
         uint64_t samples = 0;
         double passed = 0, weights = 0;
@@ -147,13 +147,13 @@ public:
     }
 
 private:
-    bool is_kept(int64_t voxel) const { return keep_.empty() || keep_[volume_.voxel_material(voxel)] != 0; }
+    bool is_kept(int64_t voxel) const { return kept_.has(volume_.voxel_material(voxel)); }
 
     const SizingField& field_;
     const Volume& volume_;
-    const Array<char>& keep_;
-    double kept_ = 0, other_ = 0;  // sums of the density
-    double boost_ = 1;             // how much denser the samples are in kept voxels
+    const KeptMaterials& kept_;
+    double in_kept_ = 0, in_other_ = 0;  // sums of the density over the voxels
+    double boost_ = 1;                   // how much denser the samples are in kept voxels
 };
 
 // The same of tetrahedra that are there.
@@ -178,11 +178,11 @@ ExpectedMesh mesh_of_pieces(double background_tets, const Pieces& mean, const Pi
     return {background_tets, background_tets * mean.all, background_tets * mean.kept, counter.stay() > 0};
 }
 
-ExpectedMesh mesh_of_sizes(const Volume& volume, const SizingField& field, const Array<char>& keep,
+ExpectedMesh mesh_of_sizes(const Volume& volume, const SizingField& field, const KeptMaterials& kept,
                            double background_tets, const Run& run)
 {
-    const PieceCounter counter(volume, keep, expected_points(field, volume));
-    return mesh_of_pieces(background_tets, Sampling(field, volume, keep).mean_pieces(counter, run), counter);
+    const PieceCounter counter(volume, kept, expected_points(field, volume));
+    return mesh_of_pieces(background_tets, Sampling(field, volume, kept).mean_pieces(counter, run), counter);
 }
 
 }  // namespace
@@ -193,19 +193,19 @@ ExpectedMesh expected_mesh(const Volume& volume, const SizingField& field, const
     const BackgroundRow& row = row_of(options.background.kind);
     const double tets = row.expected_tets(field, options.background, run);
     if (!row.uniform_size)
-        return mesh_of_sizes(volume, field, options.keep, tets, run);
-    return mesh_of_sizes(volume, constant_sizing(field.grid, row.uniform_size(field, options.background)), options.keep,
+        return mesh_of_sizes(volume, field, options.kept, tets, run);
+    return mesh_of_sizes(volume, constant_sizing(field.grid, row.uniform_size(field, options.background)), options.kept,
                          tets, run);
 }
 
-ExpectedMesh expected_mesh(const Volume& volume, const TetMesh& background, const Array<char>& keep, const Run& run)
+ExpectedMesh expected_mesh(const Volume& volume, const TetMesh& background, const KeptMaterials& kept, const Run& run)
 {
     Array<double> points(volume.material_count(), 0);
     for (size_t p = 0; p < background.points.size(); ++p) {
         run.check_at(p);
         points[volume.material_at(background.points[p])] += 1;
     }
-    const PieceCounter counter(volume, keep, points);
+    const PieceCounter counter(volume, kept, points);
     return mesh_of_pieces(static_cast<double>(background.tets.size()), mean_pieces(background, counter), counter);
 }
 

@@ -31,7 +31,7 @@ MissedAngles missed_angles(const LabelledMesh& mesh, const PipelineOptions& opti
     const double least_quality = sine_of(options.improve.target_angle) * (1 - kRounding);
     for (size_t t = 0; t < mesh.tets.size(); ++t) {
         run.check_at(static_cast<int64_t>(t));
-        if (!options.keeps(mesh.material[t]))
+        if (!options.kept.has(mesh.material[t]))
             continue;
         const auto corner = [&](size_t i) -> const Vec3& { return mesh.points[mesh.tets[t][i]]; };
         // The quality needs no arc cosine, and few tetrahedra come further than this.
@@ -61,8 +61,8 @@ void warn_of_missed_angles(const Volume& volume, const LabelledMesh& mesh, const
     const Vec3 spacing = volume.grid().spacing;
     const double stretch = spacing.maxCoeff() / spacing.minCoeff();
     run.warn(counted(missed.tets, "tetrahedron has", "tetrahedra have") + " dihedral angles below " +
-             number_text(options.improve.target_angle) + " or above 155 degrees, from " +
-             decimals_text(missed.least, 1) + " to " + decimals_text(missed.greatest, 1) +
+             number_text(options.improve.target_angle) + " or above " + number_text(kGreatestAngle) +
+             " degrees, from " + decimals_text(missed.least, 1) + " to " + decimals_text(missed.greatest, 1) +
              (stretch > kUsualStretch ? "; the voxel spacings differ by a factor of " + digits_text(stretch, 3) : ""));
 }
 

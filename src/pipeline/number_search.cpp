@@ -20,14 +20,14 @@ namespace
 // others fill the memory.
 double limit_of(const PipelineOptions& options)
 {
-    if (options.keep.empty() || options.max_tets <= 0)
+    if (options.kept.all() || options.max_tets <= 0)
         return 0;
     return std::max(options.max_tets, static_cast<double>(options.tets));
 }
 
 int64_t kept_count(const LabelledMesh& mesh, const PipelineOptions& options)
 {
-    return std::count_if(mesh.material.begin(), mesh.material.end(), [&](Material m) { return options.keeps(m); });
+    return std::count_if(mesh.material.begin(), mesh.material.end(), [&](Material m) { return options.kept.has(m); });
 }
 
 void scale(ScaledSizing& sizing, double factor, const Run& run)
@@ -112,9 +112,8 @@ PipelineOptions without_limit(PipelineOptions options)
     return options;
 }
 
-void warn_of_number(const LabelledMesh& mesh, const PipelineOptions& options, bool is_limited, const Run& run)
+void warn_of_number(int64_t kept, const PipelineOptions& options, bool is_limited, const Run& run)
 {
-    const int64_t kept = kept_count(mesh, options);
     constexpr double kMet = 0.1;  // as the text of the option says
     const double wanted = static_cast<double>(options.tets);
     if (std::abs(static_cast<double>(kept) - wanted) <= kMet * wanted)
@@ -141,8 +140,8 @@ void scale_by_estimate(ScaledSizing& sizing, const Volume& volume, const Pipelin
     // No mesh is made here, so that these rounds cost little beside the first one that makes one.
     for (int round = 0; round < kFittingRounds; ++round) {
         const ExpectedMesh expected = expected_mesh(volume, sizing.field, unlimited, run);
-        const double for_number = expected.kept > 0 ? std::cbrt(expected.kept / wanted) : 1;
-        const double factor = std::max(for_number, least_factor(1, kMostOff * expected.whole, limit));
+        const double for_number = expected.kept_tets > 0 ? std::cbrt(expected.kept_tets / wanted) : 1;
+        const double factor = std::max(for_number, least_factor(1, kMostOff * expected.whole_tets, limit));
         if (std::abs(factor - 1) < kFitted)
             return;
         scale(sizing, factor, run);
@@ -162,6 +161,7 @@ LabelledMesh mesh_of_number(const Volume& volume, ScaledSizing& sizing, const Pi
     scale_by_estimate(sizing, volume, options, steps.next());
     bool is_limited = false;
     LabelledMesh mesh;
+    int64_t kept = 0;
     for (int round = 0; round < kRounds && !is_limited; ++round) {
         // From the factor before, since the field is scaled in place and a copy of it could be the largest array of
         // all.
@@ -174,19 +174,20 @@ LabelledMesh mesh_of_number(const Volume& volume, ScaledSizing& sizing, const Pi
         mesh = LabelledMesh();
         mesh = attempt(volume, sizing, options, silenced(steps.next()));
         const double all = static_cast<double>(mesh.tets.size());
-        const double count = static_cast<double>(kept_count(mesh, options));
+        kept = kept_count(mesh, options);
+        const double count = static_cast<double>(kept);
         run.note("pipeline.rounds.count", round + 1);
         // cleft_sizing_create() has searched already. Meshing its field must not search on, so that single calls give
         // the bytes of the one call.
-        const bool is_where_a_search_ended = round == 0 && was_found && kept_count(mesh, options) == sizing.found;
+        const bool is_where_a_search_ended = round == 0 && was_found && kept == sizing.found;
         if (is_where_a_search_ended || std::abs(count - wanted) <= kTolerance * wanted)
             break;
         next = std::max(search.next(factor, count), least_factor(factor, all, limit));
         is_limited = limit > 0 && all >= kNearLimit * limit && count < wanted;
     }
     sizing.found_for = options.tets;
-    sizing.found = kept_count(mesh, options);
-    warn_of_number(mesh, options, is_limited, run);
+    sizing.found = kept;
+    warn_of_number(kept, options, is_limited, run);
     if (!is_graded(options.background.kind))
         warn_of_coarse_lattice(sizing.field, sizing.scale, run);
     return mesh;

@@ -33,7 +33,7 @@ void require_all_labels(const Volume& volume, const LabelledMesh& mesh, const Pi
     const std::string piece = " has a piece of more than " + std::to_string(kLargeComponent) + " voxels ";
     for (Material m = 0; m < volume.material_count(); ++m) {
         const LabelRow& row = report.rows[m];
-        if (!options.keeps(m))
+        if (!options.kept.has(m))
             continue;
         if (row.voxels > 0 && row.tets == 0)
             throw Error(CLEFT_ERROR_LABEL_LOST, name(m) + " (" + counted(row.voxels, "voxel") +
@@ -45,7 +45,7 @@ void require_all_labels(const Volume& volume, const LabelledMesh& mesh, const Pi
             throw Error(CLEFT_ERROR_LABEL_LOST, name(m) + piece + "that broke; a smaller size would keep it whole");
     }
     for (const LabelContact& contact : report.contacts)
-        if (options.keeps(contact.first) && options.keeps(contact.second))
+        if (options.kept.has(contact.first) && options.kept.has(contact.second))
             throw Error(CLEFT_ERROR_LABEL_LOST, name(contact.first) + " and " + name(contact.second) + " share " +
                                                     counted(contact.triangles, "triangle") +
                                                     ", but no two of their voxels share a face or an edge; a "
@@ -55,7 +55,7 @@ void require_all_labels(const Volume& volume, const LabelledMesh& mesh, const Pi
 // A label that is to be kept can have been lost; where all are, an empty mesh would be left.
 void require_kept(const LabelledMesh& mesh, const PipelineOptions& options)
 {
-    if (std::none_of(mesh.material.begin(), mesh.material.end(), [&](Material m) { return options.keeps(m); }))
+    if (std::none_of(mesh.material.begin(), mesh.material.end(), [&](Material m) { return options.kept.has(m); }))
         throw Error(CLEFT_ERROR_LABEL_LOST,
                     "none of the labels that are kept has a tetrahedron; a smaller size would keep them");
 }
@@ -78,7 +78,7 @@ LabelledMesh finished(const Volume& volume, LabelledMesh mesh, const PipelineOpt
     require_kept(mesh, options);
     if (options.strict)
         require_all_labels(volume, mesh, options, run);
-    warn_of_volume_differences(volume, mesh, options.keep, run);
+    warn_of_volume_differences(volume, mesh, options.kept, run);
     warn_of_missed_angles(volume, mesh, options, run);
     Stage stage(run, "finish", {{nullptr, 1}});
     // Last, since stages before number points as they make them. It changes no place, so what was reported stays true.

@@ -7,6 +7,7 @@
 #include "improving/improve.hpp"
 #include "pipeline/scaled_sizing.hpp"
 #include "sizing/sizing_options.hpp"
+#include "volume/kept_materials.hpp"
 #include "volume/volume.hpp"
 
 #include <functional>
@@ -23,9 +24,7 @@ struct PipelineOptions {
     int64_t tets = 0;          // wanted number of tetrahedra of the kept materials; 0: as the sizing field says
     double max_tets = 0;       // bounds all tetrahedra where `tets` counts some of them; 0: no limit
     bool strict = false;
-    Array<char> keep;  // by material: whether its tetrahedra are kept of the finished mesh; empty: all are
-
-    bool keeps(Material m) const { return keep.empty() || keep[m] != 0; }
+    KeptMaterials kept;  // the tetrahedra of others are left out of the finished mesh
 };
 
 // The stage of sizing. With options.tets the field is scaled until its mesh has that number, which it finds by making

@@ -41,12 +41,12 @@ bool fills_box(const Volume& volume, const Array<double>& volumes)
 }
 
 // Those that differ too much, the greatest difference first.
-Array<Difference> differences(const Volume& volume, const Array<double>& volumes, const Array<char>& keep)
+Array<Difference> differences(const Volume& volume, const Array<double>& volumes, const KeptMaterials& kept)
 {
     const Array<int64_t> voxels = volume.voxel_counts();
     Array<Difference> all;
     for (size_t m = 0; m < voxels.size(); ++m) {
-        if (voxels[m] < kLeastVoxels || (!keep.empty() && keep[m] == 0))
+        if (voxels[m] < kLeastVoxels || !kept.has(static_cast<Material>(m)))
             continue;
         const double share = volumes[m] / (static_cast<double>(voxels[m]) * volume.grid().spacing.prod()) - 1;
         if (std::abs(share) > kMostDifference)
@@ -60,14 +60,15 @@ Array<Difference> differences(const Volume& volume, const Array<double>& volumes
 
 }  // namespace
 
-void warn_of_volume_differences(const Volume& volume, const LabelledMesh& mesh, const Array<char>& keep, const Run& run)
+void warn_of_volume_differences(const Volume& volume, const LabelledMesh& mesh, const KeptMaterials& kept,
+                                const Run& run)
 {
     // A sentence that names more is not read.
     constexpr size_t kNamed = 5;
     const Array<double> volumes = material_volumes(mesh, volume.material_count());
     if (!run.on_warning || !fills_box(volume, volumes))
         return;
-    const Array<Difference> all = differences(volume, volumes, keep);
+    const Array<Difference> all = differences(volume, volumes, kept);
     if (all.empty())
         return;
     std::string names;

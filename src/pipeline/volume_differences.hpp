@@ -1,16 +1,16 @@
 // Do the volumes of a mesh come near those of its voxels?
 #pragma once
 
-#include "base/array.hpp"
 #include "mesh/tet_mesh.hpp"
+#include "volume/kept_materials.hpp"
 #include "volume/volume.hpp"
 
 namespace cleft
 {
 
 // Warns, in one sentence for all, of kept labels of some size whose volume in the mesh is not that of their voxels.
-// `keep`, by material: whether a label is kept; empty: all are. A mesh that does not fill the box says nothing.
-void warn_of_volume_differences(const Volume& volume, const LabelledMesh& mesh, const Array<char>& keep,
+// A mesh that does not fill the box says nothing.
+void warn_of_volume_differences(const Volume& volume, const LabelledMesh& mesh, const KeptMaterials& kept,
                                 const Run& run);
 
 }  // namespace cleft

@@ -6,11 +6,6 @@
 namespace cleft
 {
 
-namespace
-{
-
-}  // namespace
-
 void WorstFirst::collect_all(const LocalMesh& mesh, double target, const Run& run)
 {
     next_.clear();

@@ -78,12 +78,12 @@ double expected_particle_tets(const SizingField& field)
     return kTetsPerParticle * kParticlesPerCharge * sizing_charge(field);
 }
 
-double expected_particle_tets(const SizingField& field, const Volume& volume, const Array<char>& keep)
+double expected_particle_tets(const SizingField& field, const Volume& volume, const KeptMaterials& kept)
 {
-    if (keep.empty())
+    if (kept.all())
         return expected_particle_tets(field);
     return kTetsPerParticle * kParticlesPerCharge *
-           sizing_charge(field, [&](int64_t voxel) { return keep[volume.voxel_material(voxel)] != 0; });
+           sizing_charge(field, [&](int64_t voxel) { return kept.has(volume.voxel_material(voxel)); });
 }
 
 void scale_sizing(SizingField& field, double factor, const Run& run)

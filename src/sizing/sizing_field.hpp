@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "base/mix.hpp"
 #include "base/run.hpp"
+#include "volume/kept_materials.hpp"
 #include "volume/volume.hpp"
 
 #include <algorithm>
@@ -60,8 +61,8 @@ Error bad_sizing_value(double value, int64_t voxel, const Grid& grid);
 
 // Tetrahedra that the particle background would have.
 double expected_particle_tets(const SizingField& field);
-// Those of them in the voxels of some materials; keep[material] != 0, all if it is empty.
-double expected_particle_tets(const SizingField& field, const Volume& volume, const Array<char>& keep);
+// Those of them in the voxels of the kept materials.
+double expected_particle_tets(const SizingField& field, const Volume& volume, const KeptMaterials& kept);
 // Every value times `factor`, and then as much less as the gradation asks for: sizes at the interfaces scale, their
 // growth away from them does not.
 void scale_sizing(SizingField& field, double factor, const Run& run);

@@ -121,7 +121,7 @@ void name_materials(const IndicatorField& field, Samples& out)
     std::iota(out.material.begin(), out.material.end(), 0);
 }
 
-// The greatest of value(0) .. value(count - 1), ties to the lower.
+// Which of value(0) .. value(count - 1) wins.
 template <class Value>
 Material greatest(int64_t count, const Value& value)
 {
@@ -130,7 +130,7 @@ Material greatest(int64_t count, const Value& value)
     auto most = value(0);
     for (Material i = 1; i < count; ++i) {
         const auto f = value(i);
-        if (f > most) {
+        if (wins(f, i, most, best)) {
             most = f;
             best = i;
         }

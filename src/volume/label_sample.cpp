@@ -231,8 +231,7 @@ Material material_at(const LabelMap<Label>& map, const Vec3& x)
     find_shares<false>(map, u, shares);
     int best = 0;
     for (int i = 1; i < shares.count; ++i)
-        if (shares.value[i] > shares.value[best] ||
-            (shares.value[i] == shares.value[best] && shares.material[i] < shares.material[best]))
+        if (wins(shares.value[i], shares.material[i], shares.value[best], shares.material[best]))
             best = i;
     return shares.material[best];
 }

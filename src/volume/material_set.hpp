@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 
 namespace cleft
 {
@@ -57,6 +58,16 @@ private:
 };
 
 static_assert(sizeof(MaterialSet) == 32, "one set a vertex of the background: keep it small");
+
+// Of some tetrahedra of a mesh. None if they are too many.
+inline std::optional<MaterialSet> materials_of(const Array<int32_t>& tets, const Array<Material>& material)
+{
+    MaterialSet set;
+    for (const int32_t t : tets)
+        if (!set.unite(MaterialSet(material[t])))
+            return std::nullopt;
+    return set;
+}
 
 inline bool disjoint(const MaterialSet& a, const MaterialSet& b)
 {

@@ -14,6 +14,13 @@
 namespace cleft
 {
 
+// The rule for ties: the greater value wins, of equal ones the lower material.
+template <class Value>
+bool wins(Value value, Material material, Value other_value, Material other)
+{
+    return value > other_value || (value == other_value && material < other);
+}
+
 // The indicators at one point: one entry for each material that has a say there, ascending by material.
 // A material without an entry has value 0 in a label map (label indicators are shares, never negative); for indicator
 // functions every material has an entry. Reuse one object a thread: the vectors keep their memory.
@@ -31,12 +38,12 @@ struct Samples {
                 return static_cast<int>(i);
         return -1;
     }
-    // The largest value wins, ties go to the lower material.
+    // The entry that wins over all others.
     size_t best() const
     {
         size_t b = 0;
         for (size_t i = 1; i < material.size(); ++i)
-            if (value[i] > value[b])
+            if (wins(value[i], material[i], value[b], material[b]))
                 b = i;
         return b;
     }

@@ -87,7 +87,7 @@ void points_in_the_gap_come_to_a_ball(void**)
         const double before = greatest_distance(mesh, balls), worst = least_quality(mesh);
         const LinePoints lines = relocate_lines(mesh, volume, floor, find_meetings(mesh, Run()), Run());
         assert_true(lines.without_tie.size() > 3);
-        const auto in_gap = relocate_gaps(mesh, volume, volume.voxel_counts(), floor, lines.without_tie, Run());
+        const auto in_gap = relocate_gaps(mesh, volume, floor, lines.without_tie, Run());
         assert_true(in_gap.size() >= lines.without_tie.size());
         for (const int32_t v : in_gap)
             assert_true((mesh.point(v) - kTouch).norm() < 5);
@@ -102,7 +102,7 @@ void without_such_points_nothing_moves(void**)
     const Volume volume = volume_of(balls_along(Vec3(1, 2, 3), 9, 8));
     LocalMesh mesh = mesh_of(volume);
     const std::vector<Vec3> before = mesh.points();
-    assert_true(relocate_gaps(mesh, volume, volume.voxel_counts(), 0.3, {}, Run()).empty());
+    assert_true(relocate_gaps(mesh, volume, 0.3, {}, Run()).empty());
     assert_true(mesh.points() == before);
 }
 
