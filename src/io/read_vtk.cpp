@@ -22,6 +22,21 @@ std::string upper(std::string_view word)
     return out;
 }
 
+// METADATA run to the next empty line. Newer versions of VTK write them behind arrays: names of components, and no
+// closing keyword.
+void skip_metadata(TextScanner& in, int64_t components)
+{
+    if (upper(in.peek()) != "METADATA")
+        return;
+    in.word();
+    in.skip_line();
+    for (std::string_view line = in.rest_of_line(); !line.empty(); line = in.rest_of_line())
+        if (upper(line) == "COMPONENT_NAMES")
+            // A component without a name has an empty line, which does not end the block.
+            for (int64_t i = 0; i < components; ++i)
+                in.skip_line();
+}
+
 std::vector<int64_t> read_integers(TextScanner& in, int64_t count)
 {
     // A digit and a blank for each number.
@@ -29,15 +44,18 @@ std::vector<int64_t> read_integers(TextScanner& in, int64_t count)
     std::vector<int64_t> numbers(static_cast<size_t>(count));
     for (int64_t& number : numbers)
         number = in.integer();
+    skip_metadata(in, 1);
     return numbers;
 }
 
-std::vector<double> read_reals(TextScanner& in, int64_t count)
+std::vector<double> read_reals(TextScanner& in, int64_t tuples, int64_t components)
 {
+    const int64_t count = tuples * components;
     in.check_count(count, 2, "numbers");
     std::vector<double> numbers(static_cast<size_t>(count));
     for (double& number : numbers)
         number = in.real();
+    skip_metadata(in, components);
     return numbers;
 }
 
@@ -90,18 +108,9 @@ CellArray read_scalars(TextScanner& in, int64_t cells)
     // Many programs leave the line out, though the format wants it.
     if (upper(in.peek()) == "LOOKUP_TABLE")
         in.skip_line();
-    array.values = read_reals(in, cells * components);
+    array.values = read_reals(in, cells, components);
     array.components = components;
     return array;
-}
-
-// Metadata run to the next empty line.
-// Newer versions of VTK write METADATA behind arrays: names of components, and no closing keyword.
-void skip_metadata(TextScanner& in)
-{
-    in.skip_line();
-    while (!in.rest_of_line().empty())
-        ;
 }
 
 // FIELD name arrays, each: name components tuples type.
@@ -110,8 +119,6 @@ void read_field(TextScanner& in, std::vector<CellArray>* arrays)
     in.word();
     const int64_t count = in.count(4, "arrays");
     for (int64_t i = 0; i < count; ++i) {
-        if (upper(in.peek()) == "METADATA")
-            skip_metadata(in);
         CellArray array;
         array.name = in.word();
         array.components = in.integer();
@@ -122,7 +129,7 @@ void read_field(TextScanner& in, std::vector<CellArray>* arrays)
         if (type == "STRING" || type == "VARIANT" || array.components < 1 || array.components > 1000 || tuples < 0 ||
             tuples > INT64_MAX / 1000)
             in.unsupported("array '" + array.name + "' cannot be read");
-        array.values = read_reals(in, array.components * tuples);
+        array.values = read_reals(in, tuples, array.components);
         if (arrays)
             arrays->push_back(std::move(array));
     }
@@ -158,7 +165,7 @@ MeshData read_vtk(const std::string& path)
         if (section == "POINTS") {
             const int64_t count = in.count(2, "points");
             in.word();
-            mesh.points = read_reals(in, 3 * count);
+            mesh.points = read_reals(in, count, 3);
         } else if (section == "CELLS") {
             cells = read_cells(in);
         } else if (section == "CELL_TYPES") {
@@ -175,11 +182,9 @@ MeshData read_vtk(const std::string& path)
                 arrays.push_back(std::move(array));
         } else if (section == "VECTORS" || section == "NORMALS") {
             in.skip_line();
-            read_reals(in, 3 * values);
+            read_reals(in, values, 3);
         } else if (section == "FIELD") {
             read_field(in, of_cells ? &arrays : nullptr);
-        } else if (section == "METADATA") {
-            skip_metadata(in);
         } else {
             in.unsupported("section " + section.substr(0, 40) + " cannot be read");
         }

@@ -97,6 +97,7 @@ void take_coordinates(TextSource& source, const char* field, size_t axis, Grid& 
 {
     constexpr double kTolerance = 1e-3;  // of a voxel
     const std::vector<double> places = coordinates(source, grid.binary, field, grid.points[axis]);
+    skip_vtk_metadata(source, 1);
     grid.origin[axis] = places.front();
     if (places.size() == 1)
         return;
@@ -123,8 +124,6 @@ bool take_geometry(TextSource& source, const std::string& keyword, bool rectilin
         // ASPECT_RATIO is the name of SPACING in version 1.0.
     } else if (!rectilinear && (keyword == "SPACING" || keyword == "ASPECT_RATIO")) {
         grid.spacing = three_reals(source, "SPACING");
-    } else if (keyword == "METADATA") {
-        skip_vtk_metadata(source);
     } else if (keyword == "FIELD") {
         skip_vtk_field(source, grid.binary);
     } else {
@@ -161,11 +160,9 @@ Grid read_grid(TextSource& source)
     std::string keyword = upper_case(source.word());
     // VTK writes field data of the whole file before DATASET or behind its geometry, and some
     // programs put comments there.
-    while (keyword == "FIELD" || keyword == "METADATA" || (!keyword.empty() && keyword[0] == '#')) {
+    while (keyword == "FIELD" || (!keyword.empty() && keyword[0] == '#')) {
         if (keyword == "FIELD")
             skip_vtk_field(source, grid.binary);
-        else if (keyword == "METADATA")
-            skip_vtk_metadata(source);
         else
             source.next_line(line);
         keyword = upper_case(source.word());
@@ -225,7 +222,7 @@ VtkArray chosen(const std::vector<VtkArray>& arrays, Image& image)
         throw Error(CLEFT_ERROR_FORMAT, "it has no values on points or cells");
     if (usable.empty())
         throw Error(CLEFT_ERROR_FORMAT,
-                    "it has several numbers a voxel (colours or vectors: " + names + "); one is wanted");
+                    "its arrays (" + names + ") are colours, vectors, texts or ids; one number a voxel is wanted");
     if (arrays.size() == 1)
         return usable.front();
     // An image and its labels in one file are common. Taking the wrong one would mesh grey values.

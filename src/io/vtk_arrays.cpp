@@ -153,10 +153,6 @@ private:
                                                           {"edge_flags", 1}};
         if (keyword == "point_data" || keyword == "cell_data")
             begin_section(keyword == "cell_data");
-        else if (keyword == "metadata")
-            skip_vtk_metadata(source_);
-        else if (tuples_ < 0 && keyword != "field")
-            throw Error(CLEFT_ERROR_FORMAT, "'" + shown.substr(0, 40) + "' stands before POINT_DATA and CELL_DATA");
         else if (keyword == "scalars")
             take_scalars();
         else if (keyword == "lookup_table")
@@ -165,8 +161,6 @@ private:
             take_colours();
         else if (keyword == "texture_coordinates")
             take_coordinates();
-        else if (keyword == "field" && tuples_ < 0)
-            skip_vtk_field(source_, binary_);
         else if (keyword == "field")
             take_field();
         else if (fixed.count(keyword) > 0)
@@ -200,6 +194,7 @@ private:
         array.component = type.component;
         array.place = source_.position();
         skip_values(source_, binary_, type, product(tuples_, components));
+        skip_vtk_metadata(source_, components);
         arrays_.push_back(array);
     }
 
@@ -264,12 +259,7 @@ private:
         name("a name of FIELD");
         const int64_t count = vtk_count(source_, "FIELD");
         for (int64_t i = 0; i < count; ++i) {
-            std::string array_name = name("an array of FIELD");
-            // VTK writes METADATA between the arrays of a FIELD, too.
-            if (in_small_letters(array_name) == "metadata") {
-                skip_vtk_metadata(source_);
-                array_name = name("an array of FIELD");
-            }
+            const std::string array_name = name("an array of FIELD");
             const int64_t components = vtk_count(source_, "FIELD");
             const int64_t tuples = vtk_count(source_, "FIELD");
             const VtkType type = type_named(name("a type"));
@@ -288,7 +278,7 @@ private:
     int64_t points_;
     int64_t cells_;
     bool on_cells_ = false;
-    int64_t tuples_ = -1;
+    int64_t tuples_ = 0;
     std::vector<VtkArray> arrays_;
 };
 
@@ -310,17 +300,18 @@ Component vtk_number_type(const std::string& type)
     return found.component;
 }
 
-void skip_vtk_values(TextSource& source, bool binary, const std::string& type, int64_t count)
+void skip_vtk_metadata(TextSource& source, int64_t components)
 {
-    skip_values(source, binary, type_named(type), count);
-}
-
-void skip_vtk_metadata(TextSource& source)
-{
+    if (in_small_letters(source.peek()) != "metadata")
+        return;
+    source.word();
     std::string line;
     source.next_line(line);  // the rest of its own
-    while (source.next_line(line) && !trimmed(line).empty()) {
-    }
+    while (source.next_line(line) && !trimmed(line).empty())
+        if (in_small_letters(trimmed(line)) == "component_names")
+            // A component without a name has an empty line, which does not end the block.
+            for (int64_t i = 0; i < components && source.next_line(line); ++i)
+                ;
 }
 
 void skip_vtk_field(TextSource& source, bool binary)
@@ -328,15 +319,13 @@ void skip_vtk_field(TextSource& source, bool binary)
     source.word();
     const int64_t count = vtk_count(source, "FIELD");
     for (int64_t i = 0; i < count; ++i) {
-        if (in_small_letters(source.word()) == "metadata") {
-            skip_vtk_metadata(source);
-            source.word();
-        }
+        source.word();
         const int64_t components = vtk_count(source, "FIELD");
         const int64_t tuples = vtk_count(source, "FIELD");
-        const std::string type(source.word());
+        const VtkType type = type_named(std::string(source.word()));
         source.rest_is_blank();
-        skip_vtk_values(source, binary, type, product(components, tuples));
+        skip_values(source, binary, type, product(components, tuples));
+        skip_vtk_metadata(source, components);
     }
 }
 

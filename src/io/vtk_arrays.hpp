@@ -24,17 +24,16 @@ struct VtkArray {
     uintmax_t place = 0;  // of its values in the file
 };
 
-// The arrays of points and cells, of which there must be so many. `source` stands at POINT_DATA, CELL_DATA or FIELD.
+// The arrays of points and cells, of which there must be so many. `source` stands at POINT_DATA, at CELL_DATA or at the
+// end.
 // Throws Errors that do not name the file.
 std::vector<VtkArray> find_vtk_arrays(TextSource& source, bool binary, int64_t points, int64_t cells);
 
 // What numbers of this type are; "vtkIdType" and so on are the names in the file.
 // Throws Error(CLEFT_ERROR_FORMAT) for bits and texts.
 Component vtk_number_type(const std::string& type);
-// Passes over the values of an array of this type.
-void skip_vtk_values(TextSource& source, bool binary, const std::string& type, int64_t count);
-// Passes over a block METADATA, up to the next blank line, if there is one.
-void skip_vtk_metadata(TextSource& source);
+// Passes over a block METADATA, which VTK writes behind an array of so many components, if there is one.
+void skip_vtk_metadata(TextSource& source, int64_t components);
 // FIELD name n, of which the first word was taken: passes over arrays that belong to neither points nor cells.
 void skip_vtk_field(TextSource& source, bool binary);
 

@@ -9,12 +9,6 @@ from volume_reading import *
 SHAPE = (4, 3, 5)
 
 
-def write(name, data):
-    with open(path(name), "wb") as file:
-        file.write(data)
-    return path(name)
-
-
 def gipl(voxels, kind, mark=719555000):
     head = bytearray(256)
     struct.pack_into(">4HH4f", head, 0, *voxels.shape, 1, kind, 0.5, 2, 3, 0)

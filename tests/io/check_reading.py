@@ -5,7 +5,7 @@ import sys
 import meshio
 import numpy as np
 import vtk
-from vtk.util.numpy_support import vtk_to_numpy
+from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 from sample import corners, run_checks, run_checks_with_all_labels, same
 
@@ -119,6 +119,14 @@ def check_vtk(sample):
                         assert np.abs(points - sample.points).max() < 1e-6 * 12345
                         points = sample.points
                     sample.check_tets(points, *rest)
+    pairs = numpy_to_vtk(np.zeros((len(sample.labels), 2)), deep=True)
+    pairs.SetName("pairs")
+    pairs.SetComponentName(1, "of two")  # VTK writes an empty line for the first
+    reader.GetOutput().GetCellData().AddArray(pairs)
+    names = numpy_to_vtk(np.zeros((len(sample.points), 1)), deep=True)
+    names.SetName("names")
+    names.SetComponentName(0, "of one")
+    reader.GetOutput().GetPointData().AddArray(names)
     for version in (42, 51):
         writer = vtk.vtkUnstructuredGridWriter()
         writer.SetFileVersion(version)

@@ -20,6 +20,14 @@ def path(name):
     return os.path.join(FOLDER, name)
 
 
+def write(name, *parts):
+    """A file of these parts, which are bytes or text."""
+    with open(path(name), "wb") as file:
+        for part in parts:
+            file.write(part.encode() if isinstance(part, str) else part)
+    return path(name)
+
+
 def run_dump(paths, world=LPS, kind=AUTO, spacing=(0, 0, 0), silent=True):
     out = path("out.bin")
     run = subprocess.run(
