@@ -17,17 +17,30 @@ namespace
 // Offsets are those of the words of MRC2014 (Cheng et al., 2015), four bytes each and counted from 1: word 53 is MAP.
 constexpr size_t kMrcHeaderBytes = 1024;
 constexpr size_t kMarkPlace = 208;
-// "IMOD" in word 39: the flags in word 40 are then those of IMOD, whose first bit is for signed bytes.
+// "IMOD" in word 39: the flags in word 40 are then those of IMOD.
 constexpr int32_t kImodStamp = 1146047817;
+constexpr int32_t kImodSignedBytes = 1;
+constexpr int32_t kImodOriginOfStandard = 4;  // otherwise it has the other sign
+constexpr int32_t kImodPairsOf4Bits = 16;
+
+bool is_of_imod(const BinaryHeader& header) { return header.at<int32_t>(152) == kImodStamp; }
+
+bool has_imod_flag(const BinaryHeader& header, int32_t flag)
+{
+    return is_of_imod(header) && (header.at<int32_t>(156) & flag) != 0;
+}
+
+bool is_of_2014(const BinaryHeader& header)
+{
+    // NVERSION: the year times 10 and the version within it. Before MRC2014 it is 0 or noise.
+    const auto version = header.at<int32_t>(108);
+    return version >= 20140 && version < 20200;
+}
 
 // Bytes are signed since 2014; before, and in files of IMOD that do not say so, they are not.
 bool has_signed_bytes(const BinaryHeader& header)
 {
-    if (header.at<int32_t>(152) == kImodStamp)
-        return header.at<int32_t>(156) & 1;
-    // NVERSION: the year times 10 and the version within it. Before MRC2014 it is 0 or noise.
-    const auto version = header.at<int32_t>(108);
-    return version >= 20140 && version < 20200;
+    return is_of_imod(header) ? has_imod_flag(header, kImodSignedBytes) : is_of_2014(header);
 }
 
 Component component_of(const BinaryHeader& header)
@@ -36,6 +49,8 @@ Component component_of(const BinaryHeader& header)
     const auto mode = header.at<int32_t>(12);
     switch (mode) {
         case 0:
+            if (has_imod_flag(header, kImodPairsOf4Bits))
+                refuse_field("MODE", "0", "its bytes are pairs of numbers of 4 bits, which cannot be read");
             return has_signed_bytes(header) ? Component::int8 : Component::uint8;
         case 1:
             return Component::int16;
@@ -70,6 +85,9 @@ void check_axes(const BinaryHeader& header)
 
 void set_place(const BinaryHeader& header, Image& image)
 {
+    // IMOD has the place of the world's origin from the first voxel, unless its flag or NVERSION says otherwise.
+    const bool is_inverted = is_of_imod(header) && !has_imod_flag(header, kImodOriginOfStandard) && !is_of_2014(header);
+    bool is_at_zero = true;
     for (size_t axis = 0; axis < 3; ++axis) {
         // The size of a voxel is CELLA over MX, MY, MZ, in angstroms.
         const auto steps = header.at<int32_t>(28 + 4 * axis);
@@ -83,11 +101,16 @@ void set_place(const BinaryHeader& header, Image& image)
         // ORIGIN, words 50 to 52, in angstroms. NXSTART and its kin give the place in voxels, in
         // older files. Programs disagree about them, so they are reported and not used.
         image.origin[axis] = static_cast<double>(header.at<float>(196 + 4 * axis));
+        is_at_zero = is_at_zero && image.origin[axis] == 0;
+        if (is_inverted)
+            image.origin[axis] = 0 - image.origin[axis];
         if (header.at<int32_t>(16 + 4 * axis) != 0 && image.origin[axis] == 0)
             image.notes.push_back("its first voxel has the number " +
                                   std::to_string(header.at<int32_t>(16 + 4 * axis)) + " along the " +
                                   ordinal(static_cast<int64_t>(axis)) + " axis, which is not used");
     }
+    if (is_inverted && !is_at_zero)
+        image.notes.push_back("its origin is taken with the other sign, as IMOD has it in files without a flag for it");
 }
 
 }  // namespace

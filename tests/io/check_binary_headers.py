@@ -75,4 +75,52 @@ def test_mrc():
     refused(FORMAT, "missing", write("v.mrc", mrc(old, 0, "<")[:-1]))
 
 
+def test_mrc_of_imod():
+    """Flags behind the stamp tell what bytes and the origin are."""
+    stamp = struct.unpack("<i", b"IMOD")[0]
+    voxels = random_labels(SHAPE, "i1", (-3, 0, 9))
+    place = np.array([[0.5, 0, 0, 10], [0, 2, 0, -20], [0, 0, 3, 30.0]])
+    inverted = place * [1, 1, 1, -1]
+    imod = lambda flags, **changes: write("v.mrc", mrc(voxels, 0, "<", _152=stamp, _156=flags, **changes))
+    for version in 20140, 0:
+        check(voxels.astype(int), place, imod(1 | 4, version=version))
+        check(voxels.view("u1"), place, imod(4, version=version))
+        warned("positive numbers", path("v.mrc"))
+    check(voxels.astype(int), place, imod(1, version=20140))
+    check(voxels.astype(int), inverted, imod(1, version=0))
+    warned("origin is taken with the other sign", path("v.mrc"))
+    voxels = np.abs(voxels)
+    check(voxels.astype(int), np.diag([0.5, 2, 3, 0])[:3], imod(0, version=0, _196=0, _200=0, _204=0))
+    reads_quietly(path("v.mrc"))
+    refused(FORMAT, "'MODE' is '0': its bytes are pairs of numbers of 4 bits", imod(16, version=0))
+    # Without the stamp the flags are those of another program.
+    check(voxels.astype(int), place, write("v.mrc", mrc(voxels, 0, "<", _156=16 | 4)))
+
+
+def test_mrc_places():
+    voxels = random_labels(SHAPE, "u1", (0, 1, 9))
+    whole = np.array([[0.5, 0, 0, 10], [0, 2, 0, -20], [0, 0, 3, 30.0]])
+    changed = lambda **changes: write("v.mrc", mrc(voxels, 0, "<", **changes))
+    bits = lambda number: struct.unpack("<i", struct.pack("<f", number))[0]
+    check(voxels, whole, changed())
+    reads_quietly(path("v.mrc"))
+    for what in ({"_32": 0}, {"_44": bits(0)}, {"_32": -3}):
+        affine = whole.copy()
+        affine[1, 1] = 1
+        check(voxels, affine, changed(**what))
+        warned("no size of voxels along the 2nd axis, which is taken for 1", path("v.mrc"))
+    refused(FORMAT, "'CELLA' is '-15", changed(_48=bits(-15)))
+    refused(FORMAT, "'ISPG' is '401': a stack of volumes", changed(_88=401))
+    refused(FORMAT, "'NSYMBT' is '-1'", changed(_92=-1))
+    refused(FORMAT, "angles", changed(_56=bits(float("nan"))))
+    affine = whole.copy()
+    affine[2, 3] = 0
+    check(voxels, affine, changed(_16=7, _24=-4, _204=0))
+    warned("its first voxel has the number -4 along the 3rd axis, which is not used", path("v.mrc"))
+    run, _ = run_dump([path("v.mrc")])
+    assert run.stdout.count("warning: ") == 1, run.stdout  # the origin along x is given
+    check(voxels, whole, changed(_212=0))  # as old programs leave it
+    refused(FORMAT, "'MACHST' is '85'", changed(_212=85))
+
+
 run_tests(globals())

@@ -204,6 +204,44 @@ def test_segmentations():
     )
 
 
+def test_layers_of_every_type():
+    """Two layers, of which the second is on top: with the least and the greatest labels of the type."""
+    head = "space: LPS\nspace directions: none (1,0,0) (0,1,0) (0,0,1)\nkinds: list domain domain domain\n"
+    for kind, dtype, low, high in (
+        ("uchar", "u1", 1, 255),
+        ("signed char", "i1", -128, 127),
+        ("unsigned short", "u2", 1, 65535),
+        ("short", "i2", -32768, 32767),
+        ("unsigned int", "u4", 1, 2**31 - 1),
+        ("int", "i4", -(2**31), 2**31 - 1),
+    ):
+        first = random_labels(SHAPE, "<" + dtype, (0, low), 1)
+        second = random_labels(SHAPE, "<" + dtype, (0, high), 2)
+        keys = segment(0, "Low", low, 0) + segment(1, "High", high, 1)
+        for order, endian in (("<", "little"), (">", "big")):
+            layers = np.array([first, second]).astype(order + dtype).tobytes(order="F")
+            name = nrrd("t.seg.nrrd", head + "endian: %s\n" % endian + keys, layers, (2,) + SHAPE, kind=kind)
+            check(np.where(second != 0, second, first).astype(np.int64), np.eye(3, 4), name)
+            run, _ = run_dump([name])
+            assert "name: %d Low\n" % low in run.stdout and "name: %d High\n" % high in run.stdout, run.stdout
+    keys = segment(0, "One", 1, 0) + segment(1, "Two", 2, 1)
+    unknown = np.zeros((2,) + SHAPE, "<u4")
+    unknown[1, 0, 0, 0] = 2**32 - 1
+    name = nrrd("t.seg.nrrd", head + "endian: little\n" + keys, unknown.tobytes("F"), (2,) + SHAPE, kind="unsigned int")
+    refused(FORMAT, "layer 1 has voxels of value 4294967295, which is no segment", name)
+    for kind, size, words in (
+        ("int64", 8, "whole numbers of up to 32 bits"),
+        ("uint64", 8, "whole numbers of up to 32 bits"),
+        ("float", 4, "its voxels are no whole numbers"),
+        ("double", 8, "its voxels are no whole numbers"),
+    ):
+        name = nrrd("t.seg.nrrd", head + "endian: little\n" + keys, bytes(2 * 60 * size), (2,) + SHAPE, kind=kind)
+        refused(FORMAT, words, name)
+    for value in 0, 2**31, -(2**31) - 1:
+        name = nrrd("t.seg.nrrd", head + segment(0, "One", value, 0), bytes(2 * 60), (2,) + SHAPE)
+        refused(FORMAT, "'Segment0_LabelValue' is '%d'" % value, name)
+
+
 def meta(name, fields, data=DATA, size="4 3 5", dims=3):
     return write(
         name, "ObjectType = Image\nNDims = %d\n" % dims, fields, "DimSize = %s\nElementType = MET_UCHAR\n" % size, data
