@@ -1,4 +1,4 @@
-/* Raw voxels, sizing fields and fields. What other formats of volumes hold is tested by check_volumes.py. */
+/* Sizing fields and fields in files. What other formats of volumes hold is tested by check_volumes.py. */
 #include "cleft/cleft_io.h"
 
 #include <math.h>
@@ -62,106 +62,6 @@ static void assert_refused(fixture* f, cleft_status status, cleft_status wanted,
     assert_int_equal(status, wanted);
     if (!strstr(cleft_context_last_error(f->context), words))
         fail_msg("'%s' does not say '%s'", cleft_context_last_error(f->context), words);
-}
-
-static cleft_io_raw raw_layout(cleft_type type)
-{
-    const cleft_io_raw raw = {.struct_size = sizeof raw, .type = type, .dims = {NX, NY, NZ}, .spacing = {0.5, 1, 2}};
-    return raw;
-}
-
-static int32_t label_of(int voxel) { return voxel % 7 == 0 ? 300 : voxel / 20; }
-
-/* Every voxel centre has its label, and the corner of the box is at the origin. */
-static void check_labels(const cleft_volume* volume)
-{
-    for (int v = 0; v < VOXELS; ++v) {
-        const double centre[3] = {0.5 * (v % NX + 0.5), v / NX % NY + 0.5, 2 * (v / (NX * NY) + 0.5)};
-        int32_t label = -1;
-        assert_int_equal(cleft_volume_sample(volume, centre, 1, &label), CLEFT_OK);
-        assert_int_equal(label, label_of(v));
-    }
-}
-
-static void test_raw_labels(void** state)
-{
-    fixture* f = *state;
-    uint16_t native[VOXELS];
-    uint8_t swapped[2 * VOXELS];
-    for (int v = 0; v < VOXELS; ++v) {
-        native[v] = (uint16_t)label_of(v);
-        swapped[2 * v] = (uint8_t)(native[v] >> 8);
-        swapped[2 * v + 1] = (uint8_t)(native[v] & 255);
-    }
-    for (int big_endian = 0; big_endian < 2; ++big_endian)
-        for (int64_t skip = 0; skip < 10; skip += 9) {
-            cleft_io_raw raw = raw_layout(CLEFT_TYPE_UINT16);
-            raw.big_endian = big_endian;
-            raw.skip = skip;
-            const char* path = path_of(f, "a.raw");
-            write_file(path, "a header.", (size_t)skip, big_endian ? (void*)swapped : (void*)native, sizeof native);
-            cleft_volume* volume = NULL;
-            assert_int_equal(cleft_io_read_raw(f->context, NULL, &path, 1, &raw, &volume), CLEFT_OK);
-            check_labels(volume);
-            cleft_volume_destroy(volume);
-        }
-}
-
-static void test_raw_indicators(void** state)
-{
-    fixture* f = *state;
-    char paths[3][128];
-    const char* list[3];
-    for (int field = 0; field < 3; ++field) {
-        double values[VOXELS];
-        for (int v = 0; v < VOXELS; ++v)
-            values[v] = v % 3 == field ? 1 : 0.25 * field;
-        strcpy(paths[field], path_of(f, "0.raw"));
-        paths[field][strlen(paths[field]) - 5] = (char)('0' + field);
-        write_file(paths[field], "", 0, values, sizeof values);
-        list[field] = paths[field];
-    }
-    const cleft_io_raw raw = raw_layout(CLEFT_TYPE_FLOAT64);
-    cleft_volume* volume = NULL;
-    assert_int_equal(cleft_io_read_raw(f->context, NULL, list, 3, &raw, &volume), CLEFT_OK);
-    int64_t counts[3];
-    assert_int_equal(cleft_volume_copy_voxel_counts(volume, counts, 3), CLEFT_OK);
-    for (int field = 0; field < 3; ++field)
-        assert_int_equal(counts[field], VOXELS / 3);
-    cleft_volume_destroy(volume);
-}
-
-static void test_raw_refusals(void** state)
-{
-    fixture* f = *state;
-    const uint8_t bytes[VOXELS + 1] = {0};
-    const char* path = path_of(f, "a.raw");
-    const char* two[2] = {path, path};
-    const char* none = NULL;
-    cleft_volume* volume = NULL;
-    write_file(path, "", 0, bytes, VOXELS + 1);
-    cleft_io_raw raw = raw_layout(CLEFT_TYPE_UINT8);
-    assert_refused(f, cleft_io_read_raw(f->context, NULL, &path, 1, &raw, &volume), CLEFT_ERROR_FORMAT, "61 bytes");
-    write_file(path, "", 0, bytes, VOXELS - 1);
-    assert_refused(f, cleft_io_read_raw(f->context, NULL, &path, 1, &raw, &volume), CLEFT_ERROR_FORMAT, "59 bytes");
-    write_file(path, "", 0, bytes, VOXELS);
-    assert_refused(f, cleft_io_read_raw(f->context, NULL, two, 2, &raw, &volume), CLEFT_ERROR_FORMAT, "no mask");
-    assert_refused(f, cleft_io_read_raw(f->context, NULL, &path, 0, &raw, &volume), CLEFT_ERROR_ARGUMENT, "one path");
-    assert_refused(f, cleft_io_read_raw(f->context, NULL, &none, 1, &raw, &volume), CLEFT_ERROR_NULL, "path");
-    assert_refused(f, cleft_io_read_raw(f->context, NULL, &path, 1, NULL, &volume), CLEFT_ERROR_NULL, "raw");
-    raw.spacing[1] = 0;
-    assert_refused(f, cleft_io_read_raw(f->context, NULL, &path, 1, &raw, &volume), CLEFT_ERROR_ARGUMENT, "spacing");
-    raw = raw_layout(99);
-    assert_refused(f, cleft_io_read_raw(f->context, NULL, &path, 1, &raw, &volume), CLEFT_ERROR_ARGUMENT, "type");
-    raw = raw_layout(CLEFT_TYPE_UINT8);
-    raw.dims[2] = INT64_MAX;
-    assert_refused(f, cleft_io_read_raw(f->context, NULL, &path, 1, &raw, &volume), CLEFT_ERROR_TOO_LARGE, "voxels");
-    raw.dims[2] = 0;
-    assert_refused(f, cleft_io_read_raw(f->context, NULL, &path, 1, &raw, &volume), CLEFT_ERROR_ARGUMENT, "voxel");
-    raw = raw_layout(CLEFT_TYPE_UINT8);
-    path = "/none/a.raw";
-    assert_refused(f, cleft_io_read_raw(f->context, NULL, &path, 1, &raw, &volume), CLEFT_ERROR_FILE, "/none/a.raw");
-    assert_null(volume);
 }
 
 /* A grid that is turned, flipped and off the origin; sheared if asked for. */
@@ -391,7 +291,7 @@ static void test_struct_sizes(void** state)
         int64_t later;
     } newer = {{.struct_size = sizeof newer, .world = CLEFT_IO_WORLD_RAS}, 0};
     cleft_io_reading reading = {.world = CLEFT_IO_WORLD_RAS, .scale = -1};
-    cleft_io_raw raw = raw_layout(CLEFT_TYPE_UINT8);
+    cleft_io_raw raw = {.type = CLEFT_TYPE_UINT8, .dims = {NX, NY, NZ}};
     cleft_io_format_description row = {0};
     double affine[12], read_affine[12];
     double* values = NULL;
@@ -459,9 +359,6 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
     const struct CMUnitTest tests[] = {
-        TEST(test_raw_labels),
-        TEST(test_raw_indicators),
-        TEST(test_raw_refusals),
         TEST(test_sizing_comes_back),
         TEST(test_qform_of_sizing),
         TEST(test_sizing_of_sheared_grids),
