@@ -84,11 +84,10 @@ public:
     DicomElement element(const ElementHead& head, int depth)
     {
         DicomElement element;
-        // What has an unknown type and no length is written without types inside.
-        // PS3.5, section 6.2.2: a value of type UN and undefined length is encoded as Implicit VR
-        // Little Endian.
+        // PS3.5, section 6.2.2: a sequence of type UN is encoded as Implicit VR Little Endian, in a
+        // big-endian file too.
         const bool unknown = std::strcmp(head.type, "UN") == 0;
-        element.implicit = encoding_.implicit || unknown;
+        element.inside = unknown ? DicomEncoding{true, false} : encoding_;
         element.in_words = std::strcmp(head.type, "OW") == 0;
         if (head.length != kUndefinedLength) {
             element.bytes = take(head.length, head.tag);
@@ -101,10 +100,10 @@ public:
             const size_t start = at_;
             // The items inside follow the encoding of this element. The reader goes back to the
             // file's own behind it.
-            const bool implicit_before = encoding_.implicit;
-            encoding_.implicit = element.implicit;
+            const DicomEncoding before = encoding_;
+            encoding_ = element.inside;
             const size_t end = skip_items(depth);
-            encoding_.implicit = implicit_before;
+            encoding_ = before;
             element.bytes = bytes_.substr(start, end - start);
         }
         return element;
@@ -307,14 +306,12 @@ std::vector<DicomData> DicomData::items(DicomTag tag) const
     const DicomElement* element = find(tag);
     if (!element)
         return all;
-    // The items of a sequence of unknown type are implicit, even in an explicit file.
-    const DicomEncoding inside{element->implicit, encoding_.big_endian};
-    ElementReader reader(element->bytes, inside);
+    ElementReader reader(element->bytes, element->inside);
     while (!reader.at_end()) {
         const ElementHead head = reader.head();
         if (head.tag != kItemTag)
             refuse_damaged("the sequence " + name_of(tag) + " holds what is no item");
-        all.emplace_back(reader.item(head.length, 0), inside);
+        all.emplace_back(reader.item(head.length, 0), element->inside);
     }
     return all;
 }

@@ -35,7 +35,7 @@ struct DicomElement {
     std::vector<std::string_view> fragments;  // of compressed pixels; the first is the table of offsets
     bool encapsulated = false;
     bool in_words = false;  // of 16 bits (type OW)
-    bool implicit = false;  // the items inside do not state their types
+    DicomEncoding inside;   // of the items
 };
 
 // Elements by their tags. It refers to the bytes that it was read from.

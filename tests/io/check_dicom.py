@@ -1,113 +1,18 @@
 """DICOM: series, volumes of frames, segmentations; damaged files, and what holds no voxels. Files are written by
 pydicom: check_dicom.py DUMP_VOLUME."""
-import io
 import os
-import struct
 
 import numpy as np
-import pydicom
-from PIL import Image
-from pydicom.dataset import Dataset, FileMetaDataset
 from pydicom.encaps import encapsulate
 from pydicom.sequence import Sequence
 from pydicom.uid import (
     DeflatedExplicitVRLittleEndian,
-    ExplicitVRBigEndian,
     ExplicitVRLittleEndian,
     ImplicitVRLittleEndian,
-    JPEG2000Lossless,
     RLELossless,
-    generate_uid,
 )
 
-import volume_reading
-from volume_reading import FILE, FORMAT, LABELS, path, run_dump, run_tests
-
-UNSUPPORTED = -10
-
-CT = "1.2.840.10008.5.1.4.1.1.2"
-ENHANCED_CT = "1.2.840.10008.5.1.4.1.1.2.1"
-SEGMENTATION = "1.2.840.10008.5.1.4.1.1.66.4"
-LABEL_MAP = "1.2.840.10008.5.1.4.1.1.66.7"
-RT_STRUCTURES = "1.2.840.10008.5.1.4.1.1.481.3"
-TURNED = [0, 1, 0, 0, 0, -1]  # rows go to the back, columns to the feet
-
-
-def check(voxels, affine, *paths, reported=(), **options):
-    """The volume has these voxels at these places, and each of the words is reported: nothing if there are none."""
-    volume_reading.check(voxels, affine, *paths, **options)
-    output = run_dump(paths, **options)[0].stdout
-    assert all(word in output for word in reported), output
-    assert reported or "warning: " not in output, output
-
-
-def refused(status, words, name, **options):
-    for word in [words] if isinstance(words, str) else words:
-        volume_reading.refused(status, word, name, **options)
-
-
-def item(**values):
-    dataset = Dataset()
-    for name, value in values.items():
-        setattr(dataset, name, value)
-    return dataset
-
-
-def group(**values):
-    return Sequence([item(**values)])
-
-
-def new(storage, **values):
-    dataset = item(SOPClassUID=storage, SOPInstanceUID=generate_uid(), **values)
-    dataset.file_meta = FileMetaDataset()
-    dataset.file_meta.MediaStorageSOPClassUID = storage
-    dataset.file_meta.MediaStorageSOPInstanceUID = dataset.SOPInstanceUID
-    return dataset
-
-
-def save(dataset, name, syntax=ExplicitVRLittleEndian):
-    dataset.file_meta.TransferSyntaxUID = syntax
-    dataset.is_little_endian = syntax != ExplicitVRBigEndian
-    dataset.is_implicit_VR = syntax == ImplicitVRLittleEndian
-    pydicom.dcmwrite(path(name), dataset, write_like_original=False)
-    return path(name)
-
-
-def set_pixels(dataset, frames, bits=16, signed=False):
-    """`frames` as [frame, row, column]."""
-    dataset.SamplesPerPixel, dataset.PhotometricInterpretation = 1, "MONOCHROME2"
-    dataset.Rows, dataset.Columns = frames.shape[1:]
-    dataset.BitsAllocated = dataset.BitsStored = bits
-    dataset.HighBit, dataset.PixelRepresentation = bits - 1, int(signed)
-    if len(frames) > 1 or bits == 1:
-        dataset.NumberOfFrames = len(frames)
-    if bits == 1:
-        dataset.PixelData = np.packbits(frames.ravel() > 0, bitorder="little").tobytes()
-    else:
-        dataset.PixelData = frames.astype("<%s%d" % ("iu"[not signed], bits // 8)).tobytes()
-    dataset.PixelData += b"\0" * (len(dataset.PixelData) % 2)
-
-
-def slice_of(pixels, position, series="1.2.5", storage=CT, orientation=(1, 0, 0, 0, 1, 0), **values):
-    """One slice; pixels as [column, row]."""
-    dataset = new(
-        storage,
-        SeriesInstanceUID=series,
-        ImagePositionPatient=list(position),
-        ImageOrientationPatient=list(orientation),
-        PixelSpacing=[0.5, 0.25],
-        SliceThickness=1,
-        **values,
-    )
-    set_pixels(dataset, pixels.T[None])
-    return dataset
-
-
-def random_labels(shape, values, seed=0):
-    return np.random.default_rng(seed).choice(np.array(values), shape)
-
-
-AFFINE = np.array([[0.25, 0, 0, 10], [0, 0.5, 0, 20], [0, 0, 3, 30]])
+from dicom_files import *
 
 
 def write_series(folder, voxels, **values):
@@ -209,135 +114,6 @@ def test_doubts_are_told():
         os.makedirs(path("doubts"), exist_ok=True)
         save(dataset, "doubts/%d.dcm" % k)
     check(voxels, AFFINE, path("doubts"), reported=["MONOCHROME1", "at the detector", "Modality LUT"])
-
-
-def test_bits_in_the_middle():
-    voxels = random_labels((6, 4, 1), (0, 3, 900))
-    alone = AFFINE.copy()
-    alone[2, 2] = 1
-    for high in (11, 13, 15):
-        dataset = slice_of(voxels[:, :, 0], (10, 20, 30))
-        dataset.BitsStored, dataset.HighBit = 12, high
-        dataset.PixelData = ((voxels[:, :, 0].T << (high - 11)) | (1 << (high - 11)) - 1).astype("<u2").tobytes()
-        check(voxels, alone, save(dataset, "bits.dcm"), reported=["HighBit"] if high != 11 else [])
-    dataset.HighBit = 16
-    refused(FORMAT, "bit 16", save(dataset, "bits.dcm"))
-    small = voxels % 256
-    dataset = slice_of(small[:, :, 0], (10, 20, 30))
-    set_pixels(dataset, small.transpose(2, 1, 0), bits=8)
-    dataset.PixelData = small[:, :, 0].T.astype("u1").reshape(-1, 2)[:, ::-1].tobytes()  # words, high byte first
-    dataset["PixelData"].VR = "OW"
-    check(small, alone, save(dataset, "words.dcm", ExplicitVRBigEndian))
-
-
-def test_encodings():
-    voxels = random_labels((6, 4, 1), (0, 3, 900))
-    alone = AFFINE.copy()
-    alone[2, 2] = 1
-    dataset = lambda: slice_of(voxels[:, :, 0], (10, 20, 30))
-    for name, syntax in (
-        ("implicit", ImplicitVRLittleEndian),
-        ("explicit", ExplicitVRLittleEndian),
-        ("deflated", DeflatedExplicitVRLittleEndian),
-    ):
-        check(voxels, alone, save(dataset(), name + ".dcm", syntax))
-    big = dataset()
-    big.PixelData = voxels[:, :, 0].T.astype(">u2").tobytes()
-    check(voxels, alone, save(big, "big.dcm", ExplicitVRBigEndian))
-    data = open(path("implicit.dcm"), "rb").read()
-    body = data.index(b"\x08\0\x16\0")
-    open(path("bare.dcm"), "wb").write(data[body:])  # as files before 1993
-    check(voxels, alone, path("bare.dcm"))
-
-
-def packed_by_runs(frame):
-    """One frame of 16 bits, high bytes first; runs of three or more as runs."""
-    planes = []
-    for plane in (frame >> 8, frame & 255):
-        row, out = plane.astype("u1").tobytes(), bytearray()
-        at = 0
-        while at < len(row):
-            end = at + 1
-            while end < len(row) and row[end] == row[at] and end - at < 128:
-                end += 1
-            if end - at > 2:
-                out += bytes([257 - (end - at), row[at]])
-            else:
-                end = at + 1
-                out += bytes([0, row[at]])
-            at = end
-        planes.append(bytes(out) + b"\0" * (len(out) % 2))
-    head = struct.pack("<16I", 2, 64, 64 + len(planes[0]), *[0] * 13)
-    return head + planes[0] + planes[1]
-
-
-def test_compressed():
-    voxels = random_labels((6, 4, 1), (0, 3, 900))
-    alone = AFFINE.copy()
-    alone[2, 2] = 1
-    dataset = slice_of(voxels[:, :, 0], (10, 20, 30))
-    dataset.PixelData = encapsulate([packed_by_runs(voxels[:, :, 0].T)])
-    dataset["PixelData"].is_undefined_length = True
-    check(voxels, alone, save(dataset, "runs.dcm", RLELossless))
-    dataset.PixelData = encapsulate([packed_by_runs(voxels[:, :, 0].T)[:80]])
-    refused(FORMAT, "damaged", save(dataset, "short_runs.dcm", RLELossless))
-
-
-def test_one_slice_in_all_encodings():
-    """Files that come with pydicom: the same slice, plain and compressed in several ways."""
-    folder = os.path.join(os.path.dirname(pydicom.__file__), "data", "test_files")
-    plain = pydicom.dcmread(os.path.join(folder, "MR_small.dcm"))
-    across, down = (np.array(plain.ImageOrientationPatient[i : i + 3], float) for i in (0, 3))
-    steps = [
-        across * plain.PixelSpacing[1],
-        down * plain.PixelSpacing[0],
-        np.cross(across, down) * float(plain.SliceThickness),
-    ]
-    affine = np.column_stack([*steps, np.array(plain.ImagePositionPatient, float)])
-    for end in ("", "_RLE", "_bigendian", "_implicit", "_padded", "_jp2klossless", "_jpeg_ls_lossless"):
-        check(plain.pixel_array.T[:, :, None], affine, os.path.join(folder, "MR_small%s.dcm" % end), kind=LABELS)
-
-
-def test_damaged_compression_does_not_end_the_process():
-    dataset = slice_of(random_labels((6, 4), (0, 3)), (10, 20, 30))
-    for junk in (b"", b"\xff\x4f\xff\x51" + bytes(60), os.urandom(400)):
-        dataset.PixelData = encapsulate([junk or b"\0\0"])
-        dataset["PixelData"].is_undefined_length = True
-        refused(FORMAT, "compressed pixels", save(dataset, "junk2000.dcm", JPEG2000Lossless))
-
-
-def test_signals_while_pixels_are_decoded():
-    """More pixels than a pipe holds, so that the decoding process waits; its caller's handlers interrupt it."""
-    voxels = np.zeros((2048, 2048, 1), int)
-    voxels[1000:1500, 300:900] = 7
-    stream = io.BytesIO()
-    Image.fromarray(voxels[:, :, 0].T.astype("u1")).save(stream, "JPEG2000", no_jp2=True, irreversible=False)
-    dataset = slice_of(voxels[:, :, 0], (10, 20, 30))
-    set_pixels(dataset, voxels[:, :, 0].T[None], bits=8)
-    dataset.PixelData = encapsulate([stream.getvalue()])
-    dataset["PixelData"].is_undefined_length = True
-    name = save(dataset, "large.dcm", JPEG2000Lossless)
-    os.environ["DISTURBED"] = "1"
-    try:
-        _, _, labels, centres = volume_reading.read(name)
-    finally:
-        del os.environ["DISTURBED"]
-    assert labels.tolist() == [0, 7] and (centres == voxels).all()
-
-
-def frames_dataset(storage, frames, positions, orientation=(1, 0, 0, 0, 1, 0), bits=16, measures=(0.5, 0.25, 3)):
-    dataset = new(storage)
-    set_pixels(dataset, frames, bits)
-    measure = group(PixelSpacing=list(measures[:2]))
-    if measures[2]:
-        measure[0].SpacingBetweenSlices = measures[2]
-    dataset.SharedFunctionalGroupsSequence = group(
-        PlaneOrientationSequence=group(ImageOrientationPatient=list(orientation)), PixelMeasuresSequence=measure
-    )
-    dataset.PerFrameFunctionalGroupsSequence = Sequence(
-        [item(PlanePositionSequence=group(ImagePositionPatient=[float(x) for x in p])) for p in positions]
-    )
-    return dataset
 
 
 def test_volume_of_frames():
