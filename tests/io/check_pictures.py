@@ -1,4 +1,5 @@
 """Pictures as Pillow writes them, and damaged ones: read pixel by pixel, or refused. check_pictures.py DUMP_VOLUME"""
+import struct
 import zlib
 
 import numpy as np
@@ -65,6 +66,32 @@ def test_png_by_hand():
     refused(FORMAT, "more voxels than its bytes", path("vast.png"))
     write_png("short.png", 4, 2, 2, bytes([0, 1]))
     refused(FORMAT, "damaged", path("short.png"))
+
+
+def test_bmp_by_hand():
+    """With the header of OS/2, which Pillow reads the same; and what no BMP has."""
+    pixels = labels(3, 5, most=200)
+    rows = b"".join(row.tobytes().ljust(8, b"\0") for row in pixels[::-1])
+    colours = bytes(3 * 256)
+
+    def bmp(header, data=rows):
+        start = 14 + len(header) + len(colours)
+        return write("o.bmp", b"BM" + struct.pack("<IHHI", start + len(data), 0, 0, start), header, colours, data)
+
+    name = bmp(struct.pack("<IHHHH", 12, 5, 3, 1, 8))
+    assert (np.array(Image.open(name)) == pixels).all()
+    check_picture(pixels, "o.bmp")
+    reads_quietly(name)
+    newer = lambda width, height, bits=8, kind=0: struct.pack("<IiiHHI", 40, width, height, 1, bits, kind) + bytes(20)
+    bmp(newer(5, 3))
+    check_picture(pixels, "o.bmp")
+    bmp(newer(5, -3))
+    check_picture(pixels[::-1], "o.bmp")
+    refused(FORMAT, "its header has 13 bytes, which no BMP has", bmp(struct.pack("<IHHHH", 13, 5, 3, 1, 8)))
+    refused(FORMAT, "it has 3 bits a voxel, which no BMP has", bmp(newer(5, 3, 3)))
+    refused(FORMAT, "it is compressed (number 1)", bmp(newer(5, 3, 8, 1)))
+    for width, height in ((0, 3), (-5, 3), (5, 0)):
+        refused(FORMAT, "it has no voxels", bmp(newer(width, height)))
 
 
 def test_jpeg():

@@ -241,4 +241,78 @@ def test_told():
     refused(UNSUPPORTED, "MetaMorph", write(voxels, extratags=[(33629, "I", 3, (1, 2, 3), True)]))
 
 
+def page(next_page=0, start=8, **changes):
+    """The directory of a page of 6 x 4 bytes that lie behind it: tags as t258=(type, count, value)."""
+    tags = {256: 6, 257: 4, 258: 8, 259: 1, 262: 1, 273: start + 200, 277: 1, 278: 4, 279: 24}
+    entries = {tag: (4, 1, value) for tag, value in tags.items()}
+    entries.update((int(tag[1:]), entry) for tag, entry in changes.items())
+    table = b"".join(struct.pack("<HHII", tag, *entries[tag]) for tag in sorted(entries) if entries[tag])
+    table = struct.pack("<H", len(table) // 12) + table + struct.pack("<I", next_page)
+    return table.ljust(200, b"\0") + VOXELS.tobytes()
+
+
+VOXELS = labels(1, 4, 6, most=200)
+
+
+def by_hand(*pages, first=8):
+    with open(path("h.tif"), "wb") as file:
+        file.write(b"II*\0" + struct.pack("<I", first) + b"".join(pages))
+    return path("h.tif")
+
+
+def test_compressions_that_are_refused():
+    check_stack(VOXELS, CUBES, by_hand(page()))
+    for number, name in (
+        (6, "old JPEG"),
+        (34661, "JBIG"),
+        (34712, "JPEG 2000"),
+        (33003, "JPEG 2000"),
+        (33005, "JPEG 2000"),
+        (50001, "WebP"),
+        (50002, "JPEG XL"),
+        (52546, "JPEG XL"),
+        (12345, "number 12345"),
+    ):
+        refused(FORMAT, "its compression, %s, cannot be read: save" % name, by_hand(page(t259=(3, 1, number))))
+    for number in 1, 32773:
+        words = "it has a predictor, but a compression that knows none"
+        refused(FORMAT, words, by_hand(page(t259=(3, 1, number), t317=(3, 1, 2))))
+
+
+def test_types_that_are_refused():
+    for bits, sample_format, words in (
+        (4, 2, "its voxels are signed numbers of 4 bits; 8, 16, 32 or 64 are wanted"),
+        (12, 1, "its voxels are unsigned numbers of 12 bits"),
+        (8, 4, "their type is not known"),
+        (12, 2, "its voxels are signed numbers of 12 bits"),
+        (8, 9, "it cannot be opened"),
+    ):
+        refused(FORMAT, words, by_hand(page(t258=(3, 1, bits), t339=(3, 1, sample_format))))
+    for tag in "t256", "t257":
+        refused(FORMAT, "it cannot be opened", by_hand(page(**{tag: (4, 1, 0)})))
+    refused(FORMAT, "it cannot be opened", by_hand(page(t273=None, t279=None)))
+    refused(UNSUPPORTED, "it has several slices in one (ImageDepth)", by_hand(page(t32997=(4, 1, 2))))
+
+
+def test_directories_that_are_refused():
+    check_stack(np.concatenate([VOXELS, VOXELS]), CUBES, by_hand(page(8 + 224), page(start=8 + 224)))
+    refused(FORMAT, "its pages run in a circle", by_hand(page(8)))
+    refused(FORMAT, "it has no pages", by_hand(first=0))
+    with open(path("b.tif"), "wb") as file:
+        file.write(b"II+\0" + struct.pack("<HHQ", 4, 0, 16) + bytes(40))
+    refused(FORMAT, "its BigTIFF header is damaged", path("b.tif"))
+    many = [
+        struct.pack("<H", 900) + b"".join(struct.pack("<HHII", 1000 + 900 * k + t, 1, 1, 0) for t in range(900))
+        for k in range(2)
+    ]
+    size = len(many[0]) + 4
+    ends = [struct.pack("<I", 8 + size), struct.pack("<I", 0)]
+    refused(FORMAT, "it has more than 1000 kinds of tags", by_hand(*[a + b for a, b in zip(many, ends)]))
+    whole = 8 + 18 * 60
+    shared = [struct.pack("<HHHIII", 1, 270, 2, 100000, whole, 8 + 18 * (k + 1) if k < 59 else 0) for k in range(60)]
+    refused(FORMAT, "the tags of its pages lie over each other", by_hand(*shared, bytes(100000)))
+    endless = [struct.pack("<HHHIII", 1, 256, 4, 1, 6, 8 + 18 * (k + 1)) for k in range(65536)]
+    refused(UNSUPPORTED, "it has more than 65535 pages", by_hand(*endless))
+
+
 run_tests(globals())
