@@ -1,5 +1,7 @@
 """cleft convert keeps a mesh what it is."""
+import errno
 import json
+import os
 import unittest
 
 from support import CANNOT_READ, CANNOT_WRITE, CommandTest, cleft
@@ -38,11 +40,34 @@ class Convert(CommandTest):
         self.run_ok("convert", self.path("out.vtu"), self.path("a.msh"), "--strip", "0", "--msh-version", "2.2")
         self.assertEqual([row["label"] for row in self.info("a.msh")["labels"]], [3, 7])
 
+    def test_report(self):
+        self.mesh(self.volume)
+        start, end = self.path("out.vtu"), self.path("a.msh")
+        done = self.run_ok("convert", start, end, "--strip", "0", "--json", self.path("r.json"))
+        report = json.loads(self.path("r.json").read_text())
+        made = self.info("a.msh")
+        self.assertEqual(
+            (report["command"], report["inputs"], report["outputs"]), ("convert", [str(start)], [str(end)])
+        )
+        self.assertEqual((report["points"], report["tets"]), (made["points"], made["tets"]))
+        self.assertEqual([stage["name"] for stage in report["stages"]], ["read", "strip", "write"])
+        self.assertEqual(report["warnings"], [])
+        self.assertIn("tetrahedra", done.stdout)
+        done = self.run_ok("convert", start, end, "--json", "-")
+        whole = json.loads(done.stdout)  # there is nothing else
+        self.assertGreater(whole["tets"], report["tets"])
+        self.assertEqual(whole["tets"], self.info("a.msh")["tets"])
+
     def test_failures(self):
         self.mesh(self.volume)
         self.assert_fails(CANNOT_WRITE, cleft("convert", self.path("out.vtu"), self.path("a.xyz")), "a.xyz")
         self.assert_fails(CANNOT_READ, cleft("convert", self.path("none.vtu"), self.path("a.msh")), "none.vtu")
         self.assertFalse(self.path("a.msh").exists())
+
+    def test_folders_are_no_meshes(self):
+        self.path("folder.vtu").mkdir()
+        done = cleft("convert", self.path("folder.vtu"), self.path("a.msh"))
+        self.assert_fails(CANNOT_READ, done, self.path("folder.vtu"), os.strerror(errno.EISDIR))
 
 
 if __name__ == "__main__":

@@ -20,6 +20,11 @@ class Failures(CommandTest):
         done = cleft("mesh", self.path("a.raw"), "--dims", 16, 16, 16, "-o", self.path("out.vtu"))
         self.assert_fails(CANNOT_READ, done, "a.raw")
 
+    def test_pipes_are_no_volumes(self):
+        os.mkfifo(self.path("pipe.nrrd"))
+        done = cleft("mesh", self.path("pipe.nrrd"), "-o", self.path("out.vtu"))
+        self.assert_fails(CANNOT_READ, done, self.path("pipe.nrrd"), "it is a device or pipe, not a file")
+
     def test_inputs_on_different_grids(self):
         for name, n in (("a.nrrd", 4), ("b.nrrd", 5)):
             write_nrrd(self.path(name), (n, n, n), [0.5] * n**3, "float")

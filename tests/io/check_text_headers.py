@@ -131,6 +131,9 @@ def test_nrrd_data_files():
     check(VOXELS, np.eye(3, 4), nrrd("d.nhdr", "data file: LIST 3\n" + names, b""))
     refused(FORMAT, "data files", nrrd("d.nhdr", "data file: LIST\n" + names[:24], b""))
     refused(FILE, "gone.raw", nrrd("d.nhdr", "data file: gone.raw\n", b""))
+    refused(FILE, "it is a folder, not a file", nrrd("d.nhdr", "data file: sub\n", b""))
+    os.mkfifo(path("pipe.raw"))
+    refused(FILE, "it is a device or pipe, not a file", nrrd("d.nhdr", "data file: pipe.raw\n", b""))
     refused(
         FORMAT, "cut short", write("cut.nhdr", "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 3 5\nencoding: raw\n")
     )
