@@ -246,7 +246,6 @@ SizingField compute_sizing(const Labelling& labelling, const Array<int32_t>& lab
 {
     Stage stage(run, "sizing", {{"sizing: features", 60}, {"sizing: field", 40}, {"sizing: number of tetrahedra", 0}});
     check_options(options);
-    check_sizing_grid(labelling.grid);
     const Limits limits = limits_of(labelling.grid, options);
 
     Sources from{labelling, labels, options, {}};

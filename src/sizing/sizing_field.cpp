@@ -8,7 +8,6 @@
 #include "volume/limits.hpp"
 
 #include <cmath>
-#include <limits>
 #include <string>
 
 namespace cleft
@@ -25,20 +24,6 @@ constexpr double kTetsPerParticle = 5.9;
 
 }  // namespace
 
-void check_sizing_grid(const Grid& grid)
-{
-    for (const int32_t n : grid.dims)
-        if (n < 1)
-            throw Error(CLEFT_ERROR_ARGUMENT,
-                        "the grid of a sizing field must have at least one voxel along each axis");
-    if (!(grid.spacing.minCoeff() > 0) || !grid.spacing.allFinite())
-        throw Error(CLEFT_ERROR_ARGUMENT, "the spacing of a sizing field must be positive and finite");
-    const double voxels = static_cast<double>(grid.dims[0]) * grid.dims[1] * grid.dims[2];
-    // The transforms keep numbers of voxels in 32 bits.
-    if (voxels > std::numeric_limits<int32_t>::max())
-        throw Error(CLEFT_ERROR_TOO_LARGE, "a sizing field can have at most 2147483647 voxels");
-}
-
 Error bad_sizing_value(double value, int64_t voxel, const Grid& grid)
 {
     const std::string place = "the sizing value of " + voxel_in_words(voxel, grid.dims) + " is ";
@@ -50,7 +35,6 @@ Error bad_sizing_value(double value, int64_t voxel, const Grid& grid)
 
 SizingField constant_sizing(const Grid& grid, double size)
 {
-    check_sizing_grid(grid);
     if (!is_size(size))
         throw Error(CLEFT_ERROR_ARGUMENT, "the size is " + number_text(size) + "; it must be within " +
                                               number_text(kLeastSize) + " to " + number_text(kGreatestSize));
@@ -59,7 +43,6 @@ SizingField constant_sizing(const Grid& grid, double size)
 
 SizingField sizing_from_values(const Grid& grid, const double* values)
 {
-    check_sizing_grid(grid);
     SizingField field{grid, Array<float>(grid.size()), 0.3};
     for (int64_t v = 0; v < field.h.count(); ++v) {
         field.h[v] = static_cast<float>(values[v]);
@@ -80,8 +63,6 @@ double expected_particle_tets(const SizingField& field)
 
 double expected_particle_tets(const SizingField& field, const Volume& volume, const KeptMaterials& kept)
 {
-    if (kept.all())
-        return expected_particle_tets(field);
     return kTetsPerParticle * kParticlesPerCharge *
            sizing_charge(field, [&](int64_t voxel) { return kept.has(volume.voxel_material(voxel)); });
 }

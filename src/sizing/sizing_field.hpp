@@ -54,8 +54,6 @@ SizingField constant_sizing(const Grid& grid, double size);
 // User-supplied values (positive, finite; an Error names the first that is not), taken as they are.
 SizingField sizing_from_values(const Grid& grid, const double* values);
 
-// Refuses a grid that no sizing field can have.
-void check_sizing_grid(const Grid& grid);
 // What to throw for a value that is not positive and finite.
 Error bad_sizing_value(double value, int64_t voxel, const Grid& grid);
 

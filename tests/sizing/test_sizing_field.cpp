@@ -251,6 +251,21 @@ void scaling_keeps_the_gradation(void**)
         assert_true(std::abs(field.h[v] - coarse.h[v]) < 1e-3F * coarse.h[v]);
 }
 
+void no_field_is_scaled_by_what_is_no_factor(void**)
+{
+    SizingField field = constant_sizing(grid_of(2, 2, 2), 3);
+    for (const double factor : {0.0, -1.0, double{NAN}, HUGE_VAL}) {
+        cleft_status status = CLEFT_OK;
+        try {
+            scale_sizing(field, factor, Run());
+        } catch (const Error& error) {
+            status = error.status();
+        }
+        assert_int_equal(status, CLEFT_ERROR_ARGUMENT);
+        assert_true(field.least() == 3 && field.greatest() == 3);
+    }
+}
+
 void too_many_tets_raise_the_least_size(void**)
 {
     const Labels labels = noise(grid_of(30, 30, 30), 3, 4);
@@ -344,6 +359,7 @@ int main()
         cmocka_unit_test(at_interpolates_and_clamps),
         cmocka_unit_test(charge_scales_as_the_inverse_cube),
         cmocka_unit_test(scaling_keeps_the_gradation),
+        cmocka_unit_test(no_field_is_scaled_by_what_is_no_factor),
         cmocka_unit_test(too_many_tets_raise_the_least_size),
         cmocka_unit_test(values_are_taken_as_they_are),
         cmocka_unit_test(does_not_depend_on_threads),
