@@ -6,6 +6,7 @@
 #include "io/file_name.hpp"
 #include "io/folder_names.hpp"
 #include "io/formats.hpp"
+#include "io/path_kind.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -118,7 +119,7 @@ void refuse_folder_without_series(const std::string& folder, const std::vector<s
     // The files by which Zarr versions 2 and 3 mark an array or a group. They have no data that any
     // other reader here could find.
     for (const char* name : {".zarray", ".zgroup", ".zattrs", "zarr.json"})
-        if (fs::exists(fs::path(folder) / name))
+        if (is_there(joined(folder, name)))
             throw Error(CLEFT_ERROR_UNSUPPORTED,
                         "it is a Zarr store, which cannot be read: read its array by zarr and "
                         "save it as .nii.gz or .nrrd");

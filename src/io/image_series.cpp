@@ -6,6 +6,7 @@
 #include "base/number_text.hpp"
 #include "io/dicom_image.hpp"
 #include "io/folder_names.hpp"
+#include "io/path_kind.hpp"
 #include "io/read_image.hpp"
 #include "io/text_scanner.hpp"
 
@@ -159,10 +160,10 @@ std::vector<std::string> numbered_files(const std::string& path, const std::smat
         return conversion.prefix().str() + digits + conversion.suffix().str();
     };
     // Programs count slices from 0 or from 1; no other beginning is tried.
-    const int64_t first = fs::exists(name(0)) ? 0 : 1;
+    const int64_t first = is_there(name(0)) ? 0 : 1;
     int64_t number = first;
     std::vector<std::string> found;
-    for (; fs::exists(name(number)); ++number)
+    for (; is_there(name(number)); ++number)
         found.push_back(name(number));
     if (found.empty())
         throw Error(CLEFT_ERROR_FILE, "there is neither '" + name(0) + "' nor '" + name(1) + "'");
@@ -269,9 +270,9 @@ Image read_image_or_series(const std::string& path)
     return naming_file(path, [&] {
         // A path that exists is what it says, even if its name has "*" or "%d" in it. Patterns are
         // tried on what does not exist.
-        if (fs::is_directory(path))
+        if (is_folder(path))
             return read_dicom_folder(path);
-        if (fs::exists(path))
+        if (is_there(path))
             return read_image(path);
         std::smatch conversion;
         // Only %d, %3d and %03d; the path is never given to printf().

@@ -4,11 +4,11 @@
 #include "io/byte_source.hpp"
 #include "io/entry.hpp"
 #include "io/formats.hpp"
+#include "io/path_kind.hpp"
 #include "io/text_scanner.hpp"
 
 #include <algorithm>
 #include <cstring>
-#include <filesystem>
 #include <memory>
 
 // The size of the struct in version 0.1. Callers that were compiled with it stay valid when fields
@@ -89,7 +89,7 @@ int32_t cleft_io_guess(const char* path) noexcept
     try {
         if (!path)
             return CLEFT_IO_UNKNOWN;
-        const bool volume = is_volume_path(path) || std::filesystem::is_directory(path);
+        const bool volume = is_volume_path(path) || is_folder(path);
         const bool mesh = format_of_path(path, CLEFT_IO_READS_MESH | CLEFT_IO_WRITES_MESH) != nullptr;
         if (volume && mesh)
             return is_vtk_mesh(path) ? CLEFT_IO_MESH : CLEFT_IO_VOLUME;

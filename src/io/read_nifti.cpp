@@ -7,13 +7,13 @@
 #include "io/nifti_geometry.hpp"
 #include "io/nifti_header.hpp"
 #include "io/nifti_scaling.hpp"
+#include "io/path_kind.hpp"
 #include "io/text_scanner.hpp"
 #include "io/voxel_data.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 #include <vector>
 
 namespace cleft::io
@@ -56,7 +56,7 @@ std::string partner(const std::string& path, const std::string& small, const std
     // The pair may be compressed in one of its files, and comes in capitals from file systems
     // without case.
     for (const std::string& end : {small, small + ".gz", capital, capital + ".GZ"})
-        if (std::filesystem::exists(stem + end))
+        if (is_there(stem + end))
             return stem + end;
     throw Error(CLEFT_ERROR_FILE,
                 "there is no file '" + stem.substr(stem.find_last_of('/') + 1) + small + "' beside it");
@@ -251,7 +251,7 @@ void read_voxels(const std::string& path, const NiftiHeader& header, Image& imag
 void note_spm_file(const std::string& path, Image& image)
 {
     const std::string name = without_extension(path) + ".mat";
-    if (std::filesystem::exists(name))
+    if (is_there(name))
         image.notes.push_back("the place of its voxels in '" + name.substr(name.find_last_of('/') + 1) +
                               "' beside it is not read");
 }

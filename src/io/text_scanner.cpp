@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "io/mesh_data.hpp"
+#include "io/path_kind.hpp"
 #include "io/system_failure.hpp"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ std::string_view without_plus(std::string_view word)
 std::string read_whole_file(const std::string& path)
 {
     // fopen() opens a folder for reading, and only fread() fails.
-    if (std::filesystem::is_directory(path))
+    if (is_folder(path))
         cannot_read(path, EISDIR);
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file)

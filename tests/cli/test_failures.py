@@ -1,4 +1,5 @@
 """Failures: the exit code, the message, the report, and no file left behind."""
+import errno
 import json
 import os
 import resource
@@ -19,6 +20,26 @@ class Failures(CommandTest):
         self.path("a.raw").write_bytes(bytes(100))
         done = cleft("mesh", self.path("a.raw"), "--dims", 16, 16, 16, "-o", self.path("out.vtu"))
         self.assert_fails(CANNOT_READ, done, "a.raw")
+
+    def test_names_that_the_system_refuses(self):
+        """Too long, in a circle of links, or behind a folder that is closed."""
+        links = self.path("links")
+        links.mkdir()
+        for end in (".nrrd", ".nii", ".img", ".vtu", ".vtk", ".raw"):
+            (links / ("a" + end)).symlink_to("b" + end)
+            (links / ("b" + end)).symlink_to("a" + end)
+            names = [(self.path("long" * 100 + end), errno.ENAMETOOLONG), (links / ("a" + end), errno.ELOOP)]
+            if os.geteuid() != 0:
+                closed = self.path("closed" + end)
+                closed.mkdir(mode=0)
+                names.append((closed / ("a" + end), errno.EACCES))
+            for name, number in names:
+                command = "check" if end == ".vtu" else "info"
+                raw = ["--dims", 4, 4, 4] if end == ".raw" else []
+                done = cleft(command, name, *raw, "--json", self.path("r.json"))
+                self.assert_fails(CANNOT_READ, done, name, os.strerror(number))
+                error = json.loads(self.path("r.json").read_text())["error"]
+                self.assertEqual(error["status"], -13)  # CLEFT_ERROR_FILE
 
     def test_pipes_are_no_volumes(self):
         os.mkfifo(self.path("pipe.nrrd"))
