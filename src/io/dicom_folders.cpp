@@ -63,6 +63,16 @@ bool is_folder_itself(const std::string& path)
     return lstat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
 }
 
+// Of a folder that a search comes across. Folders of other users are closed, and the search goes on.
+std::vector<std::string> names_if_open(const std::string& folder)
+{
+    try {
+        return names_in(folder);
+    } catch (const Error&) {
+        return {};
+    }
+}
+
 std::string joined(const std::string& folder, const std::string& name) { return (fs::path(folder) / name).string(); }
 
 }  // namespace
@@ -87,7 +97,7 @@ std::vector<std::string> dicom_folders_below(const std::string& folder)
     while (!folders.empty()) {
         const std::string parent = folders.back();
         folders.pop_back();
-        for (const std::string& name : names_in(parent)) {
+        for (const std::string& name : names_if_open(parent)) {
             const std::string path = joined(parent, name);
             if (++files > kMostFiles)
                 throw Error(CLEFT_ERROR_FILE,

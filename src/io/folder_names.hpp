@@ -7,7 +7,7 @@
 namespace cleft::io
 {
 
-// Sorted, without "." and ".."; none if the folder cannot be read.
+// Sorted, without "." and "..". Throws Error(CLEFT_ERROR_FILE) if the folder cannot be read.
 std::vector<std::string> names_in(const std::string& folder);
 
 }  // namespace cleft::io

@@ -13,6 +13,8 @@ class Failures(CommandTest):
         done = cleft("mesh", self.path("none.nrrd"), "-o", self.path("out.vtu"))
         self.assert_fails(CANNOT_READ, done, "none.nrrd")
         self.assertEqual(done.stdout, "")
+        done = cleft("info", self.path("none") / "*.png")
+        self.assert_fails(CANNOT_READ, done, "the folder '%s' cannot be read" % self.path("none"))
 
     def test_input_that_is_cut_short(self):
         self.volume.write_bytes(self.volume.read_bytes()[:-100])
@@ -40,6 +42,19 @@ class Failures(CommandTest):
                 self.assert_fails(CANNOT_READ, done, name, os.strerror(number))
                 error = json.loads(self.path("r.json").read_text())["error"]
                 self.assertEqual(error["status"], -13)  # CLEFT_ERROR_FILE
+
+    @unittest.skipIf(os.geteuid() == 0, "no folder is closed to root")
+    def test_closed_folders(self):
+        closed = self.path("closed")
+        closed.mkdir(mode=0o100)  # its names cannot be listed
+        for name in (closed, closed / "*.png", closed / "s%d.png"):
+            done = cleft("info", name)
+            self.assert_fails(CANNOT_READ, done, closed)
+            if name.name != "s%d.png":
+                self.assertIn("the folder '%s' cannot be read: %s" % (closed, os.strerror(errno.EACCES)), done.stderr)
+        (self.path("open") / "closed").mkdir(parents=True)
+        (self.path("open") / "closed").chmod(0)
+        self.assert_fails(CANNOT_READ, cleft("info", self.path("open")), "the folder holds no DICOM series")
 
     def test_pipes_are_no_volumes(self):
         os.mkfifo(self.path("pipe.nrrd"))
