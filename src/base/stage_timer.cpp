@@ -1,28 +1,8 @@
-// Clocks and memory of the process, as getrusage() has them.
+// Notes the figures of a stage at its end.
 #include "base/stage_timer.hpp"
-
-#include <sys/resource.h>
 
 namespace cleft
 {
-
-double process_cpu_seconds()
-{
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    const auto seconds = [](const timeval& t) {
-        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-    };
-    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-double process_peak_bytes()
-{
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    // Linux counts in KiB.
-    return 1024.0 * static_cast<double>(usage.ru_maxrss);
-}
 
 StageTimer::~StageTimer()
 {

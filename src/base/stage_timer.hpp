@@ -1,17 +1,13 @@
 // Notes NAME.seconds, NAME.cpu_seconds (all threads) and NAME.peak_bytes (of the process so far) when a scope ends.
 #pragma once
 
+#include "base/process_figures.hpp"
 #include "base/run.hpp"
 
 #include <chrono>
 
 namespace cleft
 {
-
-// User and system time of all threads since the process began.
-double process_cpu_seconds();
-// The greatest memory that was resident at once. It never falls, so a later stage shows it only where it needs more.
-double process_peak_bytes();
 
 class StageTimer
 {

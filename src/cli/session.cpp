@@ -2,9 +2,10 @@
 // failures, and measures stages.
 #include "session.hpp"
 
+#include "base/process_figures.hpp"
+
 #include <CLI/CLI.hpp>
 
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -65,21 +66,15 @@ void RunArguments::add_to(CLI::App& app)
         ->type_name("FILE")
         ->group("Run");
     app.add_flag("-q,--quiet", quiet, "Print nothing but errors")->group("Run");
-    app.add_flag("-v,--verbose", verbose, "Print all labels and what the library tells on its way")->group("Run");
+    app.add_flag("-v,--verbose", verbose, "Print all labels and all remarks of the library")->group("Run");
 }
 
 StageFigures process_figures()
 {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    const auto seconds = [](const timeval& time) {
-        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-    };
     StageFigures figures;
     figures.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-    figures.cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-    // ru_maxrss is in kilobytes on Linux.
-    figures.peak_bytes = 1024.0 * static_cast<double>(usage.ru_maxrss);
+    figures.cpu_seconds = cleft::process_cpu_seconds();
+    figures.peak_bytes = cleft::process_peak_bytes();
     return figures;
 }
 

@@ -1,5 +1,6 @@
 """cleft mesh: outputs, report, summary, determinism, wanted numbers."""
 import json
+import os
 import unittest
 
 from support import DATA, OK, CommandTest, cleft
@@ -46,6 +47,12 @@ class Mesh(CommandTest):
             self.assertGreaterEqual(stage["seconds"], 0)
             self.assertGreaterEqual(stage["cpu_seconds"], 0)
             self.assertGreater(stage["peak_bytes"], 1e6)
+
+    def test_memory_is_that_of_the_command_alone(self):
+        held = bytearray(os.urandom(4096) * 75000)  # of the program that starts it: 300 MB
+        report = self.mesh(self.volume)
+        for stage in report["stages"]:
+            self.assertLess(stage["peak_bytes"], len(held) / 2)
 
     def test_summary_on_a_pipe_has_no_progress_bar(self):
         done = self.run_ok("mesh", self.volume, "-o", self.path("out.vtu"))
