@@ -18,7 +18,7 @@ namespace
 // Of one background tetrahedron, by the number of materials at its corners. Snapping takes nearly all cuts away; but a
 // label keeps its last point where it is, so that of tetrahedra whose points have a label each all pieces stay. The
 // figures are those of balls, grains, noise, checkers and sheets at several sizes.
-constexpr FixedArray<double, 4> kSnapped = {1.03, 1.28, 1.63, 1.63}, kWhole = {1, 6, 12, 24};
+constexpr FixedArray<double, 4> kSnapped = {1.03, 1.28, 1.57, 1.57}, kWhole = {1, 6, 12, 24};
 // The share of points that are the only one of their label from which on all pieces may stay, and up to which none do.
 constexpr double kAllStay = 0.35, kNoneStay = 0.05;
 
