@@ -83,14 +83,14 @@ private:
 // A bound for searches in which the number jumps past what is wanted. The warning reports what was reached.
 constexpr int kRounds = 8;
 
-// Fitting, then the rounds, each of which scales and meshes. Most searches end in the second or third: progress goes by
-// halves of what is left.
+// Fitting, then the rounds, each of which scales and meshes. Most searches end with the first mesh, so it has three
+// quarters of the progress, and each later one of what is left.
 Array<Step> steps_of_rounds()
 {
     Array<Step> steps{{nullptr, 0}};
     for (int round = 0; round < kRounds; ++round) {
         steps.push_back({nullptr, 0});
-        steps.push_back({nullptr, std::ldexp(1.0, -round)});
+        steps.push_back({nullptr, std::ldexp(1.0, -2 * round)});
     }
     return steps;
 }

@@ -144,8 +144,8 @@ LabelledMesh improve_and_finish(const Volume& volume, const Cleaved& cleaved, co
 
 LabelledMesh mesh_from_volume(const Volume& volume, const PipelineOptions& options, const Run& run)
 {
-    // A wanted number takes some two or three meshes instead of one.
-    Steps steps(run, {{nullptr, 13}, {nullptr, options.tets > 0 ? 200.0 : 87}});
+    // A wanted number takes some more meshes where the first has not met it.
+    Steps steps(run, {{nullptr, 13}, {nullptr, options.tets > 0 ? 110.0 : 87}});
     ScaledSizing sizing{compute_sizing(volume, options.sizing, steps.next())};
     return mesh_from_sizing(volume, std::move(sizing), options, steps.next());
 }
