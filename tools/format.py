@@ -86,7 +86,9 @@ def findent(names, is_check):
 
 def faults(name, line):
     """What is wrong with a line and has no rule that mends it."""
-    if name.endswith(WITHIN_WIDTH) and len(line) > WIDTH:
+    # Rows of tables, commands and what they print cannot be wrapped.
+    is_prose = name.endswith(".md") and not line.startswith(("|", "    ", "<", "["))
+    if (name.endswith(WITHIN_WIDTH) or is_prose) and len(line) > WIDTH:
         yield f"{len(line)} columns; there must be {WIDTH} at most"
     indent = len(line) - len(line.lstrip())
     if name.endswith(JAVA_LIKE) and indent % 4 and not line.lstrip().startswith("*"):
