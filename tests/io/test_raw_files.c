@@ -1,65 +1,7 @@
 /* Voxels without a header: types, orders of bytes, places, functions, and layouts that are refused. */
-#include "cleft/cleft_io.h"
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
-
-#include <cmocka.h>
+#include "folder_fixture.h"
 
 enum { NX = 4, NY = 3, NZ = 5, VOXELS = NX * NY * NZ };
-
-typedef struct fixture {
-    cleft_context* context;
-    char folder[64];
-    char path[128];
-} fixture;
-
-static const char* path_of(fixture* f, const char* name)
-{
-    snprintf(f->path, sizeof f->path, "%s/%s", f->folder, name);
-    return f->path;
-}
-
-static int set_up(void** state)
-{
-    fixture* f = calloc(1, sizeof *f);
-    strcpy(f->folder, "/tmp/cleft_io_XXXXXX");
-    *state = f;
-    return mkdtemp(f->folder) && cleft_context_create(&f->context) == CLEFT_OK ? 0 : -1;
-}
-
-static int tear_down(void** state)
-{
-    fixture* f = *state;
-    char command[128];
-    snprintf(command, sizeof command, "rm -rf %s", f->folder);
-    const int removed = system(command);
-    cleft_context_destroy(f->context);
-    free(f);
-    return removed;
-}
-
-static void write_file(const char* path, const void* head, size_t head_size, const void* data, size_t size)
-{
-    FILE* file = fopen(path, "wb");
-    assert_non_null(file);
-    fwrite(head, 1, head_size, file);
-    fwrite(data, 1, size, file);
-    fclose(file);
-}
-
-static void assert_refused(fixture* f, cleft_status status, cleft_status wanted, const char* words)
-{
-    assert_int_equal(status, wanted);
-    if (!strstr(cleft_context_last_error(f->context), words))
-        fail_msg("'%s' does not say '%s'", cleft_context_last_error(f->context), words);
-}
 
 static cleft_io_raw raw_layout(cleft_type type)
 {

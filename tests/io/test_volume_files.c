@@ -1,68 +1,11 @@
 /* Sizing fields and fields in files. What other formats of volumes hold is tested by check_volumes.py. */
-#include "cleft/cleft_io.h"
+#include "folder_fixture.h"
 
 #include <math.h>
-#include <setjmp.h>
 #include <signal.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/resource.h>
-#include <unistd.h>
-
-#include <cmocka.h>
 
 enum { NX = 4, NY = 3, NZ = 5, VOXELS = NX * NY * NZ };
-
-typedef struct fixture {
-    cleft_context* context;
-    char folder[64];
-    char path[128];
-} fixture;
-
-static const char* path_of(fixture* f, const char* name)
-{
-    snprintf(f->path, sizeof f->path, "%s/%s", f->folder, name);
-    return f->path;
-}
-
-static int set_up(void** state)
-{
-    fixture* f = calloc(1, sizeof *f);
-    strcpy(f->folder, "/tmp/cleft_io_XXXXXX");
-    *state = f;
-    return mkdtemp(f->folder) && cleft_context_create(&f->context) == CLEFT_OK ? 0 : -1;
-}
-
-static int tear_down(void** state)
-{
-    fixture* f = *state;
-    char command[128];
-    snprintf(command, sizeof command, "rm -rf %s", f->folder);
-    const int removed = system(command);
-    cleft_context_destroy(f->context);
-    free(f);
-    return removed;
-}
-
-static void write_file(const char* path, const void* head, size_t head_size, const void* data, size_t size)
-{
-    FILE* file = fopen(path, "wb");
-    assert_non_null(file);
-    fwrite(head, 1, head_size, file);
-    fwrite(data, 1, size, file);
-    fclose(file);
-}
-
-static void assert_refused(fixture* f, cleft_status status, cleft_status wanted, const char* words)
-{
-    assert_int_equal(status, wanted);
-    if (!strstr(cleft_context_last_error(f->context), words))
-        fail_msg("'%s' does not say '%s'", cleft_context_last_error(f->context), words);
-}
 
 /* A grid that is turned, flipped and off the origin; sheared if asked for. */
 static void make_affine(int sheared, double affine[12])

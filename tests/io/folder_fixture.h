@@ -1,0 +1,65 @@
+/* A context and a folder of its own for each test of files. */
+#ifndef FOLDER_FIXTURE_H
+#define FOLDER_FIXTURE_H
+
+#include "cleft/cleft_io.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+typedef struct fixture {
+    cleft_context* context;
+    char folder[64];
+    char path[128];
+} fixture;
+
+static inline const char* path_of(fixture* f, const char* name)
+{
+    snprintf(f->path, sizeof f->path, "%s/%s", f->folder, name);
+    return f->path;
+}
+
+static inline int set_up(void** state)
+{
+    fixture* f = calloc(1, sizeof *f);
+    strcpy(f->folder, "/tmp/cleft_io_XXXXXX");
+    *state = f;
+    return mkdtemp(f->folder) && cleft_context_create(&f->context) == CLEFT_OK ? 0 : -1;
+}
+
+static inline int tear_down(void** state)
+{
+    fixture* f = *state;
+    char command[128];
+    snprintf(command, sizeof command, "rm -rf %s", f->folder);
+    const int removed = system(command);
+    cleft_context_destroy(f->context);
+    free(f);
+    return removed;
+}
+
+static inline void write_file(const char* path, const void* head, size_t head_size, const void* data, size_t size)
+{
+    FILE* file = fopen(path, "wb");
+    assert_non_null(file);
+    fwrite(head, 1, head_size, file);
+    fwrite(data, 1, size, file);
+    fclose(file);
+}
+
+static inline void assert_refused(fixture* f, cleft_status status, cleft_status wanted, const char* words)
+{
+    assert_int_equal(status, wanted);
+    if (!strstr(cleft_context_last_error(f->context), words))
+        fail_msg("'%s' does not say '%s'", cleft_context_last_error(f->context), words);
+}
+
+#endif
