@@ -11,6 +11,13 @@ SHAPE = (4, 3, 5)
 VOXELS = random_labels(SHAPE, "u1", (0, 1, 2, 9))
 
 
+def save(writer, grid, name, binary):
+    writer.SetInputData(grid)
+    writer.SetFileName(path(name))
+    writer.SetFileTypeToBinary() if binary else writer.SetFileTypeToASCII()
+    writer.Write()
+
+
 def vtk_image(arrays, on_cells, binary, name, kind="image", scalars=None):
     grid = vtk.vtkImageData() if kind == "image" else vtk.vtkRectilinearGrid()
     points = [n + on_cells for n in SHAPE]
@@ -29,11 +36,7 @@ def vtk_image(arrays, on_cells, binary, name, kind="image", scalars=None):
         where.AddArray(array)
     if scalars:
         where.SetActiveScalars(scalars)
-    writer = vtk.vtkStructuredPointsWriter() if kind == "image" else vtk.vtkRectilinearGridWriter()
-    writer.SetInputData(grid)
-    writer.SetFileName(path(name))
-    writer.SetFileTypeToBinary() if binary else writer.SetFileTypeToASCII()
-    writer.Write()
+    save(vtk.vtkStructuredPointsWriter() if kind == "image" else vtk.vtkRectilinearGridWriter(), grid, name, binary)
     return path(name)
 
 
@@ -75,11 +78,7 @@ def test_vtk_numbers_of_points():
             ids = numpy_support.numpy_to_vtkIdTypeArray(np.arange(VOXELS.size), deep=True)
             ids.SetName("ids")
             grid.GetPointData().SetGlobalIds(ids)
-            writer = vtk.vtkRectilinearGridWriter()
-            writer.SetInputData(grid)
-            writer.SetFileName(path("n.vtk"))
-            writer.SetFileTypeToBinary() if binary else writer.SetFileTypeToASCII()
-            writer.Write()
+            save(vtk.vtkRectilinearGridWriter(), grid, "n.vtk", binary)
             check(VOXELS, np.column_stack([2 * np.eye(3), [7, 7, 7]]), path("n.vtk"))
             warned("of which 'parts' is read", path("n.vtk"))
 
@@ -169,11 +168,7 @@ def test_vtk_arrays_that_are_passed_over():
             ):
                 where.AddArray(array)
             grid.GetPointData().SetTCoords(coordinates)
-            writer = vtk.vtkStructuredPointsWriter()
-            writer.SetInputData(grid)
-            writer.SetFileName(path("p.vtk"))
-            writer.SetFileTypeToBinary() if binary else writer.SetFileTypeToASCII()
-            writer.Write()
+            save(vtk.vtkStructuredPointsWriter(), grid, "p.vtk", binary)
             check(VOXELS, np.eye(3, 4), path("p.vtk"))
             warned("'texts' on %s" % ("cells" if texts_on_cells else "points"), path("p.vtk"))
             warned("'places' on points", path("p.vtk"))

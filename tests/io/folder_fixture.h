@@ -1,23 +1,19 @@
-/* A context and a folder of its own for each test of files. */
+/* What tests that write volumes share. */
 #ifndef FOLDER_FIXTURE_H
 #define FOLDER_FIXTURE_H
 
-#include "cleft/cleft_io.h"
+#include "folder.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 
 #include <cmocka.h>
 
 typedef struct fixture {
     cleft_context* context;
-    char folder[64];
+    char folder[FOLDER_NAME];
     char path[128];
 } fixture;
 
@@ -30,17 +26,14 @@ static inline const char* path_of(fixture* f, const char* name)
 static inline int set_up(void** state)
 {
     fixture* f = calloc(1, sizeof *f);
-    strcpy(f->folder, "/tmp/cleft_io_XXXXXX");
     *state = f;
-    return mkdtemp(f->folder) && cleft_context_create(&f->context) == CLEFT_OK ? 0 : -1;
+    return make_folder(f->folder, &f->context);
 }
 
 static inline int tear_down(void** state)
 {
     fixture* f = *state;
-    char command[128];
-    snprintf(command, sizeof command, "rm -rf %s", f->folder);
-    const int removed = system(command);
+    const int removed = remove_folder(f->folder);
     cleft_context_destroy(f->context);
     free(f);
     return removed;

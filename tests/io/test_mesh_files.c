@@ -1,5 +1,5 @@
 /* Meshes to files and back: every bit, all or nothing, and no crash on what is damaged. */
-#include "cleft/cleft_io.h"
+#include "folder.h"
 #include "io/sample_mesh.h"
 
 #include <errno.h>
@@ -21,7 +21,7 @@
 typedef struct fixture {
     cleft_context* context;
     cleft_mesh* mesh;
-    char folder[64];
+    char folder[FOLDER_NAME];
     char path[128]; /* of the last path_of() */
 } fixture;
 
@@ -34,8 +34,7 @@ static const char* path_of(fixture* f, const char* name)
 static int set_up(void** state)
 {
     fixture* f = calloc(1, sizeof *f);
-    strcpy(f->folder, "/tmp/cleft_io_XXXXXX");
-    if (!mkdtemp(f->folder) || cleft_context_create(&f->context) != CLEFT_OK)
+    if (make_folder(f->folder, &f->context) != 0)
         return -1;
     f->mesh = sample_mesh_create(f->context);
     *state = f;
@@ -45,9 +44,7 @@ static int set_up(void** state)
 static int tear_down(void** state)
 {
     fixture* f = *state;
-    char command[128];
-    snprintf(command, sizeof command, "rm -rf %s", f->folder);
-    const int removed = system(command);
+    const int removed = remove_folder(f->folder);
     cleft_mesh_destroy(f->mesh);
     cleft_context_destroy(f->context);
     free(f);

@@ -1,6 +1,6 @@
 /* NRRD, MetaImage and legacy VTK: every type of voxels in every encoding and order of bytes, and files that are cut
  * short at every byte, each of which must be refused. */
-#include "cleft/cleft_io.h"
+#include "folder.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -18,7 +18,7 @@ enum { NX = 3, NY = 2, NZ = 2, VOXELS = NX * NY * NZ, ROOM = 1 << 16 };
 
 typedef struct fixture {
     cleft_context* context;
-    char folder[64];
+    char folder[FOLDER_NAME];
     char path[128];
     unsigned char bytes[ROOM];
     size_t size;
@@ -53,17 +53,14 @@ static const type types[] = {
 static int set_up(void** state)
 {
     fixture* f = calloc(1, sizeof *f);
-    strcpy(f->folder, "/tmp/cleft_io_XXXXXX");
     *state = f;
-    return mkdtemp(f->folder) && cleft_context_create(&f->context) == CLEFT_OK ? 0 : -1;
+    return make_folder(f->folder, &f->context);
 }
 
 static int tear_down(void** state)
 {
     fixture* f = *state;
-    char command[128];
-    snprintf(command, sizeof command, "rm -rf %s", f->folder);
-    const int removed = system(command);
+    const int removed = remove_folder(f->folder);
     cleft_context_destroy(f->context);
     free(f);
     return removed;
