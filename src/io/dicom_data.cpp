@@ -1,12 +1,12 @@
 // Takes DICOM files apart: explicit and implicit types, both byte orders, sequences, deflated and compressed files.
 #include "io/dicom_data.hpp"
 
+#include "io/ascii.hpp"
 #include "io/byte_source.hpp"
 #include "io/text_scanner.hpp"
 
 #include <libdeflate.h>
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -71,7 +71,7 @@ public:
         static const char* const long_types = "OB OD OF OL OV OW SQ SV UC UN UR UT UV";
         // All types are two capital letters. Anything else means that a length before it was wrong,
         // or that the file has implicit types.
-        if (!std::isupper(head.type[0]) || !std::isupper(head.type[1]))
+        if (!is_capital(head.type[0]) || !is_capital(head.type[1]))
             refuse_damaged("the element " + name_of(head.tag) + " has no type");
         const bool is_long = std::strstr(long_types, head.type) != nullptr;
         if (is_long)
@@ -194,8 +194,7 @@ std::string without_padding(std::string_view bytes)
 
 bool begins_with_type(std::string_view bytes)
 {
-    return bytes.size() > 5 && std::isupper(static_cast<unsigned char>(bytes[4])) &&
-           std::isupper(static_cast<unsigned char>(bytes[5]));
+    return bytes.size() > 5 && is_capital(bytes[4]) && is_capital(bytes[5]);
 }
 
 // The data of a deflated file: nothing tells how long they are.

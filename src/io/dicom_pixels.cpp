@@ -162,6 +162,55 @@ void clear_unused_bits(const DicomPixelFormat& format, bool compressed, Image& i
     });
 }
 
+const DicomElement& pixels_element(const DicomData& data)
+{
+    const DicomTag tag = data.has(kFloatPixelsTag)    ? kFloatPixelsTag
+                         : data.has(kDoublePixelsTag) ? kDoublePixelsTag
+                                                      : kPixelsTag;
+    const DicomElement* const element = data.find(tag);
+    if (!element)
+        refuse_dicom("the DICOM file holds no image");
+    return *element;
+}
+
+// Of all frames without gaps.
+int64_t bytes_of(const DicomPixelFormat& format, Component component)
+{
+    const int64_t bits = format.bits_allocated == 1 ? 1 : 8 * static_cast<int64_t>(size_of(component));
+    // Rows and columns have 16 bits and frames 20, so that the product fits 64 bits.
+    return (format.frame_size() * format.frames * bits + 7) / 8;
+}
+
+// Pixels that are neither packed nor compressed.
+void read_plain(const DicomElement& element, const DicomPixelFormat& format, bool big_endian, Image& image)
+{
+    const int64_t wanted = bytes_of(format, image.component);
+    const auto there = static_cast<int64_t>(element.bytes.size());
+    // Longer is allowed: values are padded to an even length.
+    if (there < wanted)
+        refuse_dicom("the DICOM file is damaged: its pixels have " + counted(there, "byte") + ", and not " +
+                     std::to_string(wanted));
+    allocate_voxels(image);
+    // Only pixels of at most 8 bits: in wider ones the swap of each pixel does it all.
+    const std::string straight =
+        element.in_words && big_endian && size_of(image.component) == 1 ? pairs_swapped(element.bytes) : std::string();
+    const std::string_view bytes = straight.empty() ? element.bytes : straight;
+    if (format.bits_allocated == 1)
+        unpack_single_bits(bytes, image);
+    else
+        copy_plain(bytes, big_endian, image);
+}
+
+// PS3.5, section 8.1.1 requires High Bit to be Bits Stored - 1 today. Where it is not, the values depend on how one
+// reads it, so the user gets a note.
+void note_moved_bits(const DicomPixelFormat& format, Image& image)
+{
+    if (format.high_bit + 1 != format.bits_stored)
+        image.notes.push_back("its pixels are the " + std::to_string(format.bits_stored) + " bits up to number " +
+                              std::to_string(format.high_bit) + " of " + std::to_string(format.bits_allocated) +
+                              " (HighBit), and are moved down");
+}
+
 }  // namespace
 
 DicomPixelFormat pixel_format_of(const DicomFile& file)
@@ -196,50 +245,25 @@ DicomPixelFormat pixel_format_of(const DicomFile& file)
 
 Image pixels_of(const DicomFile& file, const DicomPixelFormat& format)
 {
-    const DicomTag tag = file.data.has(kFloatPixelsTag)    ? kFloatPixelsTag
-                         : file.data.has(kDoublePixelsTag) ? kDoublePixelsTag
-                                                           : kPixelsTag;
-    const DicomElement* const found = file.data.find(tag);
-    if (!found)
-        refuse_dicom("the DICOM file holds no image");
-    const DicomElement& element = *found;
+    const DicomElement& element = pixels_element(file.data);
     // RLE Lossless. GDCM is not needed for it, so that builds without GDCM read it, too.
-    const bool packed = file.transfer_syntax == "1.2.840.10008.1.2.5";
+    const bool packed = element.encapsulated && file.transfer_syntax == "1.2.840.10008.1.2.5";
+    const bool compressed = element.encapsulated && !packed;
     Image image;
     image.component = component_of(file, format);
     image.dims = {format.columns, format.rows, format.frames};
-    const int64_t bits = format.bits_allocated == 1 ? 1 : 8 * static_cast<int64_t>(size_of(image.component));
-    // Rows and columns have 16 bits and frames 20, so that the product fits 64 bits.
-    const int64_t wanted = (format.frame_size() * format.frames * bits + 7) / 8;
-    const auto there = static_cast<int64_t>(element.bytes.size());
-    // Longer is allowed: values are padded to an even length.
-    if (!element.encapsulated && there < wanted)
-        refuse_dicom("the DICOM file is damaged: its pixels have " + counted(there, "byte") + ", and not " +
-                     std::to_string(wanted));
-    const bool compressed = element.encapsulated && !packed;
-    if (element.encapsulated && packed)
-        check_packed(element.fragments, wanted);
-    // Only pixels of at most 8 bits: in wider ones the swap of each pixel does it all.
-    const std::string straight =
-        element.in_words && file.data.is_big_endian() && bits <= 8 ? pairs_swapped(element.bytes) : std::string();
-    const std::string_view plain = straight.empty() ? element.bytes : straight;
-    // The decoder in the child process tells its size first, so there memory is taken later.
-    if (!compressed)
-        allocate_voxels(image);
-    if (compressed)
+    if (compressed) {
+        // The decoder in the child process tells its size first, and memory is taken then.
         read_compressed_pixels(file.path, image);
-    else if (element.encapsulated)
+    } else if (packed) {
+        check_packed(element.fragments, bytes_of(format, image.component));
+        allocate_voxels(image);
         unpack_frames(element.fragments, format, image);
-    else if (format.bits_allocated == 1)
-        unpack_single_bits(plain, image);
-    else
-        copy_plain(plain, file.data.is_big_endian(), image);
-    // PS3.5, section 8.1.1 requires High Bit to be Bits Stored - 1 today. Where it is not, the
-    // values depend on how one reads it, so the user gets a note.
-    if (!compressed && format.high_bit + 1 != format.bits_stored)
-        image.notes.push_back("its pixels are the " + std::to_string(format.bits_stored) + " bits up to number " +
-                              std::to_string(format.high_bit) + " of " + std::to_string(format.bits_allocated) +
-                              " (HighBit), and are moved down");
+    } else {
+        read_plain(element, format, file.data.is_big_endian(), image);
+    }
+    if (!compressed)
+        note_moved_bits(format, image);
     if (format.bits_allocated > 1)
         clear_unused_bits(format, compressed, image);
     return image;

@@ -47,48 +47,59 @@ private:
     const DicomData& all_;
 };
 
-DicomPlane plane_of(const FrameGroups& groups)
+// Image Position (Patient): the centre of the first voxel in LPS, in millimetres. Image Orientation (Patient):
+// directions of rows and columns (PS3.3, section C.7.6.2.1.1).
+void set_position(const FrameGroups& groups, DicomPlane& plane)
 {
-    DicomPlane plane;
-    // Image Position (Patient): the centre of the first voxel in LPS, in millimetres. Image
-    // Orientation (Patient): directions of rows and columns (PS3.3, section C.7.6.2.1.1).
     const std::vector<double> position = groups.numbers(kPositionGroup, 0x00200032u);
     const std::vector<double> axes = groups.numbers(kOrientationGroup, 0x00200037u);
-    if (position.size() == 3 && axes.size() == 6) {
-        plane.placed = true;
-        plane.position = {position[0], position[1], position[2]};
-        const Vector3 row{axes[0], axes[1], axes[2]};
-        const Vector3 column{axes[3], axes[4], axes[5]};
-        // Below 30 degrees between rows and columns nothing is certain any more. Directions of
-        // zeros or of one axis twice come from broken converters.
-        if (length(row) == 0 || length(column) == 0 || length(cross(row, column)) < 0.5 * length(row) * length(column))
-            refuse_dicom("the directions of its rows and columns lie on a line");
-        // Rounded to few digits in the text, directions are seldom of length 1.
-        plane.along_row = times(1 / length(row), row);
-        plane.along_column = times(1 / length(column), column);
-    }
-    // Pixel Spacing: the distance between rows comes first, then that between columns (PS3.3,
-    // section 10.7.1.3).
+    if (position.size() != 3 || axes.size() != 6)
+        return;
+    plane.placed = true;
+    plane.position = {position[0], position[1], position[2]};
+    const Vector3 row{axes[0], axes[1], axes[2]};
+    const Vector3 column{axes[3], axes[4], axes[5]};
+    // Below 30 degrees between rows and columns nothing is certain any more. Directions of zeros or of one axis twice
+    // come from broken converters.
+    if (length(row) == 0 || length(column) == 0 || length(cross(row, column)) < 0.5 * length(row) * length(column))
+        refuse_dicom("the directions of its rows and columns lie on a line");
+    // Rounded to few digits in the text, directions are seldom of length 1.
+    plane.along_row = times(1 / length(row), row);
+    plane.along_column = times(1 / length(column), column);
+}
+
+// Pixel Spacing: the distance between rows comes first, then that between columns (PS3.3, section 10.7.1.3).
+void set_pixel_spacing(const FrameGroups& groups, DicomPlane& plane)
+{
     std::vector<double> pixel = groups.numbers(kMeasuresGroup, 0x00280030u);
     plane.at_detector = pixel.empty();
     if (plane.at_detector)
         pixel = groups.numbers(kMeasuresGroup, 0x00181164u);
-    if (pixel.size() == 2) {
-        plane.sized = true;
-        plane.row_spacing = pixel[0];
-        plane.column_spacing = pixel[1];
-    }
-    const std::vector<double> between = groups.numbers(kMeasuresGroup, 0x00180088u);
-    const std::vector<double> thickness = groups.numbers(kMeasuresGroup, 0x00180050u);
+    if (pixel.size() != 2)
+        return;
+    plane.sized = true;
+    plane.row_spacing = pixel[0];
+    plane.column_spacing = pixel[1];
+}
+
+double first_of(const std::vector<double>& numbers, double otherwise)
+{
+    return numbers.empty() ? otherwise : numbers.front();
+}
+
+DicomPlane plane_of(const FrameGroups& groups)
+{
+    DicomPlane plane;
+    set_position(groups, plane);
+    set_pixel_spacing(groups, plane);
     // Spacing Between Slices is negative in some files of nuclear medicine, where it counts
     // downward. Only its size is used, as places tell the direction.
-    plane.between_slices = between.empty() ? 0 : std::abs(between.front());
-    plane.thickness = thickness.empty() ? 0 : std::abs(thickness.front());
-    const std::vector<double> slope = groups.numbers(kValuesGroup, 0x00281053u);
-    const std::vector<double> intercept = groups.numbers(kValuesGroup, 0x00281052u);
+    plane.between_slices = std::abs(first_of(groups.numbers(kMeasuresGroup, 0x00180088u), 0));
+    plane.thickness = std::abs(first_of(groups.numbers(kMeasuresGroup, 0x00180050u), 0));
+    const double slope = first_of(groups.numbers(kValuesGroup, 0x00281053u), 1);
     // A slope of 0 would make all voxels one value. Broken writers use it for "none".
-    plane.slope = slope.empty() || slope.front() == 0 ? 1 : slope.front();
-    plane.intercept = intercept.empty() ? 0 : intercept.front();
+    plane.slope = slope == 0 ? 1 : slope;
+    plane.intercept = first_of(groups.numbers(kValuesGroup, 0x00281052u), 0);
     return plane;
 }
 
@@ -261,6 +272,21 @@ void set_plane(const DicomPlane& plane, Image& image)
     image.origin = plane.position;
 }
 
+void set_place(const DicomStack& stack, Image& volume)
+{
+    volume.directions = stack.geometry.directions;
+    volume.spacing = stack.geometry.spacing;
+    volume.origin = stack.geometry.origin;
+}
+
+void copy_to_slots(const DicomStack& stack, const Image& frames, Image& volume)
+{
+    const size_t bytes = frames.bytes() / stack.slots.size();
+    for (size_t i = 0; i < stack.slots.size(); ++i)
+        std::memcpy(volume.voxels.get() + static_cast<size_t>(stack.slots[i]) * bytes, frames.voxels.get() + i * bytes,
+                    bytes);
+}
+
 void put_in_slots(const DicomStack& stack, Image& volume)
 {
     Image sorted;
@@ -269,14 +295,9 @@ void put_in_slots(const DicomStack& stack, Image& volume)
     allocate_voxels(sorted);
     // A second copy is made, as slices cannot change places within one array without a scratch
     // slice for each cycle.
-    const size_t bytes = volume.bytes() / stack.slots.size();
-    for (size_t i = 0; i < stack.slots.size(); ++i)
-        std::memcpy(sorted.voxels.get() + static_cast<size_t>(stack.slots[i]) * bytes, volume.voxels.get() + i * bytes,
-                    bytes);
+    copy_to_slots(stack, volume, sorted);
     volume.voxels = std::move(sorted.voxels);
-    volume.directions = stack.geometry.directions;
-    volume.spacing = stack.geometry.spacing;
-    volume.origin = stack.geometry.origin;
+    set_place(stack, volume);
 }
 
 void rescale(const std::vector<DicomPlane>& planes, Image& image)

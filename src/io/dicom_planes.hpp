@@ -46,6 +46,12 @@ DicomStack loose_stack_of(const std::vector<DicomPlane>& planes, const std::vect
 // Sets directions and spacing, and the place of the first voxel.
 void set_plane(const DicomPlane& plane, Image& image);
 
+// Gives the volume the directions, spacing and origin of the stack.
+void set_place(const DicomStack& stack, Image& volume);
+
+// Copies frame i to its slot of the volume.
+void copy_to_slots(const DicomStack& stack, const Image& frames, Image& volume);
+
 // Moves slice i of a volume to slot i of the stack, and gives the volume the place of the stack.
 void put_in_slots(const DicomStack& stack, Image& volume);
 

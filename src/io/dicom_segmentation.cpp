@@ -156,6 +156,48 @@ void name_segments(const std::map<int32_t, std::string>& segments, Image& image)
             image.names.emplace_back(number, name);
 }
 
+// Zeros at the place of the stack.
+Image empty_labels(const DicomStack& stack, const DicomPixelFormat& format, Component component)
+{
+    Image labels;
+    labels.dims = {format.columns, format.rows, stack.geometry.dims[2]};
+    labels.component = component;
+    set_place(stack, labels);
+    labels.notes = stack.geometry.notes;
+    allocate_voxels(labels);
+    std::fill_n(labels.voxels.get(), labels.bytes(), std::byte{0});
+    return labels;
+}
+
+// In a LABELMAP the pixels are the numbers of the segments, so frames are copied whole.
+Image labels_of_numbers(const Image& frames, const DicomPixelFormat& format, const DicomStack& stack)
+{
+    check_frames_apart({}, stack);
+    Image labels = empty_labels(stack, format, frames.component);
+    copy_to_slots(stack, frames, labels);
+    return labels;
+}
+
+// In the other types a frame is the mask of one segment.
+Image labels_of_masks(const DicomFile& file, const Image& frames, const DicomPixelFormat& format,
+                      const DicomStack& stack, bool fractional)
+{
+    if (frames.component != Component::uint8)
+        refuse_dicom("its segmentation has pixels of " + std::to_string(format.bits_allocated) +
+                     " bits, which cannot be read");
+    const std::vector<int32_t> segment_of = segments_of_frames(file, format.frames, segments_of(file));
+    check_frames_apart(segment_of, stack);
+    // Segment Number is an unsigned number of 16 bits.
+    Image labels = empty_labels(stack, format, Component::uint16);
+    // Maximum Fractional Value. 255 is what its writers mostly use; the attribute is required for
+    // fractions.
+    const double greatest = static_cast<double>(file.data.short_number(0x0062000Eu, 255));
+    note_overlaps(place_frames(frames, segment_of, stack, fractional ? greatest / 2 : 1, labels), labels);
+    if (fractional)
+        labels.notes.push_back("its segments are fractions: a voxel belongs to a segment from a half on");
+    return labels;
+}
+
 }  // namespace
 
 bool is_dicom_segmentation(const DicomFile& file)
@@ -173,46 +215,12 @@ Image read_dicom_segmentation(const DicomFile& file)
     if (type != "BINARY" && !fractional && type != "LABELMAP")
         refuse_dicom("it is a DICOM segmentation of the type '" + ascii_of(type) + "', which cannot be read");
     const DicomPixelFormat format = pixel_format_of(file);
-    Image frames = pixels_of(file, format);
-    const std::vector<DicomPlane> planes = planes_of(file, format.frames);
+    const Image frames = pixels_of(file, format);
     // A segment has frames only where it has voxels, so places repeat and leave gaps.
-    const DicomStack stack = loose_stack_of(planes, frame_names(format.frames));
-    const std::map<int32_t, std::string> segments = segments_of(file);
-
-    Image labels;
-    labels.dims = {format.columns, format.rows, stack.geometry.dims[2]};
-    labels.directions = stack.geometry.directions;
-    labels.spacing = stack.geometry.spacing;
-    labels.origin = stack.geometry.origin;
-    labels.notes = stack.geometry.notes;
-    name_segments(segments, labels);
-    // In a LABELMAP the pixels are the numbers of the segments, so frames are copied whole.
-    if (type == "LABELMAP") {
-        check_frames_apart({}, stack);
-        labels.component = frames.component;
-        allocate_voxels(labels);
-        std::fill_n(labels.voxels.get(), labels.bytes(), std::byte{0});
-        const size_t slice = static_cast<size_t>(format.frame_size()) * size_of(frames.component);
-        for (size_t f = 0; f < stack.slots.size(); ++f)
-            std::memcpy(labels.voxels.get() + static_cast<size_t>(stack.slots[f]) * slice,
-                        frames.voxels.get() + f * slice, slice);
-        return labels;
-    }
-    if (frames.component != Component::uint8)
-        refuse_dicom("its segmentation has pixels of " + std::to_string(format.bits_allocated) +
-                     " bits, which cannot be read");
-    // Segment Number is an unsigned number of 16 bits.
-    labels.component = Component::uint16;
-    allocate_voxels(labels);
-    std::fill_n(labels.voxels.get(), labels.bytes(), std::byte{0});
-    // Maximum Fractional Value. 255 is what its writers mostly use; the attribute is required for
-    // fractions.
-    const double greatest = static_cast<double>(file.data.short_number(0x0062000Eu, 255));
-    const std::vector<int32_t> segment_of = segments_of_frames(file, format.frames, segments);
-    check_frames_apart(segment_of, stack);
-    note_overlaps(place_frames(frames, segment_of, stack, fractional ? greatest / 2 : 1, labels), labels);
-    if (fractional)
-        labels.notes.push_back("its segments are fractions: a voxel belongs to a segment from a half on");
+    const DicomStack stack = loose_stack_of(planes_of(file, format.frames), frame_names(format.frames));
+    Image labels = type == "LABELMAP" ? labels_of_numbers(frames, format, stack)
+                                      : labels_of_masks(file, frames, format, stack, fractional);
+    name_segments(segments_of(file), labels);
     return labels;
 }
 

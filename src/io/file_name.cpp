@@ -1,8 +1,8 @@
 // Takes names of files apart: their extensions, and the common part of TetGen's three names.
 #include "io/file_name.hpp"
 
-#include <algorithm>
-#include <cctype>
+#include "io/ascii.hpp"
+
 #include <string_view>
 
 namespace cleft::io
@@ -23,9 +23,7 @@ std::string last_extension(const std::string& name)
 std::string extension_of(const std::string& path)
 {
     const std::string name = path.substr(path.find_last_of('/') + 1);
-    std::string extension = last_extension(name);
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = in_small_letters(last_extension(name));
     if (extension != ".gz")
         return extension;
     return extension_of(name.substr(0, name.size() - extension.size())) + extension;

@@ -46,15 +46,6 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
         text.replace(at, from.size(), to);
 }
 
-// Of ASCII alone: std::tolower() follows the locale of the caller's program.
-std::string in_small_letters(std::string_view text)
-{
-    std::string small(text);
-    std::transform(small.begin(), small.end(), small.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return small;
-}
-
 std::vector<std::string> words_of(std::string_view text)
 {
     std::vector<std::string> words;

@@ -16,7 +16,6 @@ constexpr uintmax_t kLongestTextHeader = uintmax_t{1} << 26;
 // The text without blanks at its ends. The view is of the same characters.
 std::string_view trimmed(std::string_view text);
 void replace_all(std::string& text, const std::string& from, const std::string& to);
-std::string in_small_letters(std::string_view text);
 std::vector<std::string> words_of(std::string_view text);
 
 // Throws Error(CLEFT_ERROR_FORMAT) with field, value (shortened) and reason.

@@ -2,6 +2,7 @@
 #include "io/nrrd_header.hpp"
 
 #include "base/error.hpp"
+#include "io/ascii.hpp"
 #include "io/header_values.hpp"
 #include "io/text_source.hpp"
 

@@ -1,15 +1,15 @@
-// MetaImage (.mha, .mhd): lines of "Key = Value" that end with ElementDataFile.
+// MetaImage (.mha, .mhd): what its fields say of the grid, and where its voxels are.
 #include "base/counted.hpp"
 #include "base/error.hpp"
+#include "io/ascii.hpp"
 #include "io/header_values.hpp"
 #include "io/image_readers.hpp"
-#include "io/text_source.hpp"
+#include "io/metaimage_header.hpp"
 #include "io/voxel_data.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 namespace cleft::io
 {
@@ -17,79 +17,7 @@ namespace cleft::io
 namespace
 {
 
-using Fields = std::map<std::string, std::string>;
-
-struct MetaHeader {
-    Fields fields;
-    std::vector<std::string> list;  // the lines behind "ElementDataFile = LIST"
-    uintmax_t end = 0;
-};
-
-bool is_list(const std::string& value) { return value.substr(0, 4) == "LIST"; }
-
-MetaHeader read_meta_header(const std::string& path)
-{
-    TextSource source(path);
-    MetaHeader header;
-    std::string line;
-    // ElementDataFile is the last field by definition: binary data follow it in .mha files.
-    while (header.fields.count("ElementDataFile") == 0) {
-        if (!source.next_line(line))
-            throw Error(CLEFT_ERROR_FORMAT, "its header has no field 'ElementDataFile', or is cut short");
-        if (source.position() > kLongestTextHeader)
-            throw Error(CLEFT_ERROR_FORMAT, "its header has no end");
-        if (trimmed(line).empty())
-            continue;
-        const size_t sign = line.find('=');
-        const std::string key(trimmed(line.substr(0, sign)));
-        if (sign == std::string::npos || key.empty())
-            throw Error(CLEFT_ERROR_FORMAT, "the line '" + line.substr(0, 40) + "' of its header is no field");
-        const std::string value(trimmed(line.substr(sign + 1)));
-        // Of two values nobody knows the right one. Comments may be repeated.
-        if (!header.fields.emplace(key, value).second && key != "Comment")
-            refuse_field(key, value, "it stands there twice");
-    }
-    header.end = source.position();
-    // Behind LIST, the names of the files follow, one a line.
-    if (is_list(header.fields["ElementDataFile"]))
-        while (source.next_line(line))
-            if (!trimmed(line).empty())
-                header.list.emplace_back(trimmed(line));
-    return header;
-}
-
-bool truth_of(const Fields& fields, const std::string& key, bool otherwise)
-{
-    const auto found = fields.find(key);
-    if (found == fields.end())
-        return otherwise;
-    const std::string value = in_small_letters(found->second);
-    if (value == "true" || value == "t" || value == "1" || value == "yes")
-        return true;
-    if (value == "false" || value == "f" || value == "0" || value == "no")
-        return false;
-    refuse_field(key, found->second, "True or False is wanted");
-}
-
-// The value of the first key that is there, or null; they are names of one thing.
-const Fields::value_type* one_of(const Fields& fields, std::initializer_list<const char*> keys)
-{
-    // The format has several names for one thing. Two that differ leave the place of the voxels
-    // open, so they are refused.
-    const Fields::value_type* first = nullptr;
-    for (const char* key : keys) {
-        const auto found = fields.find(key);
-        if (found == fields.end())
-            continue;
-        if (first && words_of(first->second) != words_of(found->second))
-            refuse_field(key, found->second, "'" + first->first + "' says otherwise");
-        if (!first)
-            first = &*found;
-    }
-    return first;
-}
-
-Component component_of(const Fields& fields)
+Component component_of(const MetaFields& fields)
 {
     // The numeric types of MetaIO's metaTypes.h. Arrays of them (MET_FLOAT_ARRAY) and text are not
     // voxels.
@@ -108,7 +36,7 @@ Component component_of(const Fields& fields)
     return found->second;
 }
 
-std::vector<int64_t> sizes_of(const Fields& fields)
+std::vector<int64_t> sizes_of(const MetaFields& fields)
 {
     const auto kind = fields.find("ObjectType");
     // MetaIO stores tubes, meshes and scenes under the same keys.
@@ -133,9 +61,9 @@ std::vector<int64_t> sizes_of(const Fields& fields)
 }
 
 // The rows of the matrix are the directions of the axes. A fourth axis must keep to itself.
-void set_directions(const Fields& fields, size_t axes, Image& image)
+void set_directions(const MetaFields& fields, size_t axes, Image& image)
 {
-    const auto* matrix = one_of(fields, {"TransformMatrix", "Rotation", "Orientation"});
+    const auto* matrix = one_meta_field(fields, {"TransformMatrix", "Rotation", "Orientation"});
     if (!matrix)
         return;
     const std::vector<double> numbers = reals_of(matrix->first, matrix->second, axes * axes);
@@ -160,7 +88,7 @@ void set_directions(const Fields& fields, size_t axes, Image& image)
     }
 }
 
-void set_geometry(const Fields& fields, size_t axes, Image& image)
+void set_geometry(const MetaFields& fields, size_t axes, Image& image)
 {
     const size_t space = std::min<size_t>(axes, 3);
     const auto spacing = fields.find("ElementSpacing");
@@ -173,7 +101,7 @@ void set_geometry(const Fields& fields, size_t axes, Image& image)
     } else {
         image.notes.emplace_back("it gives no ElementSpacing, which is taken for 1");
     }
-    if (const auto* origin = one_of(fields, {"Offset", "Position", "Origin"})) {
+    if (const auto* origin = one_meta_field(fields, {"Offset", "Position", "Origin"})) {
         const std::vector<double> numbers = reals_of(origin->first, origin->second, axes);
         std::copy_n(numbers.begin(), space, image.origin.begin());
     }
@@ -207,7 +135,7 @@ std::vector<std::string> files_of(const MetaHeader& header, const std::vector<in
     const auto axes = static_cast<int64_t>(sizes.size());
     if (words.empty())
         refuse_field("ElementDataFile", value, "a name is wanted");
-    if (is_list(value)) {
+    if (is_meta_list(value)) {
         // The number says how many axes each file of the list has.
         std::string held = value.substr(4);  // "LIST", "LIST2D", "LIST 2D"
         held = std::string(trimmed(held));
@@ -233,14 +161,14 @@ std::vector<std::string> files_of(const MetaHeader& header, const std::vector<in
     return files;
 }
 
-void set_encoding(const Fields& fields, Component component, VoxelData& data, Image& image)
+void set_encoding(const MetaFields& fields, Component component, VoxelData& data, Image& image)
 {
-    const bool compressed = truth_of(fields, "CompressedData", false);
+    const bool compressed = meta_truth_of(fields, "CompressedData", false);
     // Both names are in use; the first is that of ITK's writer.
-    const auto* order = one_of(fields, {"BinaryDataByteOrderMSB", "ElementByteOrderMSB"});
+    const auto* order = one_meta_field(fields, {"BinaryDataByteOrderMSB", "ElementByteOrderMSB"});
     if (order)
-        data.big_endian = truth_of(fields, order->first, false);
-    if (!truth_of(fields, "BinaryData", true)) {
+        data.big_endian = meta_truth_of(fields, order->first, false);
+    if (!meta_truth_of(fields, "BinaryData", true)) {
         if (compressed)
             refuse_field("CompressedData", "True", "numbers of text are not compressed");
         data.encoding = VoxelData::Encoding::text;
@@ -287,51 +215,8 @@ VoxelData data_of(const std::string& path, const MetaHeader& header, const std::
     return data;
 }
 
-// Fields that change nothing about voxels and places.
-void note_other_fields(const Fields& fields, Image& image)
+void note_unscaled_values(const MetaFields& fields, Image& image)
 {
-    // Fields of MetaIO that say nothing of voxels, and those that are read above. Others are reported,
-    // as they may be misspelt.
-    static const std::set<std::string> known{"ObjectType",
-                                             "ObjectSubType",
-                                             "NDims",
-                                             "DimSize",
-                                             "ElementType",
-                                             "ElementNumberOfChannels",
-                                             "ElementSpacing",
-                                             "ElementSize",
-                                             "Offset",
-                                             "Position",
-                                             "Origin",
-                                             "TransformMatrix",
-                                             "Rotation",
-                                             "Orientation",
-                                             "BinaryData",
-                                             "BinaryDataByteOrderMSB",
-                                             "ElementByteOrderMSB",
-                                             "CompressedData",
-                                             "CompressedDataSize",
-                                             "HeaderSize",
-                                             "ElementDataFile",
-                                             "Comment",
-                                             "TransformType",
-                                             "Name",
-                                             "ID",
-                                             "ParentID",
-                                             "Color",
-                                             "CenterOfRotation",
-                                             "AnatomicalOrientation",
-                                             "Modality",
-                                             "SequenceID",
-                                             "ElementMin",
-                                             "ElementMax",
-                                             "ElementNBits",
-                                             "CompressionLevel",
-                                             "DistanceUnits",
-                                             "AcquisitionDate",
-                                             "ElementToIntensityFunctionSlope",
-                                             "ElementToIntensityFunctionOffset",
-                                             "ElementToIntensityFunctionIntercept"};
     const auto differs = [&](const char* key, double neutral) {
         const auto found = fields.find(key);
         return found != fields.end() && real_of(key, found->second) != neutral;
@@ -341,14 +226,6 @@ void note_other_fields(const Fields& fields, Image& image)
     if (differs("ElementToIntensityFunctionSlope", 1) || differs("ElementToIntensityFunctionOffset", 0) ||
         differs("ElementToIntensityFunctionIntercept", 0))
         image.notes.emplace_back("its field 'ElementToIntensityFunctionSlope' is not applied to the voxels");
-    std::string names;
-    size_t count = 0;
-    for (const auto& [key, value] : fields)
-        if (known.count(key) == 0 && ++count <= 3)
-            names += (names.empty() ? "'" : ", '") + key.substr(0, 40) + "'";
-    if (count > 0)
-        image.notes.push_back("fields of its header are not known, and not used: " + names +
-                              (count > 3 ? " and " + std::to_string(count - 3) + " more" : ""));
 }
 
 }  // namespace
@@ -374,7 +251,8 @@ Image read_metaimage(const std::string& path, const FileHead&)
     if (sizes.size() == 4)
         image.fields = sizes[3];
     set_geometry(header.fields, sizes.size(), image);
-    note_other_fields(header.fields, image);
+    note_unscaled_values(header.fields, image);
+    note_unknown_fields(header.fields, image.notes);
     read_voxels(data_of(path, header, sizes, image), image);
     return image;
 }

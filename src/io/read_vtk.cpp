@@ -1,11 +1,10 @@
-// VTK legacy, text: versions up to 4.2 and 5 (in which cells are offsets and corners).
+// VTK legacy, text: versions up to 4.2 and 5 (in which cells are offsets and corners). Keywords do not depend on case
+// ("VTK File Formats").
 #include "base/counted.hpp"
+#include "io/ascii.hpp"
 #include "io/cell_labels.hpp"
 #include "io/mesh_data.hpp"
 #include "io/text_scanner.hpp"
-
-#include <algorithm>
-#include <cctype>
 
 namespace cleft::io
 {
@@ -13,25 +12,16 @@ namespace cleft::io
 namespace
 {
 
-// Keywords of VTK legacy files do not depend on case ("VTK File Formats").
-std::string upper(std::string_view word)
-{
-    std::string out(word);
-    std::transform(out.begin(), out.end(), out.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    return out;
-}
-
 // METADATA run to the next empty line. Newer versions of VTK write them behind arrays: names of components, and no
 // closing keyword.
 void skip_metadata(TextScanner& in, int64_t components)
 {
-    if (upper(in.peek()) != "METADATA")
+    if (in_capitals(in.peek()) != "METADATA")
         return;
     in.word();
     in.skip_line();
     for (std::string_view line = in.rest_of_line(); !line.empty(); line = in.rest_of_line())
-        if (upper(line) == "COMPONENT_NAMES")
+        if (in_capitals(line) == "COMPONENT_NAMES")
             // A component without a name has an empty line, which does not end the block.
             for (int64_t i = 0; i < components; ++i)
                 in.skip_line();
@@ -69,7 +59,7 @@ CellLists read_cells(TextScanner& in)
     CellLists cells;
     // The keyword OFFSETS tells the two forms apart better than the version line, which some
     // programs write wrongly.
-    if (upper(in.peek()) != "OFFSETS") {
+    if (in_capitals(in.peek()) != "OFFSETS") {
         const std::vector<int64_t> numbers = read_integers(in, second);
         cells.offsets.push_back(0);
         for (size_t i = 0; i < numbers.size(); i += static_cast<size_t>(numbers[i]) + 1) {
@@ -87,7 +77,7 @@ CellLists read_cells(TextScanner& in)
     }
     in.skip_line();
     cells.offsets = read_integers(in, first);
-    if (upper(in.word()) != "CONNECTIVITY")
+    if (in_capitals(in.word()) != "CONNECTIVITY")
         in.fail("CONNECTIVITY must follow OFFSETS");
     in.skip_line();
     cells.corners = read_integers(in, second);
@@ -106,7 +96,7 @@ CellArray read_scalars(TextScanner& in, int64_t cells)
         in.fail("scalars have 1 to 4 components");
     in.skip_line();
     // Many programs leave the line out, though the format wants it.
-    if (upper(in.peek()) == "LOOKUP_TABLE")
+    if (in_capitals(in.peek()) == "LOOKUP_TABLE")
         in.skip_line();
     array.values = read_reals(in, cells, components);
     array.components = components;
@@ -123,7 +113,7 @@ void read_field(TextScanner& in, std::vector<CellArray>* arrays)
         array.name = in.word();
         array.components = in.integer();
         const int64_t tuples = in.integer();
-        const std::string type = upper(in.word());
+        const std::string type = in_capitals(in.word());
         // Texts may contain blanks, so that they cannot be skipped by counting words. The limits
         // keep the product below within 64 bits.
         if (type == "STRING" || type == "VARIANT" || array.components < 1 || array.components > 1000 || tuples < 0 ||
@@ -142,10 +132,61 @@ void read_vtk_header(TextScanner& in, const std::string& path)
     // The title, which may be anything.
     in.skip_line();
     // Cleft writes binary meshes as .vtu. The message names that way out.
-    if (upper(in.word()) != "ASCII")
+    if (in_capitals(in.word()) != "ASCII")
         in.unsupported("binary legacy files cannot be read: write '" + path + "' as text or as .vtu");
-    if (upper(in.word()) != "DATASET" || upper(in.word()) != "UNSTRUCTURED_GRID")
+    if (in_capitals(in.word()) != "DATASET" || in_capitals(in.word()) != "UNSTRUCTURED_GRID")
         in.unsupported("only an UNSTRUCTURED_GRID is a mesh of tetrahedra");
+}
+
+// What the sections have told so far.
+struct VtkSections {
+    MeshData mesh;
+    CellLists cells;
+    std::vector<CellArray> arrays;  // on cells
+    int64_t values = 0;             // of each array of the section of data that is being read
+    // Arrays on points are read and dropped, as the length of each must be known to find the next.
+    bool of_cells = false;
+};
+
+// Takes a section of points and cells; false for another one.
+bool take_geometry(TextScanner& in, const std::string& section, VtkSections& file)
+{
+    if (section == "POINTS") {
+        const int64_t count = in.count(2, "points");
+        in.word();
+        file.mesh.points = read_reals(in, count, 3);
+    } else if (section == "CELLS") {
+        file.cells = read_cells(in);
+    } else if (section == "CELL_TYPES") {
+        const std::vector<int64_t> types = read_integers(in, in.integer());
+        file.cells.types.assign(types.begin(), types.end());
+    } else {
+        return false;
+    }
+    return true;
+}
+
+// Takes the head of a section of data, or an array of it; false for something else.
+bool take_data(TextScanner& in, const std::string& section, VtkSections& file)
+{
+    if (section == "CELL_DATA" || section == "POINT_DATA") {
+        file.values = in.integer();
+        if (file.values < 0 || file.values > INT32_MAX)
+            in.fail("there cannot be " + std::to_string(file.values) + " values");
+        file.of_cells = section == "CELL_DATA";
+    } else if (section == "SCALARS") {
+        CellArray array = read_scalars(in, file.values);
+        if (file.of_cells)
+            file.arrays.push_back(std::move(array));
+    } else if (section == "VECTORS" || section == "NORMALS") {
+        in.skip_line();
+        read_reals(in, file.values, 3);
+    } else if (section == "FIELD") {
+        read_field(in, file.of_cells ? &file.arrays : nullptr);
+    } else {
+        return false;
+    }
+    return true;
 }
 
 }  // namespace
@@ -154,44 +195,15 @@ MeshData read_vtk(const std::string& path)
 {
     TextScanner in(path);
     read_vtk_header(in, path);
-    MeshData mesh;
-    CellLists cells;
-    std::vector<CellArray> arrays;
-    int64_t values = 0;  // of the section of data that is being read
-    // Arrays on points are read and dropped, as the length of each must be known to find the next.
-    bool of_cells = false;
+    VtkSections file;
     while (!in.at_end()) {
-        const std::string section = upper(in.word());
-        if (section == "POINTS") {
-            const int64_t count = in.count(2, "points");
-            in.word();
-            mesh.points = read_reals(in, count, 3);
-        } else if (section == "CELLS") {
-            cells = read_cells(in);
-        } else if (section == "CELL_TYPES") {
-            const std::vector<int64_t> types = read_integers(in, in.integer());
-            cells.types.assign(types.begin(), types.end());
-        } else if (section == "CELL_DATA" || section == "POINT_DATA") {
-            values = in.integer();
-            if (values < 0 || values > INT32_MAX)
-                in.fail("there cannot be " + std::to_string(values) + " values");
-            of_cells = section == "CELL_DATA";
-        } else if (section == "SCALARS") {
-            CellArray array = read_scalars(in, values);
-            if (of_cells)
-                arrays.push_back(std::move(array));
-        } else if (section == "VECTORS" || section == "NORMALS") {
-            in.skip_line();
-            read_reals(in, values, 3);
-        } else if (section == "FIELD") {
-            read_field(in, of_cells ? &arrays : nullptr);
-        } else {
+        const std::string section = in_capitals(in.word());
+        if (!take_geometry(in, section, file) && !take_data(in, section, file))
             in.unsupported("section " + section.substr(0, 40) + " cannot be read");
-        }
     }
     // Cells may stand before the points in the file, so that corners are checked at the end.
-    naming_file(path, [&] { take_tetrahedra(cells, arrays, mesh); });
-    return mesh;
+    naming_file(path, [&] { take_tetrahedra(file.cells, file.arrays, file.mesh); });
+    return std::move(file.mesh);
 }
 
 }  // namespace cleft::io

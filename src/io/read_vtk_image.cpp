@@ -1,6 +1,7 @@
 // Volumes in legacy VTK files: structured points, and rectilinear grids that are evenly spaced. Values on cells are one
 // voxel a cell; values on points are one voxel about each point.
 #include "base/error.hpp"
+#include "io/ascii.hpp"
 #include "io/header_values.hpp"
 #include "io/image_readers.hpp"
 #include "io/text_source.hpp"
@@ -137,51 +138,57 @@ bool take_geometry(TextSource& source, const std::string& keyword, bool rectilin
     return true;
 }
 
-std::string upper_case(std::string_view text)
-{
-    std::string upper(text);
-    std::transform(upper.begin(), upper.end(), upper.begin(),
-                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-    return upper;
-}
-
-// Up to POINT_DATA or CELL_DATA, which are left for the next reader.
-Grid read_grid(TextSource& source)
+// Is the file binary behind its header?
+bool read_coding(TextSource& source)
 {
     std::string line;
     source.next_line(line);       // "# vtk DataFile Version 3.0"
     if (!source.next_line(line))  // the title, which may be anything
         throw Error(CLEFT_ERROR_FORMAT, "its header is cut short");
-    Grid grid;
-    const std::string coding = upper_case(source.word());
+    const std::string coding = in_capitals(source.word());
     if (coding != "ASCII" && coding != "BINARY")
         throw Error(CLEFT_ERROR_FORMAT, "its third line is neither ASCII nor BINARY");
-    grid.binary = coding == "BINARY";
-    std::string keyword = upper_case(source.word());
+    return coding == "BINARY";
+}
+
+// The word behind DATASET.
+std::string read_kind(TextSource& source, bool binary)
+{
+    std::string keyword = in_capitals(source.word());
     // VTK writes field data of the whole file before DATASET or behind its geometry, and some
     // programs put comments there.
     while (keyword == "FIELD" || (!keyword.empty() && keyword[0] == '#')) {
+        std::string comment;
         if (keyword == "FIELD")
-            skip_vtk_field(source, grid.binary);
+            skip_vtk_field(source, binary);
         else
-            source.next_line(line);
-        keyword = upper_case(source.word());
+            source.next_line(comment);
+        keyword = in_capitals(source.word());
     }
     if (keyword != "DATASET")
         throw Error(CLEFT_ERROR_FORMAT, "'" + keyword.substr(0, 40) + "' stands where DATASET is wanted");
-    const std::string kind = upper_case(source.word());
+    const std::string kind = in_capitals(source.word());
     if (kind == "STRUCTURED_GRID")
         throw Error(CLEFT_ERROR_UNSUPPORTED,
                     "it is a STRUCTURED_GRID, whose points may lie anywhere: resample it to "
                     "structured points");
     if (kind != "STRUCTURED_POINTS" && kind != "RECTILINEAR_GRID")
         throw Error(CLEFT_ERROR_UNSUPPORTED, "it holds a dataset of kind " + kind.substr(0, 40) + ", not a volume");
+    return kind;
+}
+
+// Up to POINT_DATA or CELL_DATA, which are left for the next reader.
+Grid read_grid(TextSource& source)
+{
+    Grid grid;
+    grid.binary = read_coding(source);
+    const bool rectilinear = read_kind(source, grid.binary) == "RECTILINEAR_GRID";
     for (std::string_view next = source.peek(); !next.empty(); next = source.peek()) {
-        keyword = upper_case(next);
+        const std::string keyword = in_capitals(next);
         if (keyword == "POINT_DATA" || keyword == "CELL_DATA")
             break;
         source.word();
-        if (!take_geometry(source, keyword, kind == "RECTILINEAR_GRID", grid))
+        if (!take_geometry(source, keyword, rectilinear, grid))
             throw Error(CLEFT_ERROR_FORMAT, "its keyword '" + keyword.substr(0, 40) + "' is not known");
     }
     if (grid.points[0] == 0)

@@ -54,6 +54,35 @@ void read_file_tag(const XmlTag& tag, VtkEncoding& encoding)
     encoding.wide_headers = tag.get("header_type") == "UInt64";
 }
 
+void read_piece(const XmlTag& tag, VtuFile& file)
+{
+    // Pieces are the shares of parallel processes. Their common points would have to be merged.
+    if (file.point_count >= 0)
+        throw Error(CLEFT_ERROR_UNSUPPORTED, "only files of one piece can be read");
+    file.point_count = count_of(tag, "NumberOfPoints");
+    file.cell_count = count_of(tag, "NumberOfCells");
+}
+
+// The arrays of a section that is read, or null.
+std::vector<XmlTag>* section_of(std::string_view name, VtuFile& file)
+{
+    return name == "Points"      ? &file.points
+           : name == "Cells"     ? &file.cells
+           : name == "CellData"  ? &file.cell_data
+           : name == "FieldData" ? &file.field_data
+                                 : nullptr;
+}
+
+void find_appended_data(std::string_view text, const XmlTag& tag, VtkEncoding& encoding)
+{
+    // The underscore marks the first byte of the data and is not part of them.
+    const size_t begin = text.find('_', tag.end);
+    if (begin == std::string_view::npos)
+        throw Error(CLEFT_ERROR_FORMAT, "the appended data are missing");
+    encoding.appended_base64 = tag.get("encoding") == "base64";
+    encoding.appended = text.substr(begin + 1);
+}
+
 VtuFile scan(std::string_view text)
 {
     VtuFile file;
@@ -61,38 +90,21 @@ VtuFile scan(std::string_view text)
     std::vector<XmlTag>* section = nullptr;
     bool known = false;
     for (XmlTag tag; scanner.next(tag);) {
-        if (tag.name == "VTKFile") {
+        const std::string_view name = tag.name;
+        if (name == "VTKFile") {
             read_file_tag(tag, file.encoding);
             known = true;
-        } else if (tag.name == "Piece") {
-            // Pieces are the shares of parallel processes. Their common points would have to be
-            // merged.
-            if (file.point_count >= 0)
-                throw Error(CLEFT_ERROR_UNSUPPORTED, "only files of one piece can be read");
-            file.point_count = count_of(tag, "NumberOfPoints");
-            file.cell_count = count_of(tag, "NumberOfCells");
-        } else if (tag.name == "Points") {
-            section = &file.points;
-        } else if (tag.name == "Cells") {
-            section = &file.cells;
-        } else if (tag.name == "CellData") {
-            section = &file.cell_data;
-        } else if (tag.name == "FieldData") {
-            section = &file.field_data;
-        } else if (tag.name == "/Points" || tag.name == "/Cells" || tag.name == "/CellData" ||
-                   tag.name == "/FieldData") {
+        } else if (name == "Piece") {
+            read_piece(tag, file);
+        } else if (section_of(name, file)) {
+            section = section_of(name, file);
+        } else if (name.substr(0, 1) == "/" && section_of(name.substr(1), file)) {
             section = nullptr;
-        } else if (tag.name == "DataArray" && section) {
+        } else if (name == "DataArray" && section) {
             section->push_back(tag);
-        } else if (tag.name == "AppendedData") {
-            // The underscore marks the first byte of the data and is not part of them. Behind it
-            // nothing is XML any more.
-            const size_t begin = text.find('_', tag.end);
-            if (begin == std::string_view::npos)
-                throw Error(CLEFT_ERROR_FORMAT, "the appended data are missing");
-            file.encoding.appended_base64 = tag.get("encoding") == "base64";
-            file.encoding.appended = text.substr(begin + 1);
-            break;
+        } else if (name == "AppendedData") {
+            find_appended_data(text, tag, file.encoding);
+            break;  // behind them nothing is XML any more
         }
     }
     if (!known || file.point_count < 0)

@@ -3,6 +3,7 @@
 
 #include "base/counted.hpp"
 #include "base/error.hpp"
+#include "io/ascii.hpp"
 #include "io/header_values.hpp"
 
 #include <algorithm>

@@ -1,26 +1,19 @@
 // Abaqus and CalculiX .inp: C3D4 elements in one ELSET for each label; SURFACE and NSET for each interface and each
 // side of the box. It holds the mesh alone, to be taken into a job by *INCLUDE.
 #include "base/error.hpp"
+#include "io/ascii.hpp"
 #include "io/atomic_file.hpp"
 #include "io/element_faces.hpp"
 #include "io/label_names.hpp"
 #include "io/writers.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 namespace cleft::io
 {
 
 namespace
 {
-
-// Abaqus and CalculiX turn names into capitals. In the file they look as the solver reports them.
-std::string upper(std::string name)
-{
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
-    return name;
-}
 
 // A surface of the file: several groups of triangles make one side of the box.
 struct Set {
@@ -37,7 +30,8 @@ std::vector<Set> collect_sets(const MeshView& mesh)
     std::vector<Set> sets;
     for (size_t g = 0; g < mesh.groups.size(); ++g) {
         const SurfaceGroup& group = mesh.groups[g];
-        const std::string name = group.is_interface() ? upper(group.name) : sides[group.side];
+        // Abaqus and CalculiX turn names into capitals. In the file they look as the solver reports them.
+        const std::string name = group.is_interface() ? in_capitals(group.name) : sides[group.side];
         // Groups of one side follow each other, as the hull is sorted by sides.
         if (sets.empty() || sets.back().name != name)
             sets.push_back({name, {}});
@@ -82,7 +76,7 @@ void write_elements(const MeshView& mesh, AtomicFile& file)
     for (int64_t t = 0; t < mesh.tet_count; ++t)
         tets[mesh.label_index(mesh.tet_labels[t])].push_back(t);
     for (size_t m = 0; m < tets.size(); ++m) {
-        const std::string set = upper(material_name(mesh.labels[m]));
+        const std::string set = in_capitals(material_name(mesh.labels[m]));
         file.print("*ELEMENT, TYPE=C3D4, ELSET=", set, '\n');
         for (const int64_t t : tets[m]) {
             const int32_t* c = mesh.tets + 4 * t;
@@ -90,7 +84,7 @@ void write_elements(const MeshView& mesh, AtomicFile& file)
                        c[3] + int64_t{1}, '\n');
         }
         // A second set with the name of the label. Scripts find the first one by the label alone.
-        const std::string named = upper(mesh.material(m));
+        const std::string named = in_capitals(mesh.material(m));
         if (named != set)
             file.print("*ELSET, ELSET=", named, '\n', set, '\n');
     }
