@@ -1,14 +1,12 @@
 // cleft check: is a mesh sound?
+#include "checked_mesh.hpp"
 #include "commands.hpp"
-#include "findings.hpp"
 #include "guarded.hpp"
 #include "json_report.hpp"
+#include "mesh_files.hpp"
 #include "output_conflicts.hpp"
-#include "output_files.hpp"
 #include "standard_output.hpp"
 #include "summary.hpp"
-
-#include "cleft/cleft_io.h"
 
 #include <CLI/CLI.hpp>
 
@@ -25,6 +23,17 @@ struct CheckArguments {
     RunArguments run;
 };
 
+void write_report(const Session& session, const CheckArguments& arguments, const CheckedMesh& mesh)
+{
+    auto report = report_head("check");
+    report["inputs"] = {arguments.mesh};
+    report["validation"] = validation_json(mesh.validation, mesh.fault);
+    report["mesh"] = mesh_json(mesh.found);
+    report["quality"] = quality_json(mesh.found.quality);
+    add_run(report, session);
+    write_json(report, arguments.run.json);
+}
+
 int run_check(const CheckArguments& arguments)
 {
     refuse_conflicts({arguments.mesh}, {}, arguments.run.json);
@@ -32,47 +41,20 @@ int run_check(const CheckArguments& arguments)
     // file.
     check_json_output(arguments.run.json);
     Session session(arguments.run);
-    cleft_validation validation = {};
-    validation.struct_size = sizeof validation;
-    std::string fault;
-    MeshFindings found;
     Mesh mesh;
-    session.timed("read", "reading the mesh", [&] {
-        mesh = session.make<Mesh>(EXIT_CANNOT_READ, [&](cleft_mesh** out) {
-            return cleft_io_read_mesh(session.context(), arguments.mesh.c_str(), out);
-        });
-    });
-    session.timed("check", "checking the mesh", [&] {
-        session.check(cleft_mesh_validate(session.context(), mesh.get(), arguments.fills_box ? 1 : 0, &validation),
-                      EXIT_MESHING_FAILED);
-        // The sentence of the first fault is left on the context, which the next call of the
-        // library forgets.
-        if (validation.valid == 0)
-            fault = cleft_context_last_error(session.context());
-        found = look_at_mesh(session, mesh.get());
-        // A second opinion: the validator and the surface count the same faces by code of their
-        // own.
-        if (validation.valid != 0) {
-            fault = surface_fault(validation, found);
-            validation.valid = fault.empty();
-        }
-    });
+    session.timed("read", "reading the mesh", [&] { mesh = read_mesh(session, arguments.mesh); });
+    CheckedMesh checked;
+    session.timed("check", "checking the mesh",
+                  [&] { checked = check_mesh(session, mesh.get(), arguments.fills_box); });
     // The bar shares the terminal with what is printed next.
     session.clear_progress();
     if (arguments.run.prints())
-        print_summary_text(validation_lines(validation, fault) + mesh_lines(found) + "\n" +
-                           dihedral_histogram(found.quality));
-    if (!arguments.run.json.empty()) {
-        auto report = report_head("check");
-        report["inputs"] = {arguments.mesh};
-        report["validation"] = validation_json(validation, fault);
-        report["mesh"] = mesh_json(found);
-        report["quality"] = quality_json(found.quality);
-        add_run(report, session);
-        write_json(report, arguments.run.json);
-    }
+        print_summary_text(validation_lines(checked.validation, checked.fault) + mesh_lines(checked.found) + "\n" +
+                           dihedral_histogram(checked.found.quality));
+    if (!arguments.run.json.empty())
+        write_report(session, arguments, checked);
     // Not a Failure: the check was done, and its answer is the exit code.
-    return validation.valid != 0 ? EXIT_OK : EXIT_CHECK_FAILED;
+    return checked.valid() ? EXIT_OK : EXIT_CHECK_FAILED;
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 #include "commands.hpp"
 #include "guarded.hpp"
 #include "json_report.hpp"
+#include "mesh_files.hpp"
 #include "option_arguments.hpp"
 #include "output_conflicts.hpp"
-#include "output_files.hpp"
 #include "standard_output.hpp"
 #include "text.hpp"
 
@@ -24,6 +24,18 @@ struct ConvertArguments {
     RunArguments run;
 };
 
+void write_report(const Session& session, const ConvertArguments& arguments, const cleft_mesh* mesh,
+                  StagedOutputs& staged)
+{
+    auto report = report_head("convert");
+    report["inputs"] = {arguments.from};
+    report["outputs"] = {arguments.to};
+    report["points"] = cleft_mesh_point_count(mesh);
+    report["tets"] = cleft_mesh_tet_count(mesh);
+    add_run(report, session);
+    write_json(report, arguments.run.json, staged);
+}
+
 int run_convert(const ConvertArguments& arguments)
 {
     const Options options = arguments.options.make();
@@ -33,11 +45,7 @@ int run_convert(const ConvertArguments& arguments)
     check_json_output(arguments.run.json);
     Session session(arguments.run);
     Mesh mesh;
-    session.timed("read", "reading the mesh", [&] {
-        mesh = session.make<Mesh>(EXIT_CANNOT_READ, [&](cleft_mesh** out) {
-            return cleft_io_read_mesh(session.context(), arguments.from.c_str(), out);
-        });
-    });
+    session.timed("read", "reading the mesh", [&] { mesh = read_mesh(session, arguments.from); });
     session.timed("strip", "leaving labels out", [&] {
         // Also without lists of labels: the call then copies the mesh, and the code has one way.
         mesh = session.make<Mesh>(EXIT_MESHING_FAILED, [&](cleft_mesh** out) {
@@ -48,15 +56,8 @@ int run_convert(const ConvertArguments& arguments)
     StagedOutputs staged;
     session.timed("write", "writing", [&] { write_mesh(session, mesh.get(), {output}, staged); });
     session.clear_progress();
-    if (!arguments.run.json.empty()) {
-        auto report = report_head("convert");
-        report["inputs"] = {arguments.from};
-        report["outputs"] = {arguments.to};
-        report["points"] = cleft_mesh_point_count(mesh.get());
-        report["tets"] = cleft_mesh_tet_count(mesh.get());
-        add_run(report, session);
-        write_json(report, arguments.run.json, staged);
-    }
+    if (!arguments.run.json.empty())
+        write_report(session, arguments, mesh.get(), staged);
     // Printed before the commit: if standard output is full, the command fails and leaves no file.
     if (arguments.run.prints())
         print_summary_text(plural(cleft_mesh_tet_count(mesh.get()), "tetrahedron", "tetrahedra") + ", " +
@@ -73,9 +74,7 @@ Command add_convert_command(CLI::App& app)
     CLI::App& parser = *app.add_subcommand("convert", "Write a mesh in another format");
     parser.add_option("A", arguments->from, "The mesh to read")->required()->type_name("");
     parser.add_option("B", arguments->to, "The file to write")->required()->type_name("");
-    parser.add_option("--msh-version", arguments->msh_version, "Version of Gmsh's format for .msh (default 4.1)")
-        ->check(CLI::IsMember({"4.1", "2.2"}).description(""))
-        ->type_name("4.1|2.2");
+    add_msh_version_to(parser, arguments->msh_version);
     arguments->options.add_label_lists_to(parser);
     arguments->run.add_to(parser);
     parser.footer(

@@ -86,23 +86,7 @@ void note_surface(const Session& session, const cleft_mesh* mesh, MeshFindings& 
     found.hull_triangles = cleft_surface_hull_count(surface);
 }
 
-// The library is at fault here and not the mesh, so the sentence says so.
-std::string count_fault(const char* what, int64_t faces, const std::optional<int64_t>& triangles)
-{
-    if (!triangles || *triangles == faces)
-        return "";
-    return "the mesh has " + plural(faces, "face") + " " + what + ", but its surface has " +
-           plural(*triangles, "triangle") + " there: a fault of cleft";
-}
-
 }  // namespace
-
-std::string surface_fault(const cleft_validation& validation, const MeshFindings& found)
-{
-    const std::string fault =
-        count_fault("between different labels", validation.interface_triangles, found.interface_triangles);
-    return fault.empty() ? count_fault("on its hull", validation.hull_triangles, found.hull_triangles) : fault;
-}
 
 MeshFindings look_at_mesh(const Session& session, const cleft_mesh* mesh)
 {

@@ -28,9 +28,6 @@ struct MeshFindings {
     cleft_quality quality{};
 };
 
-// A sentence if the surface of the mesh is not the faces that the validator counted; else "".
-std::string surface_fault(const cleft_validation& validation, const MeshFindings& found);
-
 // Throws Failure. Volumes are in the cube of the mesh's unit.
 MeshFindings look_at_mesh(const Session& session, const cleft_mesh* mesh);
 

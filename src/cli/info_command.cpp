@@ -3,8 +3,8 @@
 #include "findings.hpp"
 #include "guarded.hpp"
 #include "json_report.hpp"
+#include "mesh_files.hpp"
 #include "output_conflicts.hpp"
-#include "output_files.hpp"
 #include "standard_output.hpp"
 #include "summary.hpp"
 #include "volume_arguments.hpp"
@@ -71,9 +71,7 @@ int tell_mesh(Session& session, const InfoArguments& arguments)
 {
     MeshFindings found;
     session.timed("read", "reading the mesh", [&] {
-        const auto mesh = session.make<Mesh>(EXIT_CANNOT_READ, [&](cleft_mesh** out) {
-            return cleft_io_read_mesh(session.context(), arguments.input.inputs.front().c_str(), out);
-        });
+        const Mesh mesh = read_mesh(session, arguments.input.inputs.front());
         found = look_at_mesh(session, mesh.get());
     });
     session.clear_progress();

@@ -1,11 +1,13 @@
 // cleft mesh: from a volume to a mesh.
+#include "checked_mesh.hpp"
 #include "commands.hpp"
 #include "findings.hpp"
 #include "guarded.hpp"
 #include "json_report.hpp"
+#include "label_warnings.hpp"
+#include "mesh_files.hpp"
 #include "option_arguments.hpp"
 #include "output_conflicts.hpp"
-#include "output_files.hpp"
 #include "standard_output.hpp"
 #include "summary.hpp"
 #include "text.hpp"
@@ -14,7 +16,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 namespace cleft_cli
@@ -38,6 +39,12 @@ struct MeshArguments {
     bool estimate = false;
 
     bool left_out(int32_t label) const { return options.leaves_out(label); }
+};
+
+struct Inputs {
+    Volume volume;
+    Sizing sizing;    // null: computed
+    Mesh background;  // null: computed
 };
 
 // What is known when the mesh is done.
@@ -64,64 +71,55 @@ std::vector<OutputFile> checked_outputs(const MeshArguments& arguments)
     return outputs;
 }
 
-Volume read_volume(Session& session, const MeshArguments& arguments, const cleft_options* options)
-{
-    Volume volume;
-    session.timed("read", "reading the volume", [&] { volume = arguments.input.read(session, options); });
-    return volume;
-}
-
-Sizing read_sizing(Session& session, const MeshArguments& arguments, const cleft_volume* volume,
+Sizing read_sizing(const Session& session, const MeshArguments& arguments, const cleft_volume* volume,
                    const cleft_options* options)
 {
-    if (arguments.sizing_file.empty())
-        return {};
     cleft_io_reading reading = arguments.input.reading();
     reading.scale = 1;  // the field is in the unit of the mesh, as `cleft sizing` writes it
-    Sizing sizing;
-    session.timed("read_sizing", "reading the sizing field", [&] {
-        sizing = session.make<Sizing>(EXIT_CANNOT_READ, [&](cleft_sizing** out) {
-            return cleft_io_read_sizing(session.context(), volume, arguments.sizing_file.c_str(), &reading,
-                                        arguments.combine ? 1 : 0, options, out);
-        });
+    return session.make<Sizing>(EXIT_CANNOT_READ, [&](cleft_sizing** out) {
+        return cleft_io_read_sizing(session.context(), volume, arguments.sizing_file.c_str(), &reading,
+                                    arguments.combine ? 1 : 0, options, out);
     });
-    return sizing;
 }
 
-Mesh read_background(Session& session, const std::string& path)
+Inputs read_inputs(Session& session, const MeshArguments& arguments, const cleft_options* options)
 {
-    if (path.empty())
-        return {};
-    Mesh background;
-    session.timed("read_background", "reading the background", [&] {
-        background = session.make<Mesh>(EXIT_CANNOT_READ, [&](cleft_mesh** out) {
-            return cleft_io_read_mesh(session.context(), path.c_str(), out);
-        });
-    });
-    return background;
+    Inputs inputs;
+    session.timed("read", "reading the volume", [&] { inputs.volume = arguments.input.read(session, options); });
+    if (!arguments.sizing_file.empty())
+        session.timed("read_sizing", "reading the sizing field",
+                      [&] { inputs.sizing = read_sizing(session, arguments, inputs.volume.get(), options); });
+    if (!arguments.background_file.empty())
+        session.timed("read_background", "reading the background",
+                      [&] { inputs.background = read_mesh(session, arguments.background_file); });
+    return inputs;
 }
 
-int tell_estimate(Session& session, const MeshArguments& arguments, const cleft_volume* volume,
-                  const cleft_sizing* sizing, const cleft_mesh* background, const cleft_options* options)
+std::string estimate_lines(const cleft_estimate& estimate)
+{
+    std::string text =
+        summary_line("Estimate", (estimate.is_bound != 0 ? "up to " : "") + rounded(estimate.tets) +
+                                     " tetrahedra, about " + bytes_text(estimate.peak_bytes) + " of memory");
+    // Labels that are left out are meshed first and removed at the end, so they cost memory and
+    // time.
+    if (estimate.whole_tets > 1.01 * estimate.tets)
+        text += summary_line("", "of " + rounded(estimate.whole_tets) + " with the labels that are left out");
+    return text;
+}
+
+int tell_estimate(Session& session, const MeshArguments& arguments, const Inputs& inputs, const cleft_options* options)
 {
     cleft_estimate estimate{};
     estimate.struct_size = sizeof estimate;
     session.timed("estimate", "estimating", [&] {
-        session.check(cleft_mesh_estimate(session.context(), volume, sizing, background, options, &estimate),
+        session.check(cleft_mesh_estimate(session.context(), inputs.volume.get(), inputs.sizing.get(),
+                                          inputs.background.get(), options, &estimate),
                       EXIT_MESHING_FAILED);
     });
-    const VolumeFindings found = look_at_volume(session, volume);
+    const VolumeFindings found = look_at_volume(session, inputs.volume.get());
     session.clear_progress();
-    if (arguments.run.prints()) {
-        std::string text = volume_line(found) + left("Estimate", 11) + (estimate.is_bound != 0 ? "up to " : "") +
-                           rounded(estimate.tets) + " tetrahedra, about " + bytes_text(estimate.peak_bytes) +
-                           " of memory\n";
-        // Labels that are left out are meshed first and removed at the end, so they cost memory and
-        // time.
-        if (estimate.whole_tets > 1.01 * estimate.tets)
-            text += left("", 11) + "of " + rounded(estimate.whole_tets) + " with the labels that are left out\n";
-        print_summary_text(text);
-    }
+    if (arguments.run.prints())
+        print_summary_text(volume_line(found) + estimate_lines(estimate));
     if (!arguments.run.json.empty()) {
         auto report = report_head("mesh");
         report["volume"] = volume_json(found);
@@ -136,6 +134,18 @@ int tell_estimate(Session& session, const MeshArguments& arguments, const cleft_
     return EXIT_OK;
 }
 
+Mesh make_mesh(Session& session, const Inputs& inputs, const cleft_options* options)
+{
+    Mesh mesh;
+    session.timed("mesh", "meshing", [&] {
+        mesh = session.make<Mesh>(EXIT_MESHING_FAILED, [&](cleft_mesh** out) {
+            return cleft_mesh_volume(session.context(), inputs.volume.get(), inputs.sizing.get(),
+                                     inputs.background.get(), options, out);
+        });
+    });
+    return mesh;
+}
+
 // Looks at the mesh for what it finds, and validates it. It fills its box unless a label of the volume was left out of
 // it, or the background is the user's.
 MeshFindings checked_findings(Session& session, const MeshArguments& arguments, const cleft_volume* volume,
@@ -144,25 +154,13 @@ MeshFindings checked_findings(Session& session, const MeshArguments& arguments, 
     bool whole = arguments.background_file.empty();
     for (int64_t i = 0; i < cleft_volume_label_count(volume); ++i)
         whole = whole && !arguments.left_out(cleft_volume_labels(volume)[i]);
-    cleft_validation validation = {};
-    validation.struct_size = sizeof validation;
-    MeshFindings found;
-    std::string fault;
-    session.timed("check", "checking the mesh", [&] {
-        session.check(cleft_mesh_validate(session.context(), mesh, whole ? 1 : 0, &validation), EXIT_MESHING_FAILED);
-        // A broken mesh is not looked at further: its surface and angles may have no meaning.
-        if (validation.valid == 0) {
-            fault = cleft_context_last_error(session.context());
-        } else {
-            found = look_at_mesh(session, mesh);
-            fault = surface_fault(validation, found);
-        }
-    });
+    CheckedMesh checked;
+    session.timed("check", "checking the mesh", [&] { checked = check_mesh(session, mesh, whole); });
     // It is not written, as somebody would use it all the same.
-    if (!fault.empty())
+    if (!checked.valid())
         throw Failure(EXIT_CHECK_FAILED, CLEFT_ERROR_INVALID_MESH,
-                      "the mesh is not valid, and was not written: " + fault);
-    return found;
+                      "the mesh is not valid, and was not written: " + checked.fault);
+    return checked.found;
 }
 
 // The findings without the contacts of labels that are left out.
@@ -175,71 +173,6 @@ ReportFindings kept_contacts(const MeshArguments& arguments, ReportFindings foun
                                   }),
                    contacts.end());
     return found;
-}
-
-void warn_of_contacts(Session& session, const std::vector<cleft_contact>& contacts)
-{
-    // More pairs make the warning unreadable; all of them are in the JSON report.
-    constexpr std::size_t kNamed = 5;
-    if (contacts.empty())
-        return;
-    std::string pairs;
-    for (std::size_t i = 0; i < std::min(contacts.size(), kNamed); ++i)
-        pairs += (i == 0 ? "" : ", ") + std::to_string(contacts[i].first) + " and " +
-                 std::to_string(contacts[i].second) + " (" + plural(contacts[i].triangles, "triangle") + ")";
-    if (contacts.size() > kNamed)
-        pairs += " and " + grouped(static_cast<int64_t>(contacts.size() - kNamed)) + " more";
-    session.warn(plural(static_cast<int64_t>(contacts.size()), "pair") +
-                 " of labels meet in the mesh, though no two of their voxels share a face or an edge: " + pairs +
-                 "; a smaller size opens the gap (--size-min, --label-size)");
-}
-
-// Labels of which one thing is reported: five by name, and how many more there are.
-class LabelList
-{
-public:
-    void add(int32_t label, const std::string& what)
-    {
-        constexpr int64_t kNamed = 5;
-        if (++count_ <= kNamed)
-            text_ += (count_ == 1 ? "label " : ", label ") + std::to_string(label) + " (" + what + ")";
-        else
-            ++more_;
-    }
-    bool empty() const { return count_ == 0; }
-    std::string text() const { return text_ + (more_ > 0 ? " and " + grouped(more_) + " more" : ""); }
-    std::string counted() const { return plural(count_, "label"); }
-
-private:
-    int64_t count_ = 0, more_ = 0;
-    std::string text_;
-};
-
-// Each kind of loss in one sentence, however many labels it befalls.
-void warn_of_lost_labels(Session& session, const MeshArguments& arguments, const Result& result)
-{
-    LabelList lost, pieces_lost, broken;
-    for (const LabelFindings& row : result.report.labels) {
-        if (arguments.left_out(row.label))
-            continue;
-        const std::string of_pieces = " of " + plural(row.large_components, "piece");
-        if (row.lost != 0)
-            lost.add(row.label, plural(row.voxels, "voxel"));
-        // A lost label has lost its pieces, too; one warning suffices.
-        else if (row.large_components_lost > 0)
-            pieces_lost.add(row.label, grouped(row.large_components_lost) + of_pieces);
-        if (row.large_components_broken > 0)
-            broken.add(row.label, grouped(row.large_components_broken) + of_pieces);
-    }
-    if (!lost.empty())
-        session.warn("the mesh lacks " + lost.counted() + " of the volume: " + lost.text());
-    if (!pieces_lost.empty())
-        session.warn("the mesh lacks pieces of more than 30 voxels of " + pieces_lost.counted() + ": " +
-                     pieces_lost.text());
-    if (!broken.empty())
-        session.warn("pieces of more than 30 voxels of " + broken.counted() +
-                     " broke where they are thinner than the tetrahedra: " + broken.text() +
-                     " (--size-min, --label-size)");
 }
 
 void print_summary(const Session& session, const MeshArguments& arguments, const Result& result,
@@ -256,7 +189,7 @@ void print_summary(const Session& session, const MeshArguments& arguments, const
     for (const OutputFile& output : result.outputs) {
         // 0 where the file cannot be looked at.
         const double bytes = staged.bytes(output.path);
-        text += left("Written", 11) + output.path + (bytes > 0 ? " (" + bytes_text(bytes) + ")" : "") + "\n";
+        text += summary_line("Written", output.path + (bytes > 0 ? " (" + bytes_text(bytes) + ")" : ""));
     }
     print_summary_text(text);
 }
@@ -283,6 +216,33 @@ void write_report(const Session& session, const MeshArguments& arguments, const 
     write_json(report, arguments.run.json, staged);
 }
 
+void look_at_result(Session& session, const MeshArguments& arguments, const cleft_volume* volume,
+                    const cleft_mesh* mesh, Result& result)
+{
+    session.timed("report", "looking at the mesh", [&] {
+        result.volume = look_at_volume(session, volume);
+        if (!arguments.check)
+            result.mesh = look_at_mesh(session, mesh);
+        result.report = kept_contacts(arguments, look_at_labels(session, volume, mesh));
+    });
+    warn_of_labels(session, result.report, [&](int32_t label) { return arguments.left_out(label); });
+}
+
+// The mesh and what is reported of it: all files or none.
+void write_result(Session& session, const MeshArguments& arguments, const cleft_mesh* mesh,
+                  const cleft_options* options, const Result& result)
+{
+    StagedOutputs staged;
+    session.timed("write", "writing", [&] { write_mesh(session, mesh, result.outputs, staged); });
+    session.clear_progress();
+    if (!arguments.run.json.empty())
+        write_report(session, arguments, options, result, staged);
+    if (arguments.run.prints())
+        print_summary(session, arguments, result, staged);
+    // Last of all: whatever fails before leaves no output and no part of one.
+    staged.commit();
+}
+
 int run_mesh(MeshArguments& arguments)
 {
     // Before make(), which would refuse a path as a kind of background.
@@ -292,48 +252,22 @@ int run_mesh(MeshArguments& arguments)
     result.outputs = checked_outputs(arguments);
     Session session(arguments.run);
 
-    Volume volume = read_volume(session, arguments, options.get());
-    Sizing sizing = read_sizing(session, arguments, volume.get(), options.get());
-    Mesh background = read_background(session, arguments.background_file);
+    Inputs inputs = read_inputs(session, arguments, options.get());
     if (arguments.estimate)
-        return tell_estimate(session, arguments, volume.get(), sizing.get(), background.get(), options.get());
-
-    Mesh mesh;
-    session.timed("mesh", "meshing", [&] {
-        mesh = session.make<Mesh>(EXIT_MESHING_FAILED, [&](cleft_mesh** out) {
-            return cleft_mesh_volume(session.context(), volume.get(), sizing.get(), background.get(), options.get(),
-                                     out);
-        });
-    });
+        return tell_estimate(session, arguments, inputs, options.get());
+    const Mesh mesh = make_mesh(session, inputs, options.get());
     // Fields and background are as large as the volume or the mesh. They are not needed any more,
     // and the report takes memory.
-    sizing.reset();
-    background.reset();
+    inputs.sizing.reset();
+    inputs.background.reset();
     if (arguments.check)
-        result.mesh = checked_findings(session, arguments, volume.get(), mesh.get());
+        result.mesh = checked_findings(session, arguments, inputs.volume.get(), mesh.get());
     // With --quiet and no report nobody sees the figures, so they are not computed.
-    if (arguments.run.prints() || !arguments.run.json.empty()) {
-        session.timed("report", "looking at the mesh", [&] {
-            result.volume = look_at_volume(session, volume.get());
-            if (!arguments.check)
-                result.mesh = look_at_mesh(session, mesh.get());
-            result.report = kept_contacts(arguments, look_at_labels(session, volume.get(), mesh.get()));
-        });
-        warn_of_lost_labels(session, arguments, result);
-        warn_of_contacts(session, result.report.contacts);
-    }
+    if (arguments.run.prints() || !arguments.run.json.empty())
+        look_at_result(session, arguments, inputs.volume.get(), mesh.get(), result);
     // The voxels have been compared with the mesh. Writers need memory for the surface.
-    volume.reset();
-    StagedOutputs staged;
-    session.timed("write", "writing", [&] { write_mesh(session, mesh.get(), result.outputs, staged); });
-
-    session.clear_progress();
-    if (!arguments.run.json.empty())
-        write_report(session, arguments, options.get(), result, staged);
-    if (arguments.run.prints())
-        print_summary(session, arguments, result, staged);
-    // Last of all: whatever fails before leaves no output and no part of one.
-    staged.commit();
+    inputs.volume.reset();
+    write_result(session, arguments, mesh.get(), options.get(), result);
     return EXIT_OK;
 }
 
@@ -351,34 +285,27 @@ std::string mesh_footer()
            exit_code_help();
 }
 
-}  // namespace
-
-Command add_mesh_command(CLI::App& app)
+void add_results_to(CLI::App& parser, MeshArguments& arguments)
 {
-    auto arguments = std::make_shared<MeshArguments>();
-    CLI::App& parser = *app.add_subcommand("mesh", "Make a mesh of a volume");
-    arguments->input.add_inputs_to(parser);
     parser
-        .add_option("-o,--output", arguments->outputs,
+        .add_option("-o,--output", arguments.outputs,
                     "The mesh; may be repeated for several formats. Missing folders\n"
                     "and unknown extensions are refused before the work begins")
         ->allow_extra_args(false)
         ->type_name("OUTPUT");
-    parser.add_option("--msh-version", arguments->msh_version, "Version of Gmsh's format for .msh (default 4.1)")
-        ->check(CLI::IsMember({"4.1", "2.2"}).description(""))
-        ->type_name("4.1|2.2");
-    parser.add_flag("--check", arguments->check, "Validate the mesh before it is written; exit code 1 if it fails");
-    parser.add_flag("--estimate", arguments->estimate,
+    add_msh_version_to(parser, arguments.msh_version);
+    parser.add_flag("--check", arguments.check, "Validate the mesh before it is written; exit code 1 if it fails");
+    parser.add_flag("--estimate", arguments.estimate,
                     "Tell the expected number of tetrahedra and the memory needed,\n"
                     "and stop there");
-    arguments->options.add_to(parser, {"volume", "mesh"});
-    arguments->options.add_label_sizes_to(parser);
-    // The command also takes a file here; the table of the library knows the kinds only.
-    parser.get_option("--background")->type_name("particles|lattice|octree|FILE");
-    // --sizing and --combine are no options of the library, but belong among the sizes in help.
+}
+
+// --sizing and --combine are no options of the library, but belong among the sizes in help.
+void add_sizing_field_to(CLI::App& parser, MeshArguments& arguments)
+{
     const std::string sizes = parser.get_option("--size")->get_group();
     parser
-        .add_option("--sizing", arguments->sizing_file,
+        .add_option("--sizing", arguments.sizing_file,
                     "Your own sizing field: a volume on the same grid, with an edge\n"
                     "length for each voxel (see `cleft sizing`)")
         // The description would stand behind the type in the help.
@@ -386,8 +313,23 @@ Command add_mesh_command(CLI::App& app)
         ->type_name("FILE")
         ->group(sizes);
     parser
-        .add_flag("--combine", arguments->combine, "With --sizing: take the smaller of your field and the computed one")
+        .add_flag("--combine", arguments.combine, "With --sizing: take the smaller of your field and the computed one")
         ->group(sizes);
+}
+
+}  // namespace
+
+Command add_mesh_command(CLI::App& app)
+{
+    auto arguments = std::make_shared<MeshArguments>();
+    CLI::App& parser = *app.add_subcommand("mesh", "Make a mesh of a volume");
+    arguments->input.add_inputs_to(parser);
+    add_results_to(parser, *arguments);
+    arguments->options.add_to(parser, {"volume", "mesh"});
+    arguments->options.add_label_sizes_to(parser);
+    // The command also takes a file here; the table of the library knows the kinds only.
+    parser.get_option("--background")->type_name("particles|lattice|octree|FILE");
+    add_sizing_field_to(parser, *arguments);
     arguments->options.add_label_lists_to(parser);
     arguments->input.add_reading_to(parser);
     arguments->run.add_to(parser);

@@ -1,9 +1,9 @@
-// Looks at the places of outputs before the work begins, and writes meshes to them. A mistake in a
-// path costs no run.
+// Looks at the places of outputs before the work begins: a mistake in a path costs no run.
 #include "output_files.hpp"
 
+#include "exit_code.hpp"
 #include "interrupt.hpp"
-
+#include "staged_outputs.hpp"
 #include "text.hpp"
 
 #include <sys/stat.h>
@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
+#include <vector>
 
 namespace cleft_cli
 {
@@ -121,15 +122,6 @@ void check_json_output(const std::string& path)
     const bool device = stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
     if (!path.empty() && path != "-" && !device)
         check_place(path);
-}
-
-void write_mesh(Session& session, const cleft_mesh* mesh, const std::vector<OutputFile>& outputs, StagedOutputs& staged)
-{
-    for (const OutputFile& output : outputs)
-        staged.write(output.path, [&](const std::string& to) {
-            // The library checks the extension of `to`, which is staged under its final name.
-            session.check(cleft_io_write_mesh(session.context(), mesh, to.c_str(), output.format), EXIT_CANNOT_WRITE);
-        });
 }
 
 std::string format_help(int32_t direction)

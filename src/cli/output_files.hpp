@@ -1,13 +1,9 @@
 // Where results go: looked at before the work starts, so that hours are not lost to a misspelt folder.
 #pragma once
 
-#include "session.hpp"
-#include "staged_outputs.hpp"
-
 #include "cleft/cleft_io.h"
 
 #include <string>
-#include <vector>
 
 namespace cleft_cli
 {
@@ -25,10 +21,6 @@ OutputFile checked_mesh_output(const std::string& path, const std::string& msh_v
 void check_sizing_output(const std::string& path);
 // Nothing to check for "" and "-".
 void check_json_output(const std::string& path);
-
-// To be committed when all else is done.
-void write_mesh(Session& session, const cleft_mesh* mesh, const std::vector<OutputFile>& outputs,
-                StagedOutputs& staged);
 
 // The help text of formats that go in `direction` (CLEFT_IO_WRITES_MESH ...), from the component's table.
 std::string format_help(int32_t direction);

@@ -45,6 +45,49 @@ FieldFigures look_at_field(const cleft_sizing* sizing, const VolumeFindings& vol
     return {*least, *middle, *greatest, cleft_sizing_expected_tets(sizing)};
 }
 
+Sizing make_sizing(Session& session, const cleft_volume* volume, const cleft_options* options)
+{
+    Sizing sizing;
+    session.timed("sizing", "sizing field", [&] {
+        sizing = session.make<Sizing>(EXIT_MESHING_FAILED, [&](cleft_sizing** out) {
+            return cleft_sizing_create(session.context(), volume, options, out);
+        });
+    });
+    return sizing;
+}
+
+void write_field(Session& session, const SizingArguments& arguments, const cleft_sizing* sizing, StagedOutputs& staged)
+{
+    session.timed("write", "writing", [&] {
+        staged.write(arguments.output, [&](const std::string& to) {
+            session.check(cleft_io_write_sizing(session.context(), sizing, to.c_str(), arguments.input.world_number()),
+                          EXIT_CANNOT_WRITE);
+        });
+    });
+}
+
+void write_report(const Session& session, const SizingArguments& arguments, const cleft_options* options,
+                  const VolumeFindings& volume, const FieldFigures& field, StagedOutputs& staged)
+{
+    auto report = report_head("sizing");
+    report["inputs"] = arguments.input.inputs;
+    report["outputs"] = {arguments.output};
+    report["world"] = arguments.input.world;
+    report["options"] = arguments.options.as_json(options);
+    report["volume"] = volume_json(volume);
+    report["sizing"] = {
+        {"least", field.least}, {"median", field.median}, {"greatest", field.greatest}, {"expected_tets", field.tets}};
+    add_run(report, session);
+    write_json(report, arguments.run.json, staged);
+}
+
+std::string field_lines(const FieldFigures& field)
+{
+    return summary_line("Sizes", significant(field.least) + " to " + significant(field.greatest) + ", median " +
+                                     significant(field.median)) +
+           summary_line("Estimate", rounded(field.tets) + " tetrahedra");
+}
+
 int run_sizing(const SizingArguments& arguments)
 {
     const Options options = arguments.options.make();
@@ -54,43 +97,19 @@ int run_sizing(const SizingArguments& arguments)
     Session session(arguments.run);
     Volume volume;
     session.timed("read", "reading the volume", [&] { volume = arguments.input.read(session, options.get()); });
-    Sizing sizing;
-    session.timed("sizing", "sizing field", [&] {
-        sizing = session.make<Sizing>(EXIT_MESHING_FAILED, [&](cleft_sizing** out) {
-            return cleft_sizing_create(session.context(), volume.get(), options.get(), out);
-        });
-    });
+    const Sizing sizing = make_sizing(session, volume.get(), options.get());
     StagedOutputs staged;
-    session.timed("write", "writing", [&] {
-        staged.write(arguments.output, [&](const std::string& to) {
-            session.check(
-                cleft_io_write_sizing(session.context(), sizing.get(), to.c_str(), arguments.input.world_number()),
-                EXIT_CANNOT_WRITE);
-        });
-    });
+    write_field(session, arguments, sizing.get(), staged);
     // After writing: the figures are for the summary, and the file does not wait for them.
     const VolumeFindings found = look_at_volume(session, volume.get());
     const FieldFigures field = look_at_field(sizing.get(), found);
     session.clear_progress();
-    if (!arguments.run.json.empty()) {
-        auto report = report_head("sizing");
-        report["inputs"] = arguments.input.inputs;
-        report["outputs"] = {arguments.output};
-        report["world"] = arguments.input.world;
-        report["options"] = arguments.options.as_json(options.get());
-        report["volume"] = volume_json(found);
-        report["sizing"] = {{"least", field.least},
-                            {"median", field.median},
-                            {"greatest", field.greatest},
-                            {"expected_tets", field.tets}};
-        add_run(report, session);
-        write_json(report, arguments.run.json, staged);
-    }
+    if (!arguments.run.json.empty())
+        write_report(session, arguments, options.get(), found, field, staged);
     if (arguments.run.prints())
-        print_summary_text(volume_line(found) + left("Sizes", 11) + significant(field.least) + " to " +
-                           significant(field.greatest) + ", median " + significant(field.median) + "\n" +
-                           left("Estimate", 11) + rounded(field.tets) + " tetrahedra\n" + left("Written", 11) +
-                           arguments.output + " (" + bytes_text(staged.bytes(arguments.output)) + ")\n");
+        print_summary_text(
+            volume_line(found) + field_lines(field) +
+            summary_line("Written", arguments.output + " (" + bytes_text(staged.bytes(arguments.output)) + ")"));
     // Last of all: whatever fails before leaves no output.
     staged.commit();
     return EXIT_OK;

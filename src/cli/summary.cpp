@@ -16,8 +16,6 @@ namespace
 // The longest heading, "Estimate" or "Memory", and a gap.
 constexpr std::size_t kFirstColumn = 11;
 
-std::string line(const std::string& name, const std::string& text) { return left(name, kFirstColumn) + text + "\n"; }
-
 std::string triple(const std::array<double, 3>& numbers, const char* between = " x ")
 {
     return significant(numbers[0]) + between + significant(numbers[1]) + between + significant(numbers[2]);
@@ -47,15 +45,20 @@ std::string share_text(double part, double whole) { return whole > 0 ? decimals(
 
 }  // namespace
 
+std::string summary_line(const std::string& heading, const std::string& text)
+{
+    return left(heading, kFirstColumn) + text + "\n";
+}
+
 std::string volume_line(const VolumeFindings& volume)
 {
     std::array<double, 3> low{}, high{};
     volume.bounds(low, high);
     const std::string dims =
         grouped(volume.dims[0]) + " x " + grouped(volume.dims[1]) + " x " + grouped(volume.dims[2]);
-    return line("Volume", dims + " voxels of " + triple(volume.spacing) + ", " +
-                              plural(static_cast<int64_t>(volume.voxels.size()), "label")) +
-           line("Box", box_text(low, high));
+    return summary_line("Volume", dims + " voxels of " + triple(volume.spacing) + ", " +
+                                      plural(static_cast<int64_t>(volume.voxels.size()), "label")) +
+           summary_line("Box", box_text(low, high));
 }
 
 std::string labels_table(const VolumeFindings& volume)
@@ -92,20 +95,20 @@ std::string mesh_lines(const MeshFindings& mesh)
                          plural(static_cast<int64_t>(mesh.labels.size()), "label");
     if (mesh.interface_triangles)
         counts += ", " + plural(*mesh.interface_triangles, "interface triangle");
-    std::string text = line("Mesh", counts);
+    std::string text = summary_line("Mesh", counts);
     // Angles and edges of no tetrahedra have no meaning.
     if (mesh.tets == 0)
         return text;
-    text += line("Box", box_text(mesh.low, mesh.high));
-    text += line("Angles", decimals(q.min_dihedral, 2) + " to " + decimals(q.max_dihedral, 2) +
-                               " degrees between faces; tetrahedra below 5, 10, 15, 20: " + grouped(q.tets_below_5) +
-                               ", " + grouped(q.tets_below_10) + ", " + grouped(q.tets_below_15) + ", " +
-                               grouped(q.tets_below_20));
-    text += line("Shapes", "radius ratio " + decimals(q.radius_ratio_median, 2) + " (median), " +
-                               decimals(q.radius_ratio_95, 2) + " (95 %), " + decimals(q.radius_ratio_max, 2) +
-                               " (greatest); 1 is the regular tetrahedron");
-    text += line("Edges",
-                 significant(q.min_edge) + " to " + significant(q.max_edge) + ", mean " + significant(q.mean_edge));
+    text += summary_line("Box", box_text(mesh.low, mesh.high));
+    text += summary_line(
+        "Angles", decimals(q.min_dihedral, 2) + " to " + decimals(q.max_dihedral, 2) +
+                      " degrees between faces; tetrahedra below 5, 10, 15, 20: " + grouped(q.tets_below_5) + ", " +
+                      grouped(q.tets_below_10) + ", " + grouped(q.tets_below_15) + ", " + grouped(q.tets_below_20));
+    text += summary_line("Shapes", "radius ratio " + decimals(q.radius_ratio_median, 2) + " (median), " +
+                                       decimals(q.radius_ratio_95, 2) + " (95 %), " + decimals(q.radius_ratio_max, 2) +
+                                       " (greatest); 1 is the regular tetrahedron");
+    text += summary_line(
+        "Edges", significant(q.min_edge) + " to " + significant(q.max_edge) + ", mean " + significant(q.mean_edge));
     return text;
 }
 
@@ -199,7 +202,7 @@ std::string time_line(const Session& session, int64_t tets)
     if (process.cpu_seconds > 0)
         text +=
             ", " + grouped(std::llround(static_cast<double>(tets) / process.cpu_seconds)) + " tetrahedra a CPU second";
-    return line("Time", text) + line("Memory", bytes_text(process.peak_bytes) + " at the peak");
+    return summary_line("Time", text) + summary_line("Memory", bytes_text(process.peak_bytes) + " at the peak");
 }
 
 std::string stages_table(const Session& session)
@@ -214,8 +217,8 @@ std::string stages_table(const Session& session)
 std::string validation_lines(const cleft_validation& validation, const std::string& first_fault)
 {
     if (validation.valid != 0)
-        return line("Valid", "yes");
-    std::string text = line("Valid", "NO: " + first_fault);
+        return summary_line("Valid", "yes");
+    std::string text = summary_line("Valid", "NO: " + first_fault);
     // Only kinds of faults that were found are listed.
     const std::pair<const char*, int64_t> counts[] = {
         {"tetrahedra turned inside out", validation.negative_tets},

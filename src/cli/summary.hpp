@@ -11,6 +11,7 @@ namespace cleft_cli
 {
 
 // All functions give whole lines, each with its end.
+std::string summary_line(const std::string& heading, const std::string& text);
 std::string volume_line(const VolumeFindings& volume);
 // A row a label: voxels, volume, and share of the voxels of the box.
 std::string labels_table(const VolumeFindings& volume);

@@ -40,6 +40,68 @@ CLI::Validator positive_length()
             ""};
 }
 
+// In the help.
+constexpr const char* kGroup = "Input";
+
+// What any volume means, and where its voxels are.
+void add_grid_to(CLI::App& app, VolumeArguments& arguments)
+{
+    app.add_option("--world", arguments.world,
+                   "Directions of the coordinates that come out: lps (ITK, DICOM, 3D\n"
+                   "Slicer's files) or ras (NIfTI): x and y change their sign (default lps)")
+        ->check(CLI::IsMember({"lps", "ras"}).description(""))
+        ->type_name("lps|ras")
+        ->group(kGroup);
+    app.add_option("--as", arguments.kind,
+                   "What the voxels mean: labels (rounded), or indicator functions, inside\n"
+                   "where > 0. auto: what the values show; where they leave it open, the\n"
+                   "file is refused (default auto)")
+        ->check(CLI::IsMember({"auto", "labels", "indicators"}).description(""))
+        ->type_name("auto|labels|indicators")
+        ->group(kGroup);
+    app.add_option("--spacing", arguments.spacing, "Size of a voxel, instead of the file's")
+        ->expected(3)
+        ->delimiter(',')
+        ->check(positive_length())
+        ->type_name("H")
+        ->group(kGroup);
+    app.add_option("--scale", arguments.scale,
+                   "Multiply origin and spacing of the file by S: 0.001 makes metres of\n"
+                   "millimetres. A --spacing beside it is taken as it is")
+        ->check(positive_length())
+        ->type_name("S")
+        ->group(kGroup);
+}
+
+// What a header would tell of raw voxels.
+void add_raw_to(CLI::App& app, VolumeArguments& arguments)
+{
+    CLI::Option* raw =
+        app.add_option("--dims", arguments.dims, "Read raw voxels without a header: voxels along x (fastest), y, z")
+            ->expected(3)
+            ->delimiter(',')
+            ->check(CLI::PositiveNumber.description(""))
+            ->type_name("N")
+            // Raw voxels have no unit of a file that a scale could change.
+            ->excludes(app.get_option("--scale"))
+            ->group(kGroup);
+    // A header tells these three. Without --dims they would have no effect, and the user would not know.
+    app.add_option("--type", arguments.type,
+                   "Type of raw voxels: uint8, uint16, int16, uint32, int32, float32,\nfloat64 (default uint8)")
+        ->check(CLI::IsMember(type_names()).description(""))
+        ->type_name("TYPE")
+        ->needs(raw)
+        ->group(kGroup);
+    app.add_option("--skip", arguments.skip, "Bytes before the first raw voxel (default 0)")
+        ->check(CLI::NonNegativeNumber.description(""))
+        ->type_name("BYTES")
+        ->needs(raw)
+        ->group(kGroup);
+    app.add_flag("--big-endian", arguments.big_endian, "Raw voxels have their most significant byte first")
+        ->needs(raw)
+        ->group(kGroup);
+}
+
 cleft_io_raw raw_layout(const VolumeArguments& arguments)
 {
     cleft_io_raw raw = {};
@@ -69,56 +131,8 @@ void VolumeArguments::add_inputs_to(CLI::App& app)
 
 void VolumeArguments::add_reading_to(CLI::App& app)
 {
-    const char* group = "Input";
-    app.add_option("--world", world,
-                   "Directions of the coordinates that come out: lps (ITK, DICOM, 3D\n"
-                   "Slicer's files) or ras (NIfTI): x and y change their sign (default lps)")
-        ->check(CLI::IsMember({"lps", "ras"}).description(""))
-        ->type_name("lps|ras")
-        ->group(group);
-    app.add_option("--as", kind,
-                   "What the voxels mean: labels (rounded), or indicator functions, inside\n"
-                   "where > 0. auto: what the values show; where they leave it open, the\n"
-                   "file is refused (default auto)")
-        ->check(CLI::IsMember({"auto", "labels", "indicators"}).description(""))
-        ->type_name("auto|labels|indicators")
-        ->group(group);
-    app.add_option("--spacing", spacing, "Size of a voxel, instead of the file's")
-        ->expected(3)
-        ->delimiter(',')
-        ->check(positive_length())
-        ->type_name("H")
-        ->group(group);
-    CLI::Option* unit = app.add_option("--scale", scale,
-                                       "Multiply origin and spacing of the file by S: 0.001 makes metres of\n"
-                                       "millimetres. A --spacing beside it is taken as it is")
-                            ->check(positive_length())
-                            ->type_name("S")
-                            ->group(group);
-    CLI::Option* raw =
-        app.add_option("--dims", dims, "Read raw voxels without a header: voxels along x (fastest), y, z")
-            ->expected(3)
-            ->delimiter(',')
-            ->check(CLI::PositiveNumber.description(""))
-            ->type_name("N")
-            // Raw voxels have no unit of a file that a scale could change.
-            ->excludes(unit)
-            ->group(group);
-    // A header tells these three. Without --dims they would have no effect, and the user would not know.
-    app.add_option("--type", type,
-                   "Type of raw voxels: uint8, uint16, int16, uint32, int32, float32,\nfloat64 (default uint8)")
-        ->check(CLI::IsMember(type_names()).description(""))
-        ->type_name("TYPE")
-        ->needs(raw)
-        ->group(group);
-    app.add_option("--skip", skip, "Bytes before the first raw voxel (default 0)")
-        ->check(CLI::NonNegativeNumber.description(""))
-        ->type_name("BYTES")
-        ->needs(raw)
-        ->group(group);
-    app.add_flag("--big-endian", big_endian, "Raw voxels have their most significant byte first")
-        ->needs(raw)
-        ->group(group);
+    add_grid_to(app, *this);
+    add_raw_to(app, *this);
 }
 
 cleft_io_kind VolumeArguments::kind_number() const
