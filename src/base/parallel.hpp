@@ -10,7 +10,6 @@
 #include <atomic>
 #include <cstdint>
 #include <exception>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -19,48 +18,78 @@ namespace cleft
 
 inline int64_t chunk_count(int64_t n, int64_t grain) { return (n + grain - 1) / grain; }
 
+// What workers failed with. Each fails once at most.
+class ChunkErrors
+{
+public:
+    explicit ChunkErrors(int workers) : errors_(workers), chunks_(workers, INT64_MAX) {}
+
+    bool any() const { return any_.load(std::memory_order_relaxed); }
+    // Keeps the exception that is being handled.
+    void keep(int worker, int64_t chunk)
+    {
+        errors_[worker] = std::current_exception();
+        chunks_[worker] = chunk;
+        any_ = true;
+    }
+    // The error of the lowest chunk, and not of the first thread that failed, so that users read the same sentence each
+    // time. All lower chunks have begun by then, since chunks are handed out in order.
+    void rethrow_first() const
+    {
+        const auto first = std::min_element(chunks_.begin(), chunks_.end()) - chunks_.begin();
+        if (errors_[first])
+            std::rethrow_exception(errors_[first]);
+    }
+
+private:
+    std::atomic<bool> any_{false};
+    Array<std::exception_ptr> errors_;
+    Array<int64_t> chunks_;
+};
+
+// work(0) on the calling thread, and work(1) to work(count - 1) on others, as far as they can be had. Returns when all
+// are done. work() throws nothing.
+template <class Work>
+void run_workers(int count, const Work& work)
+{
+    std::vector<std::thread> threads;
+    threads.reserve(static_cast<size_t>(count));
+    for (int worker = 1; worker < count; ++worker) {
+        try {
+            threads.emplace_back(work, worker);
+        } catch (const std::exception&) {
+            break;  // no more threads to be had, or no memory for one: the others do the work
+        }
+    }
+    work(0);
+    for (auto& thread : threads)
+        thread.join();
+}
+
 // body(chunk, begin, end) for every chunk of `grain` items of [0, n). A cancel is looked for before each chunk.
 // If bodies throw, the exception of the lowest chunk that threw is rethrown on the calling thread.
 template <class Body>
 void parallel_chunks(const Run& run, int64_t n, int64_t grain, const Body& body)
 {
     const int64_t chunks = chunk_count(n, grain);
+    if (chunks == 0)
+        return;
     const int workers = static_cast<int>(std::min<int64_t>(std::max(1, run.threads), chunks));
     // Threads take chunks as they come: which thread has which chunk must not matter, and their times even out.
     std::atomic<int64_t> next{0};
-    std::atomic<bool> failed{false};
-    Array<std::exception_ptr> errors(std::max(1, workers));
-    Array<int64_t> error_chunk(errors.size(), INT64_MAX);
-    const auto work = [&](int worker) {
+    ChunkErrors errors(workers);
+    run_workers(workers, [&](int worker) {
         int64_t chunk = 0;
         try {
-            while (!failed.load(std::memory_order_relaxed) && (chunk = next.fetch_add(1)) < chunks) {
+            while (!errors.any() && (chunk = next.fetch_add(1)) < chunks) {
                 run.check();
                 body(chunk, chunk * grain, std::min(n, (chunk + 1) * grain));
             }
         } catch (...) {
-            errors[worker] = std::current_exception();
-            error_chunk[worker] = chunk;
-            failed = true;
+            errors.keep(worker, chunk);
         }
-    };
-    std::vector<std::thread> threads;
-    for (int t = 1; t < workers; ++t) {
-        try {
-            threads.emplace_back(work, t);
-        } catch (const std::system_error&) {
-            break;  // no more threads to be had: the others do the work
-        }
-    }
-    if (chunks > 0)
-        work(0);
-    for (auto& thread : threads)
-        thread.join();
-    // The error of the lowest chunk, and not of the first thread that failed, so that users read the same sentence each
-    // time. All lower chunks have begun by then, since chunks are handed out in order.
-    const auto first = std::min_element(error_chunk.begin(), error_chunk.end()) - error_chunk.begin();
-    if (errors[first])
-        std::rethrow_exception(errors[first]);
+    });
+    errors.rethrow_first();
 }
 
 // body(begin, end) for every chunk.
