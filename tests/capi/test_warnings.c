@@ -58,12 +58,21 @@ static void volumes_that_differ_are_told_in_one_sentence(void** state)
     cleft_context_destroy(context);
 }
 
-/* Functions at the voxels, each made by value(function, voxel). */
-static void fill(float* field[3], float (*value)(int, int))
+/* A volume of `count` functions of at most three, whose values are value(function, voxel). */
+static cleft_status create_functions(cleft_context* context, int count, float (*value)(int, int), cleft_volume** volume)
 {
-    for (int f = 0; f < 3; ++f)
+    const int64_t dims[3] = {N, N, N};
+    float* field[3];
+    for (int f = 0; f < count; ++f) {
+        field[f] = (float*)malloc(sizeof(float) * VOXELS);
         for (int v = 0; v < VOXELS; ++v)
             field[f][v] = value(f, v);
+    }
+    const cleft_status status = cleft_volume_create_indicators(context, CLEFT_TYPE_FLOAT32, (const void* const*)field,
+                                                               count, dims, NULL, NULL, volume);
+    for (int f = 0; f < count; ++f)
+        free(field[f]);
+    return status;
 }
 
 static double distance(int voxel, double cx)
@@ -113,18 +122,12 @@ static void masks_that_leave_voxels_to_nobody_are_refused_and_ties_told(void** s
         {halves, CLEFT_OK, NULL},
         {equal_inside, CLEFT_OK, "several indicator functions are the greatest at"},
     };
-    const int64_t dims[3] = {N, N, N};
-    float* field[3];
     warnings reported;
     cleft_context* context = listening_context(&reported);
     (void)state;
-    for (int f = 0; f < 3; ++f)
-        field[f] = (float*)malloc(sizeof(float) * VOXELS);
     for (size_t c = 0; c < sizeof cases / sizeof cases[0]; ++c) {
         cleft_volume* volume = NULL;
-        fill(field, cases[c].value);
-        const cleft_status status = cleft_volume_create_indicators(
-            context, CLEFT_TYPE_FLOAT32, (const void* const*)field, 3, dims, NULL, NULL, &volume);
+        const cleft_status status = create_functions(context, 3, cases[c].value, &volume);
         if (status != cases[c].status)
             fail_msg("case %d: status %d: %s", (int)c, (int)status, cleft_context_last_error(context));
         assert_reported(&reported, status == CLEFT_OK ? cases[c].words : NULL);
@@ -134,37 +137,45 @@ static void masks_that_leave_voxels_to_nobody_are_refused_and_ties_told(void** s
         }
         cleft_volume_destroy(volume);
     }
-    /* the number of voxels that nobody claims, exactly; and one function alone is signed, which is reported of a mask
-     */
-    int64_t unclaimed = 0;
-    char sentence[64];
+    cleft_context_destroy(context);
+}
+
+static void voxels_of_no_mask_are_counted(void** state)
+{
+    cleft_context* context = new_context();
     cleft_volume* volume = NULL;
-    fill(field, masks);
+    char sentence[64];
+    int unclaimed = 0;
+    (void)state;
     for (int v = 0; v < VOXELS; ++v)
-        unclaimed += field[0][v] + field[1][v] == 0;
-    assert_fails(context, CLEFT_ERROR_ARGUMENT,
-                 cleft_volume_create_indicators(context, CLEFT_TYPE_FLOAT32, (const void* const*)field, 3, dims, NULL,
-                                                NULL, &volume));
-    snprintf(sentence, sizeof sentence, "%d of 8000 voxels", (int)unclaimed);
+        unclaimed += masks(0, v) + masks(1, v) == 0;
+    assert_fails(context, CLEFT_ERROR_ARGUMENT, create_functions(context, 3, masks, &volume));
+    snprintf(sentence, sizeof sentence, "%d of 8000 voxels", unclaimed);
     assert_non_null(strstr(cleft_context_last_error(context), sentence));
-    assert_ok(context, cleft_volume_create_indicators(context, CLEFT_TYPE_FLOAT32, (const void* const*)field, 1, dims,
-                                                      NULL, NULL, &volume));
-    assert_reported(&reported, "the only indicator function is 0 or one other number");
-    cleft_volume_destroy(volume);
-    volume = NULL;
-    fill(field, signs);
-    assert_ok(context, cleft_volume_create_indicators(context, CLEFT_TYPE_FLOAT32, (const void* const*)field, 1, dims,
-                                                      NULL, NULL, &volume));
-    assert_reported(&reported, NULL);
-    cleft_volume_destroy(volume);
-    volume = NULL;
-    fill(field, clipped);
-    assert_ok(context, cleft_volume_create_indicators(context, CLEFT_TYPE_FLOAT32, (const void* const*)field, 2, dims,
-                                                      NULL, NULL, &volume));
-    assert_reported(&reported, "several indicator functions are the greatest at");
-    cleft_volume_destroy(volume);
-    for (int f = 0; f < 3; ++f)
-        free(field[f]);
+    cleft_context_destroy(context);
+}
+
+/* One function alone is signed: inside where it is positive. */
+static void one_or_two_functions_are_told_where_they_leave_a_doubt(void** state)
+{
+    static const struct {
+        int count;
+        float (*value)(int, int);
+        const char* words;
+    } cases[] = {
+        {1, masks, "the only indicator function is 0 or one other number"},
+        {1, signs, NULL},
+        {2, clipped, "several indicator functions are the greatest at"},
+    };
+    warnings reported;
+    cleft_context* context = listening_context(&reported);
+    (void)state;
+    for (size_t c = 0; c < sizeof cases / sizeof cases[0]; ++c) {
+        cleft_volume* volume = NULL;
+        assert_ok(context, create_functions(context, cases[c].count, cases[c].value, &volume));
+        assert_reported(&reported, cases[c].words);
+        cleft_volume_destroy(volume);
+    }
     cleft_context_destroy(context);
 }
 
@@ -290,6 +301,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(volumes_that_differ_are_told_in_one_sentence),
         cmocka_unit_test(masks_that_leave_voxels_to_nobody_are_refused_and_ties_told),
+        cmocka_unit_test(voxels_of_no_mask_are_counted),
+        cmocka_unit_test(one_or_two_functions_are_told_where_they_leave_a_doubt),
         cmocka_unit_test(smooth_that_has_no_effect_is_told),
         cmocka_unit_test(a_number_for_a_background_that_is_given_is_told),
         cmocka_unit_test(a_number_that_sizes_of_the_user_exceed_is_told),
