@@ -105,7 +105,6 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     character(kind=c_char), target :: chars(len(paths) + 1, size(paths))
-    type(cleft_io_raw) :: raw
     type(c_ptr) :: made
     integer(c_int32_t) :: status
     integer :: j
@@ -118,19 +117,8 @@ contains
       end if
     end if
     chars = c_texts(paths)
-    raw%struct_size = int(c_sizeof(raw), c_int32_t)
-    raw%type = type
-    raw%big_endian = 0
-    raw%kind = CLEFT_IO_KIND_AUTO
-    raw%skip = 0
-    raw%dims = dims
-    raw%spacing = 1
-    if (present(big_endian)) raw%big_endian = merge(1_c_int32_t, 0_c_int32_t, big_endian)
-    if (present(kind)) raw%kind = kind
-    if (present(skip)) raw%skip = skip
-    if (present(spacing)) raw%spacing = spacing
     status = cleft_io_read_raw(context%c_handle(), c_options(options), [(c_loc(chars(1, j)), j=1, size(paths))], &
-      size(paths, kind=c_int64_t), raw, made)
+      size(paths, kind=c_int64_t), raw_layout(dims, type, spacing, big_endian, skip, kind), made)
     call volume%adopt(made)
     call context%conclude(status, stat, errmsg)
   end subroutine
@@ -286,6 +274,28 @@ contains
     if (present(kind)) reading%kind = kind
     if (present(spacing)) reading%spacing = spacing
     if (present(scale)) reading%scale = scale
+  end function
+
+  pure function raw_layout(dims, type, spacing, big_endian, skip, kind) result(raw)
+    integer, intent(in) :: dims(3)
+    integer(c_int32_t), intent(in) :: type
+    real(c_double), intent(in), optional :: spacing(3)
+    logical, intent(in), optional :: big_endian
+    integer, intent(in), optional :: skip
+    integer(c_int32_t), intent(in), optional :: kind
+    type(cleft_io_raw) :: raw
+
+    raw%struct_size = int(c_sizeof(raw), c_int32_t)
+    raw%type = type
+    raw%big_endian = 0
+    raw%kind = CLEFT_IO_KIND_AUTO
+    raw%skip = 0
+    raw%dims = dims
+    raw%spacing = 1
+    if (present(big_endian)) raw%big_endian = merge(1_c_int32_t, 0_c_int32_t, big_endian)
+    if (present(kind)) raw%kind = kind
+    if (present(skip)) raw%skip = skip
+    if (present(spacing)) raw%spacing = spacing
   end function
 
 end module
