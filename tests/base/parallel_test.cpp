@@ -1,0 +1,110 @@
+// Loops over threads: every item once, the error of the lowest chunk, and what a lack of memory does to either.
+#include "base/parallel.hpp"
+
+#include <cstdlib>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "support/cmocka.hpp"
+
+using namespace cleft;
+
+// How many allocations still succeed; below 0: all of them.
+static std::atomic<int64_t> granted{-1};
+
+void* operator new(size_t size)
+{
+    void* const block = granted.load() == 0 ? nullptr : std::malloc(size);
+    if (!block)
+        throw std::bad_alloc();
+    if (granted.load() > 0)
+        --granted;
+    return block;
+}
+// Not inlined: the compiler would take new and free() for a pair that does not match.
+[[gnu::noinline]] static void released(void* block) { std::free(block); }
+void operator delete(void* block) noexcept { released(block); }
+void operator delete(void* block, size_t) noexcept { released(block); }
+
+namespace
+{
+
+constexpr int64_t kItems = 1000, kGrain = 7;
+
+Run with_threads(int threads)
+{
+    Run run;
+    run.threads = threads;
+    return run;
+}
+
+bool each_once(const Array<int>& visits)
+{
+    return std::all_of(visits.begin(), visits.end(), [](int count) { return count == 1; });
+}
+
+void every_item_is_visited_once(void**)
+{
+    for (const int threads : {1, 2, 5, 1000}) {
+        Array<int> visits(kItems, 0);
+        parallel_for(with_threads(threads), kItems, kGrain, [&](int64_t begin, int64_t end) {
+            for (int64_t i = begin; i < end; ++i)
+                ++visits[i];
+        });
+        assert_true(each_once(visits));
+    }
+    bool called = false;
+    parallel_for(with_threads(4), 0, kGrain, [&](int64_t, int64_t) { called = true; });
+    assert_false(called);
+}
+
+void the_error_of_the_lowest_chunk_is_thrown(void**)
+{
+    for (int repeat = 0; repeat < 20; ++repeat) {
+        std::string message;
+        try {
+            parallel_chunks(with_threads(4), kItems, kGrain, [](int64_t chunk, int64_t, int64_t) {
+                if (chunk >= 3)
+                    throw std::runtime_error(std::to_string(chunk));
+            });
+        } catch (const std::runtime_error& error) {
+            message = error.what();
+        }
+        assert_string_equal(message.c_str(), "3");
+    }
+}
+
+// Either nothing is done and the caller learns of it, or the threads that there are do all of it.
+void a_lack_of_memory_ends_nothing_halfway(void**)
+{
+    bool all_done = false;
+    for (int64_t count = 0; !all_done; ++count) {
+        Array<int> visits(kItems, 0);
+        bool refused = false;
+        granted = count;
+        try {
+            parallel_for(with_threads(4), kItems, kGrain, [&](int64_t begin, int64_t end) {
+                for (int64_t i = begin; i < end; ++i)
+                    ++visits[i];
+            });
+        } catch (const std::bad_alloc&) {
+            refused = true;
+        }
+        all_done = granted > 0;
+        granted = -1;
+        assert_true(refused ? visits == Array<int>(kItems, 0) : each_once(visits));
+    }
+}
+
+}  // namespace
+
+int main()
+{
+    const CMUnitTest tests[] = {
+        cmocka_unit_test(every_item_is_visited_once),
+        cmocka_unit_test(the_error_of_the_lowest_chunk_is_thrown),
+        cmocka_unit_test(a_lack_of_memory_ends_nothing_halfway),
+    };
+    return cmocka_run_group_tests(tests, nullptr, nullptr);
+}
