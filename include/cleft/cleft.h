@@ -141,11 +141,11 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_context_set_threads(cleft_context* 
 /** Returns the number of threads in use, 0 for NULL. \since 0.1 */
 CLEFT_API int32_t cleft_context_threads(const cleft_context* context) CLEFT_NOEXCEPT;
 
-/** Receives the progress of the running call. `fraction` is in [0, 1], never falls, and ends at 1 if the call
- *  succeeds. `stage` names the stage in words and is borrowed for the call. A nonzero return value cancels the call.
- *
- *  The library calls it on the thread that called the library, usually ten times a second or more. It may repeat a
- *  fraction. TetGen cannot be interrupted; it takes seconds for millions of tetrahedra. \since 0.1 */
+/** Receives the progress of the running call. `fraction` is in [0, 1] and never falls. It grows about as time passes
+ *  (docs/quality.md), and ends at 1 if the call succeeds. `stage` names the stage in words and is borrowed for the
+ *  call. A nonzero return value cancels the call. The library calls it on the thread that called the library, usually
+ *  ten times a second or more. It may repeat a fraction. TetGen cannot be interrupted; it takes seconds for millions of
+ *  tetrahedra. \since 0.1 */
 typedef int (*cleft_progress_callback)(double fraction, const char* stage, void* user);
 /** Sets the progress callback; NULL removes it. The library passes `user` to the callback. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_context_set_progress(cleft_context* context,
