@@ -39,6 +39,16 @@ inline Character first_character(std::string_view text)
     return code < kLeast[bytes] || surrogate || code > 0x10FFFF ? Character{} : Character{code, bytes};
 }
 
+// The beginning of a text of UTF-8 that has no more than so many bytes, and only whole characters.
+inline std::string_view beginning_of(std::string_view text, size_t bytes)
+{
+    if (text.size() <= bytes)
+        return text;
+    while (bytes > 0 && (static_cast<unsigned char>(text[bytes]) & 0xC0U) == 0x80)
+        --bytes;
+    return text.substr(0, bytes);
+}
+
 // What came from outside stands in sentences, which must be text nevertheless.
 inline std::string printable(std::string_view text)
 {

@@ -1,8 +1,9 @@
 // Contexts: what a caller sets for its calls, and what the last call left there. Also the few functions that need no
 // handle.
+#include "base/utf8.hpp"
 #include "capi/firewall.hpp"
 
-#include <cstdio>
+#include <algorithm>
 #include <thread>
 
 namespace cleft::capi
@@ -10,9 +11,13 @@ namespace cleft::capi
 
 void set_message(Message* message, const char* sentence) noexcept
 {
-    // Cut, not refused: the beginning of a sentence names the fault. Entries without a context have nowhere to put one.
-    if (message)
-        std::snprintf(message->data(), message->size(), "%s", sentence ? sentence : "");
+    // Entries without a context have nowhere to put one.
+    if (!message)
+        return;
+    // Cut, not refused: the beginning of a sentence names the fault.
+    const std::string_view kept = beginning_of(sentence ? sentence : "", message->size() - 1);
+    std::copy(kept.begin(), kept.end(), message->begin());
+    (*message)[kept.size()] = '\0';
 }
 
 }  // namespace cleft::capi

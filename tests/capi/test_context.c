@@ -66,6 +66,23 @@ static void a_long_sentence_is_cut_not_lost(void** state)
     cleft_context_destroy(context);
 }
 
+/* Two bytes each, at odd and at even places: one of the two would be cut in its middle. */
+static void a_long_sentence_ends_with_a_whole_character(void** state)
+{
+    (void)state;
+    for (size_t shift = 0; shift < 2; ++shift) {
+        cleft_context* context = new_context();
+        char sentence[5001] = "a";
+        for (size_t i = shift; i + 1 < sizeof sentence - 1; i += 2)
+            memcpy(sentence + i, "\xc3\xa9", 2);
+        assert_int_equal(cleft_context_set_error(context, CLEFT_ERROR_FILE, sentence), CLEFT_ERROR_FILE);
+        const char* kept = cleft_context_last_error(context);
+        assert_true(strlen(kept) >= 1000);
+        assert_memory_equal(kept + strlen(kept) - 2, "\xc3\xa9", 2);
+        cleft_context_destroy(context);
+    }
+}
+
 typedef struct heard {
     int32_t level;
     char sentence[32];
@@ -127,6 +144,7 @@ int main(void)
         cmocka_unit_test(every_status_has_its_own_text_and_number),
         cmocka_unit_test(threads_are_checked_and_zero_means_the_machine),
         cmocka_unit_test(a_long_sentence_is_cut_not_lost),
+        cmocka_unit_test(a_long_sentence_ends_with_a_whole_character),
         cmocka_unit_test(components_reach_the_log),
         cmocka_unit_test(null_and_foreign_handles_are_statuses),
     };
