@@ -177,13 +177,14 @@ inline void say(cleft_context& context, int32_t level, const char* sentence)
         context.log(level, sentence, context.log_user);
 }
 
-// An entry that may run long: clears the last message and cancel request, and gives the body a Run.
+// An entry that may run long: clears the last message and cancel request, and gives the body a Run. `stage` is what
+// progress calls the work until a stage within it has a name.
 template <class Body>
-cleft_status guarded_run(cleft_context* context, const Body& body) noexcept
+cleft_status guarded_run(cleft_context* context, const char* stage, const Body& body) noexcept
 {
     return guarded_call(context, [&](cleft_context& sound) {
         begin(sound);
-        Reporter reporter(sound);
+        Reporter reporter(sound, stage);
         Run run;
         run.threads = sound.threads;
         run.cancel = &sound.cancel;
@@ -201,12 +202,12 @@ cleft_status guarded_run(cleft_context* context, const Body& body) noexcept
 
 // An entry that makes a handle: *out is NULL unless all went well.
 template <class Handle, class Make>
-cleft_status guarded_create(cleft_context* context, Handle** out, const Make& make) noexcept
+cleft_status guarded_create(cleft_context* context, Handle** out, const char* stage, const Make& make) noexcept
 {
     // Even where all else fails: callers destroy *out in their cleanup without a look at the status.
     if (out)
         *out = nullptr;
-    return guarded_run(context, [&](const Run& run) {
+    return guarded_run(context, stage, [&](const Run& run) {
         required(out, "out");
         auto made = std::make_unique<Handle>(make(run));
         // The last report may cancel. Then the handle goes with its owner, and *out is still NULL.

@@ -70,7 +70,7 @@ cleft_status cleft_mesh_create(cleft_context* context, int64_t point_count, cons
                                const int32_t* tets, const int32_t* labels, int32_t index_base,
                                cleft_mesh** out) noexcept
 {
-    return guarded_create(context, out, [&](const Run&) {
+    return guarded_create(context, out, "mesh", [&](const Run&) {
         check_counts(point_count, tet_count, index_base);
         // No elements, no array: languages hand over NULL for an empty one.
         if (point_count > 0)

@@ -92,7 +92,7 @@ const cleft::LabelRow& row_at(const cleft_report& report, int64_t index)
 
 cleft_status cleft_mesh_quality(cleft_context* context, const cleft_mesh* mesh, cleft_quality* out) noexcept
 {
-    return guarded_run(context, [&](const Run& run) {
+    return guarded_run(context, "quality", [&](const Run& run) {
         const auto from = held(mesh, "mesh");
         const cleft::UserMesh& m = from->mesh;
         // Before the work: a struct whose size was not set should not cost a pass over the mesh first.
@@ -125,7 +125,7 @@ cleft_status cleft_mesh_quality(cleft_context* context, const cleft_mesh* mesh, 
 cleft_status cleft_mesh_validate(cleft_context* context, const cleft_mesh* mesh, int32_t fills_box,
                                  cleft_validation* out) noexcept
 {
-    return guarded_run(context, [&](const Run& run) {
+    return guarded_run(context, "validation", [&](const Run& run) {
         const auto from = held(mesh, "mesh");
         const cleft_mesh& m = *from;
         cleft::check_struct_size(*required(out, "out"), "cleft_validation");
@@ -157,7 +157,7 @@ cleft_status cleft_mesh_validate(cleft_context* context, const cleft_mesh* mesh,
 
 cleft_status cleft_surface_create(cleft_context* context, const cleft_mesh* mesh, cleft_surface** out) noexcept
 {
-    return guarded_create(context, out, [&](const Run& run) {
+    return guarded_create(context, out, "surface", [&](const Run& run) {
         const auto from = held(mesh, "mesh");
         const cleft_mesh& m = *from;
         const cleft::UserMesh local = upright(m);
@@ -216,7 +216,7 @@ const int32_t* cleft_surface_hull_sides(const cleft_surface* surface) noexcept
 cleft_status cleft_report_create(cleft_context* context, const cleft_volume* volume, const cleft_mesh* mesh,
                                  cleft_report** out) noexcept
 {
-    return guarded_create(context, out, [&](const Run& run) {
+    return guarded_create(context, out, "report", [&](const Run& run) {
         const auto v = held(volume, "volume");
         // A copy before the first callback, so the mesh need not be held.
         const LabelledMesh m = to_stage(checked(mesh, "mesh"), *v);

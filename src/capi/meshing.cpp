@@ -66,7 +66,7 @@ LabelledMesh meshed(const cleft_volume& volume, const cleft_sizing* sizing, cons
 cleft_status cleft_background_create(cleft_context* context, const cleft_sizing* sizing, const cleft_options* options,
                                      cleft_mesh** out) noexcept
 {
-    return guarded_create(context, out, [&](const Run& run) {
+    return guarded_create(context, out, "background", [&](const Run& run) {
         const auto s = held(sizing, "sizing");
         cleft::TetMesh mesh = cleft::make_background(s->sizing, pipeline_options(options), run);
         LabelledMesh labelled{std::move(mesh.points), std::move(mesh.tets), {}};
@@ -80,7 +80,7 @@ cleft_status cleft_background_create(cleft_context* context, const cleft_sizing*
 cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volume, const cleft_mesh* background,
                                const cleft_options* options, cleft_mesh** out) noexcept
 {
-    return guarded_create(context, out, [&](const Run& run) {
+    return guarded_create(context, out, "cleaving", [&](const Run& run) {
         const auto v = held(volume, "volume");
         const auto from = held(background, "background");
         const cleft::PipelineOptions p = pipeline_options(options);
@@ -99,7 +99,7 @@ cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volum
 cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volume, const cleft_mesh* mesh,
                                 const cleft_options* options, cleft_mesh** out) noexcept
 {
-    return guarded_create(context, out, [&](const Run& run) {
+    return guarded_create(context, out, "improving", [&](const Run& run) {
         const auto v = held(volume, "volume");
         const auto from = held(mesh, "mesh");
         const cleft::PipelineOptions p = pipeline_options(options, *v);
@@ -121,7 +121,7 @@ cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volu
 cleft_status cleft_mesh_strip(cleft_context* context, const cleft_mesh* mesh, const cleft_options* options,
                               cleft_mesh** out) noexcept
 {
-    return guarded_create(context, out, [&](const Run& run) {
+    return guarded_create(context, out, "stripping", [&](const Run& run) {
         const auto from = held(mesh, "mesh");
         // Stripping by no list would be a copy, so that NULL is a mistake here and no default.
         const auto lists = held(options, "options");
@@ -139,7 +139,7 @@ cleft_status cleft_mesh_strip(cleft_context* context, const cleft_mesh* mesh, co
 cleft_status cleft_mesh_volume(cleft_context* context, const cleft_volume* volume, const cleft_sizing* sizing,
                                const cleft_mesh* background, const cleft_options* options, cleft_mesh** out) noexcept
 {
-    return guarded_create(context, out, [&](const Run& run) {
+    return guarded_create(context, out, "mesh", [&](const Run& run) {
         const auto v = held(volume, "volume");
         const auto held_options = held_if_any(options, "options");
         const auto held_sizing = held_if_any(sizing, "sizing");

@@ -14,7 +14,8 @@ namespace cleft::capi
 class Reporter
 {
 public:
-    explicit Reporter(cleft_context& context) : context_(context) {}
+    // `stage`: what is reported before a stage within the call has a name.
+    Reporter(cleft_context& context, const char* stage) : context_(context), stage_(stage) {}
 
     // True if the callback asks to cancel. A stage that looks twice does not go back. Null: the stage before.
     bool report(double fraction, const char* stage)
@@ -23,7 +24,7 @@ public:
         // than before.
         fraction_ = std::clamp(fraction, fraction_, 1.0);
         stage_ = stage ? stage : stage_;
-        return stage_ && call();
+        return call();
     }
 
     // Says the same again if the last time was long ago, so that a callback that cancels has its say within loops that
@@ -31,7 +32,7 @@ public:
     bool repeat()
     {
         // Callers in Python, Java and C# may run a callback only on the thread that made the call.
-        return stage_ && std::this_thread::get_id() == caller_ && Clock::now() - last_ > kPatience && call();
+        return std::this_thread::get_id() == caller_ && Clock::now() - last_ > kPatience && call();
     }
 
 private:
@@ -52,7 +53,7 @@ private:
     cleft_context& context_;
     const std::thread::id caller_ = std::this_thread::get_id();
     double fraction_ = 0;
-    const char* stage_ = nullptr;
+    const char* stage_;
     Clock::time_point last_;
 };
 

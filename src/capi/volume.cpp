@@ -59,7 +59,7 @@ cleft_status cleft_volume_create_labels(cleft_context* context, cleft_type type,
                                         const int64_t dims[3], const double affine[12], const cleft_options* options,
                                         cleft_volume** out) noexcept
 {
-    return guarded_create(context, out, [&](const Run& run) {
+    return guarded_create(context, out, "volume", [&](const Run& run) {
         required(voxels, "voxels");
         if (options)
             checked(options, "options");
@@ -74,7 +74,7 @@ cleft_status cleft_volume_create_indicators(cleft_context* context, cleft_type t
                                             int64_t count, const int64_t dims[3], const double affine[12],
                                             const int32_t* labels, cleft_volume** out) noexcept
 {
-    return guarded_create(context, out, [&](const Run& run) {
+    return guarded_create(context, out, "volume", [&](const Run& run) {
         required(fields, "fields");
         // Before any field is read: a wrong count would have the loop read pointers past the array.
         if (count < 1 || count > 65535)

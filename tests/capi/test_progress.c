@@ -47,8 +47,9 @@ static void progress_of_every_stage_ends_at_one(void** state)
                  cleft_volume_create_indicators(context, CLEFT_TYPE_FLOAT32, fields, 1, dims, NULL, NULL, &functions));
     for (int32_t kind = 0; kind < 3; ++kind) {
         cleft_options* options = NULL;
-        cleft_sizing *sizing = NULL, *own = NULL;
-        cleft_mesh *background = NULL, *cleaved = NULL, *improved = NULL;
+        cleft_sizing *sizing = NULL, *own = NULL, *given = NULL, *constant = NULL;
+        cleft_mesh *background = NULL, *cleaved = NULL, *improved = NULL, *stripped = NULL;
+        cleft_estimate estimate = {.struct_size = sizeof estimate};
         cleft_surface* surface = NULL;
         cleft_report* report = NULL;
         cleft_quality quality = {.struct_size = sizeof quality};
@@ -58,18 +59,26 @@ static void progress_of_every_stage_ends_at_one(void** state)
         assert_whole(context, &w, cleft_sizing_create(context, volume, options, &sizing));
         assert_whole(context, &w,
                      cleft_sizing_create_values(context, volume, CLEFT_TYPE_FLOAT32, values, 1, options, &own));
+        assert_whole(context, &w,
+                     cleft_sizing_create_values(context, volume, CLEFT_TYPE_FLOAT32, values, 0, options, &given));
+        assert_whole(context, &w, cleft_sizing_create_constant(context, volume, 3, &constant));
+        assert_whole(context, &w, cleft_mesh_estimate(context, volume, constant, NULL, options, &estimate));
         assert_whole(context, &w, cleft_background_create(context, own, options, &background));
         assert_whole(context, &w, cleft_mesh_cleave(context, volume, background, options, &cleaved));
         assert_whole(context, &w, cleft_mesh_improve(context, volume, cleaved, options, &improved));
+        assert_whole(context, &w, cleft_mesh_strip(context, improved, options, &stripped));
         assert_whole(context, &w, cleft_surface_create(context, improved, &surface));
         assert_whole(context, &w, cleft_report_create(context, volume, improved, &report));
         assert_whole(context, &w, cleft_mesh_quality(context, improved, &quality));
         assert_whole(context, &w, cleft_mesh_validate(context, improved, 1, &validation));
         cleft_report_destroy(report);
         cleft_surface_destroy(surface);
+        cleft_mesh_destroy(stripped);
         cleft_mesh_destroy(improved);
         cleft_mesh_destroy(cleaved);
         cleft_mesh_destroy(background);
+        cleft_sizing_destroy(constant);
+        cleft_sizing_destroy(given);
         cleft_sizing_destroy(own);
         cleft_sizing_destroy(sizing);
         cleft_options_destroy(options);
