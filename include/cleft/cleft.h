@@ -539,11 +539,14 @@ typedef struct cleft_estimate {
     double tets;            /**< tetrahedra of the finished mesh, in the labels that strip and only keep */
     double whole_tets;      /**< tetrahedra of the mesh before labels are left out */
     double background_tets; /**< tetrahedra of the background */
-    double peak_bytes;      /**< an upper bound on the memory of a process that makes the mesh, in bytes */
+    double peak_bytes;      /**< an upper bound on the memory of a process that reads the volume and makes the mesh, in
+                             *   bytes */
 } cleft_estimate;
 
-/** Estimates the mesh that cleft_mesh_volume() makes with the same arguments, within 15 %; see docs/quality.md. It
- *  makes no mesh, and computes the sizing field unless the caller gives that or a background. \since 0.1 */
+/** Estimates the mesh that cleft_mesh_volume() makes with the same arguments. The numbers are within 15 % for the
+ *  volumes of docs/quality.md; where is_bound is 1, or for meshes of fewer than some thousand tetrahedra, they may be
+ *  off by more. The function makes no mesh. It computes the sizing field unless the caller gives that or a background.
+ *  \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_estimate(cleft_context* context, const cleft_volume* volume,
                                                            const cleft_sizing* sizing, const cleft_mesh* background,
                                                            const cleft_options* options,

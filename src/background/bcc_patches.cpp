@@ -150,16 +150,25 @@ Index cells_between_walls(const Vec3& extent, double wanted)
     return best;
 }
 
+// A cell holds two points, so this side gives the density that particles have elsewhere.
+double cell_side(double size) { return size * std::cbrt(2 / kParticleDensity[3]); }
+
 }  // namespace
+
+double cells_of_constant_size(const Grid& grid, double size)
+{
+    double count = 1;
+    for (const int32_t cells : cells_between_walls(grid.extent(), cell_side(size)))
+        count *= cells;
+    return count;
+}
 
 BccPatches constant_size_patches(const SizingField& field, const SizeSampler& size, const Run& run)
 {
-    const double greatest = *std::max_element(field.h.begin(), field.h.end());
-    // A cell holds two points, so this side gives the density that particles have elsewhere.
-    const double wanted = greatest * std::cbrt(2 / kParticleDensity[3]);
+    const double greatest = field.greatest();
     BccPatches lattice;
     lattice.extent = size.extent();
-    const Index cells = cells_between_walls(lattice.extent, wanted);
+    const Index cells = cells_between_walls(lattice.extent, cell_side(greatest));
     if (cells[0] == 0)
         return {};
     for (int a = 0; a < 3; ++a)

@@ -26,6 +26,9 @@ struct BccPatches {
     void add_particles(ParticleSet& out) const;
 };
 
+// The number of cells of the lattice that fills a box in which h has this one value; 0 where none is used.
+double cells_of_constant_size(const Grid& grid, double size);
+
 // None where the lattice would have to be stretched by more than a tenth to fit between the walls.
 BccPatches constant_size_patches(const SizingField& field, const SizeSampler& size, const Run& run);
 

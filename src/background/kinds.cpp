@@ -1,6 +1,8 @@
 // What each kind of background is made by, and how many tetrahedra it will have.
 #include "background/kinds.hpp"
 
+#include "background/bcc_cell.hpp"
+#include "background/bcc_patches.hpp"
 #include "background/lattice.hpp"
 #include "background/octree.hpp"
 
@@ -10,13 +12,20 @@ namespace cleft
 namespace
 {
 
+// Particles of one size everywhere are seeded as a lattice that fits the box, so that their number is known.
+double particle_tets(const SizingField& field)
+{
+    const double cells = field.least() == field.greatest() ? cells_of_constant_size(field.grid, field.greatest()) : 0;
+    return cells > 0 ? kTetsOfBccCell * cells : expected_particle_tets(field);
+}
+
 // In the order of BackgroundKind.
 constexpr BackgroundRow kRows[] = {
     {[](const SizingField& field, const BackgroundOptions& options, const Run& run) {
          return particle_background(field, options.particles, run);
      },
-     [](const SizingField& field, const BackgroundOptions&, const Run&) { return expected_particle_tets(field); },
-     nullptr, 57},
+     [](const SizingField& field, const BackgroundOptions&, const Run&) { return particle_tets(field); }, nullptr,
+     [](const SizingField& field, double, const Run&) { return expected_particle_tets(field); }, 57, 165},
     {[](const SizingField& field, const BackgroundOptions& options, const Run& run) {
          return field_lattice(field, options.lattice, run);
      },
@@ -26,12 +35,12 @@ constexpr BackgroundRow kRows[] = {
      [](const SizingField& field, const BackgroundOptions& options) {
          return field_lattice_size(field, options.lattice);
      },
-     5},
+     nullptr, 5, 112},
     {[](const SizingField& field, const BackgroundOptions&, const Run& run) { return octree_background(field, run); },
      [](const SizingField& field, const BackgroundOptions&, const Run& run) {
          return static_cast<double>(octree_tets(field, run));
      },
-     nullptr, 10},
+     nullptr, octree_tets_near_limit, 10, 112},
 };
 
 // The share of the voxels that are in kept materials.

@@ -24,8 +24,13 @@ struct BackgroundRow {
     double (*expected_tets)(const SizingField& field, const BackgroundOptions& options, const Run& run);
     // The one size of its tetrahedra; null where they follow the field.
     double (*uniform_size)(const SizingField& field, const BackgroundOptions& options);
+    // What the sizes are limited by, as SizingOptions::expected_tets; null where they need not be, since making the
+    // background keeps to max_tets.
+    double (*tets_near_limit)(const SizingField& field, double limit, const Run& run);
     // Of the time from here to the finished mesh, in percent, on volumes of some millions of tetrahedra.
     double share_of_time;
+    // The peak of memory for each of its tetrahedra, of making it or of cleaving it where nothing is cut.
+    double bytes_a_tet;
 };
 
 const BackgroundRow& row_of(BackgroundKind kind);

@@ -109,21 +109,18 @@ FixedArray<int32_t, 3> cell_counts(const Vec3& extent, double size)
     return cells;
 }
 
-// Four tetrahedra around each of six faces, half of which belong to the cell behind; at a wall two in the cell.
-constexpr double kTetsACell = 12;
-
 }  // namespace
 
 double lattice_size_for(const Grid& grid, double tets)
 {
-    return kMeanEdge * std::cbrt(kTetsACell * grid.extent().prod() / tets);
+    return kMeanEdge * std::cbrt(kTetsOfBccCell * grid.extent().prod() / tets);
 }
 
 double lattice_tets_for(const Grid& grid, double size) { return std::pow(lattice_size_for(grid, 1) / size, 3); }
 
 double lattice_tets(const Grid& grid, double size)
 {
-    double tets = kTetsACell;
+    double tets = kTetsOfBccCell;
     for (const int32_t n : cell_counts(grid.extent(), size))
         tets *= n;
     return tets;

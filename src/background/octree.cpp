@@ -298,4 +298,12 @@ int64_t octree_tets(const SizingField& field, const Run& run)
     return tets;
 }
 
+double octree_tets_near_limit(const SizingField& field, double limit, const Run& run)
+{
+    // The rough number is off by less than that for sizes of features. A tree takes as long as some percent of a mesh.
+    constexpr double kFar = 4;
+    const double rough = rough_octree_tets(field);
+    return rough > kFar * limit || kFar * rough < limit ? rough : static_cast<double>(octree_tets(field, run));
+}
+
 }  // namespace cleft

@@ -16,4 +16,7 @@ TetMesh octree_background(const SizingField& field, const Run& run);
 // How many tetrahedra that has, by its tree alone; those that split sides add are taken as usual.
 int64_t octree_tets(const SizingField& field, const Run& run);
 
+// The same where the number is near `limit`; farther away a rough number, by which it is known on which side it is.
+double octree_tets_near_limit(const SizingField& field, double limit, const Run& run);
+
 }  // namespace cleft

@@ -33,7 +33,7 @@ constexpr double kTetsOverParticles = 1.5;
 
 void refuse_too_many(const SizingField& field)
 {
-    const double tets = kTetsOverParticles * expected_particle_tets(field);
+    const double tets = rough_octree_tets(field);
     if (tets > kMostTets)
         throw Error(CLEFT_ERROR_TOO_LARGE, "the sizes ask for an octree of about " + count_text(tets / 1e6) +
                                                " million tetrahedra, but it can have 600 million at most: set a "
@@ -182,6 +182,8 @@ int32_t Octree::find(const Int3& at, int32_t level) const
     }
     return cell;
 }
+
+double rough_octree_tets(const SizingField& field) { return kTetsOverParticles * expected_particle_tets(field); }
 
 Octree build_octree(const SizingField& field, const Run& run)
 {

@@ -33,6 +33,9 @@ struct Octree {
     int32_t find(const Int3& at, int32_t level) const;
 };
 
+// The tetrahedra that an octree mostly has, without building it.
+double rough_octree_tets(const SizingField& field);
+
 // Splits cells until a leaf's mean edge is about h, then until leaves that share a face or an edge differ by at most
 // one level.
 Octree build_octree(const SizingField& field, const Run& run);

@@ -6,7 +6,6 @@
 #include "capi/given_mesh.hpp"
 #include "capi/mesh_frame.hpp"
 #include "capi/options.hpp"
-#include "sizing/volume_sizing.hpp"
 
 using namespace cleft::capi;
 using cleft::Estimate;
@@ -26,11 +25,9 @@ Estimate estimated(const cleft_volume& volume, const cleft_sizing* sizing, const
     if (background)
         return cleft::estimate_from_background(volume.volume, given_background(*background, volume.frame, run).mesh, p,
                                                run);
-    return cleft::estimate_from_sizing(volume.volume,
-                                       sizing
-                                           ? given_sizing(*sizing, volume)
-                                           : cleft::ScaledSizing{cleft::compute_sizing(volume.volume, p.sizing, run)},
-                                       p, run);
+    return cleft::estimate_from_sizing(
+        volume.volume,
+        sizing ? given_sizing(*sizing, volume) : cleft::ScaledSizing{cleft::sizes_of(volume.volume, p, run)}, p, run);
 }
 
 }  // namespace
@@ -39,7 +36,7 @@ cleft_status cleft_mesh_estimate(cleft_context* context, const cleft_volume* vol
                                  const cleft_mesh* background, const cleft_options* options,
                                  cleft_estimate* out) noexcept
 {
-    return guarded_run(context, [&](const Run& run) {
+    return guarded_run(context, "estimate", [&](const Run& run) {
         const auto v = held(volume, "volume");
         const auto held_options = held_if_any(options, "options");
         const auto held_sizing = held_if_any(sizing, "sizing");

@@ -3,7 +3,6 @@
 #include "capi/firewall.hpp"
 #include "capi/options.hpp"
 #include "pipeline/pipeline.hpp"
-#include "sizing/volume_sizing.hpp"
 
 #include <cmath>
 
@@ -16,13 +15,13 @@ using cleft::SizingField;
 namespace
 {
 
-// Checked as doubles: as a float, a value beyond 3e38 would be infinite, and the sentence would not name it.
-cleft::Array<double> as_doubles(cleft_type type, const void* values, int64_t count)
+// No copy in between: a field can be the largest array of all.
+SizingField field_of(cleft_type type, const void* values, const cleft::Grid& grid)
 {
     if (type == CLEFT_TYPE_FLOAT32)
-        return cleft::Array<double>(static_cast<const float*>(values), static_cast<const float*>(values) + count);
+        return cleft::sizing_from_values(grid, static_cast<const float*>(values));
     if (type == CLEFT_TYPE_FLOAT64)
-        return cleft::Array<double>(static_cast<const double*>(values), static_cast<const double*>(values) + count);
+        return cleft::sizing_from_values(grid, static_cast<const double*>(values));
     throw Error(CLEFT_ERROR_ARGUMENT, "the values of a sizing field must be FLOAT32 or FLOAT64");
 }
 
@@ -41,7 +40,7 @@ cleft_sizing finished(const cleft_volume& v, ScaledSizing sizing, const cleft::P
 cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* volume, const cleft_options* options,
                                  cleft_sizing** out) noexcept
 {
-    return guarded_create(context, out, [&](const Run& run) {
+    return guarded_create(context, out, "sizing", [&](const Run& run) {
         const auto v = held(volume, "volume");
         const cleft::PipelineOptions p = pipeline_options(options, *v);
         warn_of_unused_smooth(v->volume, options, run);
@@ -52,14 +51,13 @@ cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* vol
 cleft_status cleft_sizing_create_constant(cleft_context* context, const cleft_volume* volume, double size,
                                           cleft_sizing** out) noexcept
 {
-    return guarded_create(context, out, [&](const Run&) {
+    return guarded_create(context, out, "sizing", [&](const Run& run) {
         const auto v = held(volume, "volume");
         if (!std::isfinite(size))
             throw Error(CLEFT_ERROR_NOT_FINITE, "the size is NaN or infinite");
         // On the grid of the volume, so that all stages read it like any other field.
         SizingField field = cleft::constant_sizing(v->frame.grid, size);
-        const double expected = cleft::expected_particle_tets(field);
-        return cleft_sizing{{}, v->frame, {std::move(field)}, expected};
+        return finished(*v, {std::move(field)}, pipeline_options(nullptr), run);
     });
 }
 
@@ -67,18 +65,17 @@ cleft_status cleft_sizing_create_values(cleft_context* context, const cleft_volu
                                         const void* values, int32_t combine, const cleft_options* options,
                                         cleft_sizing** out) noexcept
 {
-    return guarded_create(context, out, [&](const Run& run) {
+    return guarded_create(context, out, "sizing", [&](const Run& run) {
         const auto v = held(volume, "volume");
         required(values, "values");
         cleft::PipelineOptions p = pipeline_options(options, *v);
         warn_of_unused_smooth(v->volume, options, run);
-        const cleft::Array<double> doubles = as_doubles(type, values, v->frame.grid.size());
-        SizingField field = cleft::sizing_from_values(v->frame.grid, doubles.data());
+        SizingField field = field_of(type, values, v->frame.grid);
         field.gradation = p.sizing.gradation;  // by which a search for a number scales it
         if (combine) {
             // The old field is read until the new one is complete; the assignment comes after that.
             p.sizing.user = field.h.data();
-            field = cleft::compute_sizing(v->volume, p.sizing, run);
+            field = cleft::sizes_of(v->volume, p, run);
         }
         ScaledSizing sizing{std::move(field)};
         cleft::scale_by_meshing(sizing, v->volume, p, run);

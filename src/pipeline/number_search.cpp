@@ -188,8 +188,6 @@ LabelledMesh mesh_of_number(const Volume& volume, ScaledSizing& sizing, const Pi
     sizing.found_for = options.tets;
     sizing.found = kept;
     warn_of_number(kept, options, is_limited, run);
-    if (!is_graded(options.background.kind))
-        warn_of_coarse_lattice(sizing.field, sizing.scale, run);
     return mesh;
 }
 

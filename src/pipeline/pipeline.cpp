@@ -88,10 +88,19 @@ LabelledMesh finished(const Volume& volume, LabelledMesh mesh, const PipelineOpt
 
 }  // namespace
 
+SizingField sizes_of(const Volume& volume, const PipelineOptions& options, const Run& run)
+{
+    SizingOptions sizing = options.sizing;
+    sizing.expected_tets = row_of(options.background.kind).tets_near_limit;
+    if (!sizing.expected_tets)
+        sizing.max_tets = 0;
+    return compute_sizing(volume, sizing, run);
+}
+
 ScaledSizing make_sizing(const Volume& volume, const PipelineOptions& options, const Run& run)
 {
     Steps steps(run, {{nullptr, 1}, {nullptr, options.tets > 0 ? 20.0 : 0}});
-    ScaledSizing sizing{compute_sizing(volume, options.sizing, steps.next())};
+    ScaledSizing sizing{sizes_of(volume, options, steps.next())};
     scale_by_meshing(sizing, volume, options, steps.next());
     return sizing;
 }
@@ -146,7 +155,7 @@ LabelledMesh mesh_from_volume(const Volume& volume, const PipelineOptions& optio
 {
     // A wanted number takes some more meshes where the first has not met it.
     Steps steps(run, {{nullptr, 13}, {nullptr, options.tets > 0 ? 110.0 : 87}});
-    ScaledSizing sizing{compute_sizing(volume, options.sizing, steps.next())};
+    ScaledSizing sizing{sizes_of(volume, options, steps.next())};
     return mesh_from_sizing(volume, std::move(sizing), options, steps.next());
 }
 
@@ -155,6 +164,8 @@ LabelledMesh mesh_from_sizing(const Volume& volume, ScaledSizing sizing, const P
     if (options.tets > 0) {
         Steps steps(run, {{nullptr, 95}, {nullptr, 5}});
         LabelledMesh mesh = mesh_of_number(volume, sizing, options, steps.next());
+        if (!is_graded(options.background.kind))
+            warn_of_coarse_lattice(sizing.field, sizing.scale, run);
         sizing = ScaledSizing();
         return finished(volume, std::move(mesh), options, steps.next());
     }

@@ -27,6 +27,9 @@ struct PipelineOptions {
     KeptMaterials kept;  // the tetrahedra of others are left out of the finished mesh
 };
 
+// The sizing field of the volume. max_tets limits the tetrahedra of the background that the options name.
+SizingField sizes_of(const Volume& volume, const PipelineOptions& options, const Run& run);
+
 // The stage of sizing. With options.tets the field is scaled until its mesh has that number, which it finds by making
 // meshes.
 ScaledSizing make_sizing(const Volume& volume, const PipelineOptions& options, const Run& run);

@@ -163,7 +163,6 @@ void note_field(const SizingField& field, const Run& run)
 {
     run.note("sizing.least", field.least());
     run.note("sizing.greatest", field.greatest());
-    run.note("sizing.expected_background_tets", expected_particle_tets(field));
 }
 
 // Everything that the sizes are computed from.
@@ -206,8 +205,14 @@ void keep_to_number(const Sources& from, Limits limits, SizingField& field, cons
     // percent, so a warning begins only at kNearly.
     constexpr double kClose = 1.02, kNearly = 1.2;
     const double wanted = from.options.max_tets;
-    const double asked = expected_particle_tets(field);
-    if (wanted <= 0 || from.options.size > 0 || from.options.size_min > 0 || asked <= wanted)
+    if (wanted <= 0 || from.options.size > 0 || from.options.size_min > 0)
+        return;
+    const auto count = [&] {
+        return from.options.expected_tets ? from.options.expected_tets(field, wanted, run)
+                                          : expected_particle_tets(field);
+    };
+    const double asked = count();
+    if (asked <= wanted)
         return;
     double expected = asked;
     for (int round = 0; round < kRounds && expected > kClose * wanted; ++round) {
@@ -219,7 +224,7 @@ void keep_to_number(const Sources& from, Limits limits, SizingField& field, cons
         // Frees the old values before the new ones are made: a field can be the largest array of the stage.
         field = SizingField();
         field = field_of(from, limits, run);
-        expected = expected_particle_tets(field);
+        expected = count();
     }
     run.note("sizing.raised_size_min", limits.least_feature);
     const std::string raised = "the features ask for about " + count_text(asked) +

@@ -41,16 +41,21 @@ SizingField constant_sizing(const Grid& grid, double size)
     return {grid, Array<float>(grid.size(), static_cast<float>(size)), 0.3};
 }
 
-SizingField sizing_from_values(const Grid& grid, const double* values)
+template <class Value>
+SizingField sizing_from_values(const Grid& grid, const Value* values)
 {
     SizingField field{grid, Array<float>(grid.size()), 0.3};
     for (int64_t v = 0; v < field.h.count(); ++v) {
-        field.h[v] = static_cast<float>(values[v]);
-        if (!is_size(values[v]))
-            throw bad_sizing_value(values[v], v, grid);
+        // As it is given: as a float, a value beyond 3e38 would be infinite, and the sentence would not name it.
+        const double value = values[v];
+        if (!is_size(value))
+            throw bad_sizing_value(value, v, grid);
+        field.h[v] = static_cast<float>(value);
     }
     return field;
 }
+template SizingField sizing_from_values(const Grid& grid, const float* values);
+template SizingField sizing_from_values(const Grid& grid, const double* values);
 
 double SizingField::least() const { return *std::min_element(h.begin(), h.end()); }
 

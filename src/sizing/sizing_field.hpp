@@ -52,7 +52,8 @@ inline double SizingField::at(const Vec3& x) const
 // Throws for a size that is no size (is_size() in volume/limits.hpp).
 SizingField constant_sizing(const Grid& grid, double size);
 // User-supplied values (positive, finite; an Error names the first that is not), taken as they are.
-SizingField sizing_from_values(const Grid& grid, const double* values);
+template <class Value>  // float or double
+SizingField sizing_from_values(const Grid& grid, const Value* values);
 
 // What to throw for a value that is not positive and finite.
 Error bad_sizing_value(double value, int64_t voxel, const Grid& grid);

@@ -4,10 +4,14 @@
 #include "base/array.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <utility>
 
 namespace cleft
 {
+
+struct Run;
+struct SizingField;
 
 // Lengths are in world units. What is said explicitly wins: interface_size, label_sizes and the user's field may ask
 // for sizes below the least spacing. A size_min that is given (not 0) holds for them too: nothing is smaller.
@@ -23,6 +27,9 @@ struct SizingOptions {
     bool keep_thin = false;     // half the least spacing where a material is one voxel thick
     double max_tets = 0;        // where size_min is 0, sizes from features are at least as large as keeps the expected
                                 // number of background tetrahedra to about this; 0: no limit
+    // The number that max_tets limits, of the background that will be made. It need be exact near the limit only.
+    // Empty: of particles.
+    std::function<double(const SizingField& field, double limit, const Run& run)> expected_tets;
     Array<std::pair<int32_t, double>> label_sizes;  // (label, greatest size inside it)
     const float* user = nullptr;  // a user-supplied field at voxel centres, combined by minimum; may be null
 };

@@ -296,6 +296,61 @@ static void a_number_that_sizes_of_the_user_exceed_is_told(void** state)
     cleft_context_destroy(context);
 }
 
+/* Features ask for many more. What is counted is the background that is made: an octree has more than particles. */
+static void max_tets_limits_each_background(void** state)
+{
+    static const char* const kinds[3] = {"particles", "lattice", "octree"};
+    warnings reported;
+    cleft_context* context = listening_context(&reported);
+    cleft_volume* volume = ball_volume(context, 32);
+    (void)state;
+    for (int kind = 0; kind < 3; ++kind) {
+        cleft_options* options = plain();
+        cleft_sizing* sizing = NULL;
+        cleft_mesh* background = NULL;
+        assert_int_equal(cleft_options_set_text(options, "background", kinds[kind]), CLEFT_OK);
+        assert_int_equal(cleft_options_set_integer(options, CLEFT_OPTION_MAX_TETS, 5000), CLEFT_OK);
+        assert_int_equal(cleft_options_set_real(options, CLEFT_OPTION_FEATURE_SCALE, 0.1), CLEFT_OK);
+        assert_ok(context, cleft_sizing_create(context, volume, options, &sizing));
+        assert_ok(context, cleft_background_create(context, sizing, options, &background));
+        print_message("%s: %d\n", kinds[kind], (int)cleft_mesh_tet_count(background));
+        assert_in_range(cleft_mesh_tet_count(background), 2500, 6000);
+        assert_reported(&reported, " to keep to max_tets, 5000"); /* by the one call or by the other */
+        cleft_mesh_destroy(background);
+        cleft_sizing_destroy(sizing);
+        cleft_options_destroy(options);
+    }
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
+/* Whether the stages are called one by one, where the first of them searches for the number, or by the one call. */
+static void a_coarse_lattice_is_told_once(void** state)
+{
+    warnings reported;
+    cleft_context* context = listening_context(&reported);
+    cleft_volume* volume = ball_volume(context, N);
+    cleft_options* options = plain();
+    cleft_sizing* sizing = NULL;
+    cleft_mesh *background = NULL, *mesh = NULL;
+    (void)state;
+    assert_int_equal(cleft_options_set_text(options, "background", "lattice"), CLEFT_OK);
+    assert_int_equal(cleft_options_set_text(options, "tets", "4000"), CLEFT_OK);
+    assert_int_equal(cleft_options_set_real(options, CLEFT_OPTION_FEATURE_SCALE, 0.1), CLEFT_OK);
+    assert_ok(context, cleft_sizing_create(context, volume, options, &sizing));
+    assert_reported(&reported, NULL);
+    assert_ok(context, cleft_background_create(context, sizing, options, &background));
+    assert_reported(&reported, "the lattice has one size");
+    assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, options, &mesh));
+    assert_reported(&reported, "the lattice has one size");
+    cleft_mesh_destroy(mesh);
+    cleft_mesh_destroy(background);
+    cleft_sizing_destroy(sizing);
+    cleft_options_destroy(options);
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -306,6 +361,8 @@ int main(void)
         cmocka_unit_test(smooth_that_has_no_effect_is_told),
         cmocka_unit_test(a_number_for_a_background_that_is_given_is_told),
         cmocka_unit_test(a_number_that_sizes_of_the_user_exceed_is_told),
+        cmocka_unit_test(max_tets_limits_each_background),
+        cmocka_unit_test(a_coarse_lattice_is_told_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

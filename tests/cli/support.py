@@ -22,7 +22,7 @@ def cleft(*arguments, **keywords):
 
 def write_nrrd(path, dims, labels, kind="uint8", spacing=(1, 1, 1), origin=(0, 0, 0)):
     """Writes a volume, x fastest, as an uncompressed NRRD."""
-    code = {"uint8": "B", "int16": "h", "int32": "i", "float": "f"}[kind]
+    code = {"uint8": "B", "int16": "h", "int32": "i", "float": "f", "double": "d"}[kind]
     directions = " ".join("(%s)" % ",".join(str(spacing[a] if a == b else 0) for b in range(3)) for a in range(3))
     header = (
         "NRRD0004\ntype: %s\ndimension: 3\nspace: left-posterior-superior\nsizes: %s\n"

@@ -215,7 +215,9 @@ namespace Cleft
         public double WholeTets { get; }
         /// <summary>Tetrahedra of the background.</summary>
         public double BackgroundTets { get; }
-        /// <summary>An upper bound on the memory of a process that makes the mesh, in bytes.</summary>
+        /// <summary>
+        /// An upper bound on the memory of a process that reads the volume and makes the mesh, in bytes.
+        /// </summary>
         public double PeakBytes { get; }
     }
 }

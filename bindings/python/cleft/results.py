@@ -16,7 +16,7 @@ class Estimate:
     tets: float  #: tetrahedra of the finished mesh, in the labels that strip and only keep
     whole_tets: float  #: tetrahedra of the mesh before labels are left out
     background_tets: float  #: tetrahedra of the background
-    peak_bytes: float  #: an upper bound on the memory of a process that makes the mesh, in bytes
+    peak_bytes: float  #: an upper bound on the memory of a process that reads the volume and makes the mesh, in bytes
     # </Estimate>
 
 

@@ -8,7 +8,7 @@ package org.cleft;
  * @param tets tetrahedra of the finished mesh, in the labels that strip and only keep
  * @param wholeTets tetrahedra of the mesh before labels are left out
  * @param backgroundTets tetrahedra of the background
- * @param peakBytes an upper bound on the memory of a process that makes the mesh, in bytes
+ * @param peakBytes an upper bound on the memory of a process that reads the volume and makes the mesh, in bytes
  */
 public record Estimate(
         boolean isBound,
