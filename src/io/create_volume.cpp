@@ -75,7 +75,7 @@ void create_functions(cleft_context* context, std::vector<Source>& sources, cons
           cleft_volume_create_indicators(context, type_of(first.component), fields.data(),
                                          static_cast<int64_t>(fields.size()), first.dims.data(), affine.data(), nullptr,
                                          out),
-          who);
+          who.c_str());
 }
 
 }  // namespace

@@ -73,12 +73,14 @@ cleft_status entry_making(cleft_context* context, T** out, std::initializer_list
 }
 
 // A call into the core that failed, with the core's sentence (or, if it left none, the status) behind `what`.
-inline void check(cleft_context* context, cleft_status status, const std::string& what = "")
+// Not a std::string: made as an argument, it could fail between the call and whoever owns what the call made, for the
+// order of arguments is the compiler's.
+inline void check(cleft_context* context, cleft_status status, const char* what = "")
 {
     if (status == CLEFT_OK)
         return;
     const std::string sentence = cleft_context_last_error(context);
-    throw Error(status, what + (sentence.empty() ? cleft_status_string(status) : sentence));
+    throw Error(status, std::string(what) + (sentence.empty() ? cleft_status_string(status) : sentence));
 }
 
 }  // namespace cleft::io

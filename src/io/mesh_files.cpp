@@ -128,12 +128,13 @@ cleft_status cleft_io_read_mesh(cleft_context* context, const char* path, cleft_
         // A surface mesh is a common mistake here, and the core's sentence about it would not name the file.
         if (mesh.tets.empty())
             throw cleft::Error(CLEFT_ERROR_FORMAT, std::string("'") + path + "': there are no tetrahedra in it");
+        const std::string place = std::string("'") + path + "': ";
         cleft_mesh* made = nullptr;
         check(context,
               cleft_mesh_create(context, static_cast<int64_t>(mesh.points.size() / 3), mesh.points.data(),
                                 static_cast<int64_t>(mesh.tets.size() / 4), mesh.tets.data(),
                                 mesh.labels.empty() ? nullptr : mesh.labels.data(), 0, &made),
-              std::string("'") + path + "': ");
+              place.c_str());
         // If a name is refused, the handle is destroyed and *out stays NULL.
         MeshHandle owner(made);
         name_labels(mesh, path, made);
