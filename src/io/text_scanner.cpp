@@ -147,7 +147,7 @@ void TextScanner::skip_past(const std::string& mark)
     // and more.
     const char* found = std::search(at_, end_, mark.begin(), mark.end());
     if (found == end_)
-        fail(mark + " is missing");
+        fail(mark.substr(0, 40) + " is missing");
     at_ = found;
     skip_line();
 }
