@@ -32,6 +32,8 @@ int64_t kept_count(const LabelledMesh& mesh, const PipelineOptions& options)
 
 void scale(ScaledSizing& sizing, double factor, const Run& run)
 {
+    if (factor == 1)
+        return;
     scale_sizing(sizing.field, factor, run);
     sizing.scale *= factor;
 }
@@ -165,10 +167,7 @@ LabelledMesh mesh_of_number(const Volume& volume, ScaledSizing& sizing, const Pi
     for (int round = 0; round < kRounds && !is_limited; ++round) {
         // From the factor before, since the field is scaled in place and a copy of it could be the largest array of
         // all.
-        if (next != factor)
-            scale(sizing, next / factor, steps.next());
-        else
-            steps.next();
+        scale(sizing, next / factor, steps.next());
         factor = next;
         // Frees the mesh of the round before: two would double the peak of memory.
         mesh = LabelledMesh();
