@@ -21,6 +21,9 @@ namespace cleft
 // 1.15.
 constexpr std::array<double, 4> kParticleDensity{1.0, 1.0, 1.2, 1.75};
 
+// The divergence of the field of the background, times h^3: a charge of density q has one of 4 pi q (Gauss).
+constexpr double kBackgroundDivergence = 4 * 3.14159265358979323846 * kParticleDensity[3];
+
 // Thickness, in h, of the layer of a part of dimension D that the particles on its border stand for.
 constexpr double border_layer(size_t dimension)
 {

@@ -22,7 +22,9 @@ constexpr float kDirection[kDirections][3] = {{1, 0, 0},
                                               {-kDiagonal, kDiagonal, kDiagonal},
                                               {kDiagonal, -kDiagonal, kDiagonal},
                                               {kDiagonal, kDiagonal, -kDiagonal}};
-// They add up to 1/2 over the seven directions: each stands for a pair.
+// Exact for polynomials of the fifth degree on the sphere (Stroud 1971, U3: 5-2): by symmetry the odd ones vanish, and
+// the two weights are those for which x^2 and x^4 have their means 1/3 and 1/5. Each stands for a pair of opposite
+// directions, so the seven add up to 1/2.
 constexpr float kAxisWeight = 1.0F / 15, kDiagonalWeight = 3.0F / 40;
 
 // Gauss's rule for an integrand t (1 - t^2) g(t^2) on [0, 1], as the weights of f = t g: what remains of opposite
@@ -101,8 +103,7 @@ Eigen::Vector3f near_attraction(const SizeSampler& size, const Vec3& x, float h)
         for (size_t a = 0; a < 3; ++a)
             force[a] += more * kRule.weight[a][n];
     }
-    constexpr auto kCharge = static_cast<float>(4 * 3.14159265358979323846 * kParticleDensity[3]);
-    return kCharge * kReach * Eigen::Vector3f(force[0], force[1], force[2]);
+    return static_cast<float>(kBackgroundDivergence) * kReach * Eigen::Vector3f(force[0], force[1], force[2]);
 }
 
 }  // namespace cleft

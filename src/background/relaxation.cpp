@@ -33,7 +33,8 @@ constexpr int kAttractionLasts = 2, kListsLast = 4;
 // A particle nearer to a wall would make a flat tetrahedron with those in the wall.
 constexpr double kClearance = 0.1;
 
-constexpr auto kStepScale = static_cast<float>(1 / (4 * 3.14159265358979323846 * kParticleDensity[3]));
+// To first order, a move of the force over the divergence takes the force of the background away.
+constexpr auto kStepScale = static_cast<float>(1 / kBackgroundDivergence);
 
 struct Motion {
     Array<float> h, reach;

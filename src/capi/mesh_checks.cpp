@@ -26,7 +26,6 @@ inline constexpr size_t cleft::kFirstSize<cleft_contact> = CLEFT_END_OF(cleft_co
 namespace
 {
 
-// Sides are handed out as they are kept.
 // The array of sides is lent as it is, so both enumerations must have the same numbers and the same size.
 template <class Number>
 constexpr bool is(cleft::Side side, Number number)

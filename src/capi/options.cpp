@@ -22,8 +22,8 @@ namespace cleft::capi
 namespace
 {
 
-// The choices of an option are those of the stage that reads it, by number.
-// The enumerations of the stages and the words of the table stand in two places. A build fails where they drift apart.
+// The choices of an option are handed to its stage by number: a build fails where the stage's enumeration and the words
+// of the table drift apart.
 template <class Choice>
 constexpr bool is(Choice choice, int number)
 {

@@ -194,16 +194,30 @@ SizingField field_of(const Sources& from, const Limits& limits, const Run& run)
     return field;
 }
 
-// Raises the least size of features until the expected number is kept to. Thin structures fill a noisy volume, so that
-// the number falls with a power of the least size between two and three.
+// A size that is given for interfaces, labels or points holds whatever the number comes to.
+void warn_of_raised(double least, double asked, double expected, double wanted, const Run& run)
+{
+    // The expected number is off by some percent: what is so little above says nothing.
+    constexpr double kNearly = 1.2;
+    const std::string raised = "the features ask for about " + count_text(asked) +
+                               " tetrahedra: the least size was raised to " + number_text(least);
+    if (expected > kNearly * wanted)
+        run.warn(raised + ", but the given sizes of interfaces, labels or points still ask for about " +
+                 count_text(expected) + ", more than max_tets, " + count_text(wanted));
+    else
+        run.warn(raised + " to keep to max_tets, " + count_text(wanted));
+}
+
+// Raises the least size of features until the expected number is kept to.
 void keep_to_number(const Sources& from, Limits limits, SizingField& field, const Run& run)
 {
-    // Each round computes a field. A field that they leave beyond kNearly is reported in the warning.
+    // Thin structures fill a noisy volume, so that the number falls with a power of the least size between two and
+    // three: with the mean of both, each round leaves a fifth of what was too many at most, so six are enough for any
+    // number. Each computes a whole field.
     constexpr int kRounds = 6;
     constexpr double kPower = 2.5;
-    // kClose is also the least factor, so that each round changes the field. The expected number is off by some
-    // percent, so a warning begins only at kNearly.
-    constexpr double kClose = 1.02, kNearly = 1.2;
+    // Nearer than the estimate is anyway; also the least factor, so that each round changes the field.
+    constexpr double kClose = 1.02;
     const double wanted = from.options.max_tets;
     if (wanted <= 0 || from.options.size > 0 || from.options.size_min > 0)
         return;
@@ -227,14 +241,7 @@ void keep_to_number(const Sources& from, Limits limits, SizingField& field, cons
         expected = count();
     }
     run.note("sizing.raised_size_min", limits.least_feature);
-    const std::string raised = "the features ask for about " + count_text(asked) +
-                               " tetrahedra: the least size was raised to " + number_text(limits.least_feature);
-    // A size that is given for interfaces, labels or points holds whatever it comes to.
-    if (expected > kNearly * wanted)
-        run.warn(raised + ", but the given sizes of interfaces, labels or points still ask for about " +
-                 count_text(expected) + ", more than max_tets, " + count_text(wanted));
-    else
-        run.warn(raised + " to keep to max_tets, " + count_text(wanted));
+    warn_of_raised(limits.least_feature, asked, expected, wanted, run);
 }
 
 }  // namespace

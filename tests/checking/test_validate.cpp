@@ -1,3 +1,4 @@
+// Meshes with one fault made on purpose: the validation finds it, counts it and says where it is.
 #include "base/ordinal.hpp"
 #include "checking/validate.hpp"
 

@@ -1,3 +1,4 @@
+// Neighbours over faces against a map of all faces, and the axes that a point of the hull may not leave.
 #include "mesh/adjacency.hpp"
 
 #include "base/error.hpp"

@@ -1,3 +1,4 @@
+// What a mesh goes through last: the order of its points and tetrahedra, leaving materials out, and its parts.
 #include "mesh/materials.hpp"
 #include "mesh/order.hpp"
 #include "mesh/strip.hpp"

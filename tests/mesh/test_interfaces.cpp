@@ -1,3 +1,4 @@
+// The triangles between materials: which there are, how they are wound, and which side of the box they lie in.
 #include "mesh/interfaces.hpp"
 
 #include "support/cmocka.hpp"

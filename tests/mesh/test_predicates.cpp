@@ -1,3 +1,4 @@
+// The sign of an orientation against rational numbers, where rounding would decide it wrongly.
 #include "mesh/predicates.hpp"
 
 #include <boost/multiprecision/cpp_int.hpp>

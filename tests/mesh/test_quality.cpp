@@ -1,3 +1,4 @@
+// Measures of shape against known tetrahedra and other formulas, and their summary against a count of all.
 #include "mesh/quality.hpp"
 
 #include "mesh/adjacency.hpp"

@@ -1,3 +1,4 @@
+// The feature size of shapes whose local thickness is known: balls, tori, sheets, rods, planes.
 #include "sizing/feature_size.hpp"
 
 #include "label_shapes.hpp"

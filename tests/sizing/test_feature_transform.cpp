@@ -1,3 +1,4 @@
+// The nearest site of each voxel against a search of all sites.
 #include "sizing/feature_transform.hpp"
 
 #include "label_shapes.hpp"

@@ -1,3 +1,4 @@
+// The gradient-limited field against its definition: the lower envelope of cones on all values.
 #include "sizing/gradient_limit.hpp"
 
 #include "label_shapes.hpp"

@@ -1,3 +1,4 @@
+// The sizing field: its bounds and gradation, each source of sizes, max_tets, and what is refused.
 #include "sizing/compute.hpp"
 
 #include "label_shapes.hpp"
