@@ -73,6 +73,17 @@ static int cleft_buffer_open(PyObject* array, Py_buffer* buffer, int flags)
     made$argnum = NULL;
 }
 
+// Texts are UTF-8, which the text itself keeps. SWIG would copy them, and writes through NULL where there is no memory.
+%typemap(in) const char*
+{
+    if ($input != Py_None) {
+        $1 = (char*)PyUnicode_AsUTF8($input);
+        if (!$1)
+            SWIG_fail;
+    }
+}
+%typemap(freearg) const char* ""
+
 %typemap(in) const void* ARRAY_IN (Py_buffer buffer = {0}), const int64_t* ARRAY_IN (Py_buffer buffer = {0}),
              const int32_t* ARRAY_IN (Py_buffer buffer = {0}), const double* ARRAY_IN (Py_buffer buffer = {0}),
              const char* PATH (Py_buffer buffer = {0})

@@ -34,7 +34,11 @@ int64_t step = 0, contexts = 0, lost = 0;
 void end_context()
 {
     faults_disarm();
-    lost += faults_live();
+    const int64_t live = faults_live();
+    if (live > 0)
+        std::fprintf(stderr, "context %lld lost %lld blocks, one of %s\n", static_cast<long long>(contexts),
+                     static_cast<long long>(live), faults_owner_of_live());
+    lost += live;
 }
 
 void leave_walk()
@@ -43,13 +47,24 @@ void leave_walk()
     if (FILE* file = std::fopen(count_file, "w")) {
         std::fprintf(file, "%lld %lld\n", static_cast<long long>(contexts), static_cast<long long>(lost));
         std::fclose(file);
-    }
+    } else
+        std::perror(count_file);
+}
+
+using Create = int32_t (*)(void**);
+Create real_create = nullptr;
+
+void find_real_create()
+{
+    void* library = dlopen("libcleft.so.0", RTLD_LAZY | RTLD_NOLOAD);
+    real_create = library ? reinterpret_cast<Create>(dlsym(library, "cleft_context_create")) : nullptr;
 }
 
 int armed_main(int count, char** arguments, char** environment)
 {
     int kind = FAULTS_NONE, on = 0, error = 0;
     long long at = 0;
+    find_real_create();
     const char* asked = std::getenv("CLEFT_FAULTS");
     if (asked && std::sscanf(asked, "%d %lld %d %d %4095s", &kind, &at, &on, &error, count_file) == 5) {
         std::atexit(leave_count);
@@ -76,12 +91,12 @@ extern "C" int __libc_start_main(Main main, int count, char** arguments, void (*
 
 extern "C" int32_t cleft_context_create(void** out)
 {
-    using Create = int32_t (*)(void**);
-    static const auto create =
-        reinterpret_cast<Create>(dlsym(dlopen("libcleft.so.0", RTLD_LAZY | RTLD_NOLOAD), "cleft_context_create"));
-    if (step > 0) {
+    if (step > 0)
         end_context();
+    // A program of another language loads the library when it pleases. It is looked up while no allocation fails.
+    if (!real_create)
+        find_real_create();
+    if (step > 0)
         faults_arm(FAULTS_ALLOCATIONS_OF_OURS, 1 + step * contexts++, 0, 0);
-    }
-    return create(out);
+    return real_create(out);
 }
