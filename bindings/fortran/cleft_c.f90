@@ -55,7 +55,8 @@ module cleft_c
     CLEFT_OPTION_STRICT = 14, &
     CLEFT_OPTION_REPAIR = 15, &
     CLEFT_OPTION_MAX_TETS = 16, &
-    CLEFT_OPTION_KEEP_THIN = 17
+    CLEFT_OPTION_KEEP_THIN = 17, &
+    CLEFT_OPTION_MIN_ANGLE = 18
 
   integer(c_int32_t), parameter :: &
     CLEFT_BACKGROUND_PARTICLES = 0, &

@@ -217,7 +217,8 @@ enum {
     CLEFT_OPTION_STRICT = 14,
     CLEFT_OPTION_REPAIR = 15,
     CLEFT_OPTION_MAX_TETS = 16,
-    CLEFT_OPTION_KEEP_THIN = 17
+    CLEFT_OPTION_KEEP_THIN = 17,
+    CLEFT_OPTION_MIN_ANGLE = 18
 };
 
 /** Kinds of background meshes. \since 0.1 */
@@ -498,7 +499,7 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_cleave(cleft_context* context,
  *
  *  CLEFT_ERROR_INVALID_MESH if the mesh is not positively oriented and conforming. Warnings, and failures with
  *  STRICT, are those of cleft_mesh_volume().
- *  Options read: IMPROVE and STRICT.
+ *  Options read: IMPROVE, MIN_ANGLE and STRICT.
  *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volume,
                                                           const cleft_mesh* mesh, const cleft_options* options,
@@ -523,8 +524,8 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_strip(cleft_context* context, 
  *  Without STRICT it returns that status only if no kept label is in the mesh.
  *
  *  One warning (CLEFT_LOG_WARNING) names kept labels of 100 voxels or more whose volume in the mesh differs by more
- *  than 5 % from that of their voxels. Unless IMPROVE is off, another gives the number of tetrahedra with dihedral
- *  angles below 20 or above 155 degrees, in the frame of the voxel axes.
+ *  than 5 % from that of their voxels. Unless IMPROVE is off, another reports tetrahedra whose dihedral angles miss
+ *  MIN_ANGLE: their number, the range of their angles in the frame of the voxel axes, and the voxel of the worst one.
  *  Options read: all but SMOOTH.
  *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_volume(cleft_context* context, const cleft_volume* volume,

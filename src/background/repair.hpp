@@ -16,7 +16,7 @@ struct RepairOptions {
 // Flips and smoothing; numbers of points stay. Points on a flat part of the hull stay in it, exactly for planes across
 // an axis. No operation leaves a tetrahedron worse than the worst that it replaces, but for the sweep, which may leave
 // one at 22 degrees. Sequential: the same bytes for every thread count. Notes background.repair.{tets, min_angle,
-// max_angle, below_10, below_15, below_20, below_25}_{before, after}.
+// max_angle, below_10, below_15, below_20, below_25, below_30}_{before, after}.
 void repair(TetMesh& mesh, const RepairOptions& options, const Run& run);
 
 }  // namespace cleft

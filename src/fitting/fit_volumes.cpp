@@ -37,10 +37,10 @@ Array<int32_t> relocate(LocalMesh& mesh, const Volume& volume, double floor, con
 
 }  // namespace
 
-void fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, const Run& run)
+bool fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, const Run& run)
 {
     if (volume.material_count() < 2)
-        return;
+        return true;
     Stage stage(run, "fitting", {{"fitting: lines and gaps", 13}, {"fitting: heights", 24}, {"fitting: volumes", 63}});
     const Run of_places = stage.next();
     const double floor = sine_of(least_angle);
@@ -68,13 +68,15 @@ void fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, cons
         held = corrector.apply(find_residuals(mesh, triangles, points), points, deficits, of_volumes);
     }
     run.note("fitting.held", static_cast<double>(held));
+    return !deficits.is_any_far_off();
 }
 
-void fit_volumes(LabelledMesh& mesh, const Volume& volume, double least_angle, const Run& run)
+bool fit_volumes(LabelledMesh& mesh, const Volume& volume, double least_angle, const Run& run)
 {
     LocalMesh local(std::move(mesh), run);
-    fit_volumes(local, volume, least_angle, run);
+    const bool is_met = fit_volumes(local, volume, least_angle, run);
     mesh = local.take();
+    return is_met;
 }
 
 }  // namespace cleft

@@ -12,8 +12,8 @@ namespace cleft
 // 3 h^2 / (8 R^2) of it with edges h on a sphere of radius R. Moves the points of interfaces, and of lines where
 // interfaces meet, along the normals (not off the walls), so that the corners of each triangle give back its share of
 // the loss. No tetrahedron gets worse than `least_angle` degrees (or than the worst around already is). Notes
-// fitting.*.
-void fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, const Run& run);
-void fit_volumes(LabelledMesh& mesh, const Volume& volume, double least_angle, const Run& run);
+// fitting.*. Returns whether the volumes of all labels, but small ones, are met within a few percent.
+bool fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, const Run& run);
+bool fit_volumes(LabelledMesh& mesh, const Volume& volume, double least_angle, const Run& run);
 
 }  // namespace cleft

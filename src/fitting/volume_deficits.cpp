@@ -40,12 +40,20 @@ bool VolumeDeficits::is_off(size_t m, int64_t least_voxels, double tolerance) co
 
 bool VolumeDeficits::is_far_off(size_t m) const { return is_off(m, kSmallLabel, kWideTolerance); }
 
+bool VolumeDeficits::is_any_far_off() const
+{
+    for (size_t m = 0; m < missing_.size(); ++m)
+        if (is_far_off(m))
+            return true;
+    return false;
+}
+
 bool VolumeDeficits::is_any_off() const
 {
     for (size_t m = 0; m < missing_.size(); ++m)
-        if (is_off(m, kLargeLabel, kTolerance) || is_far_off(m))
+        if (is_off(m, kLargeLabel, kTolerance))
             return true;
-    return false;
+    return is_any_far_off();
 }
 
 void VolumeDeficits::widen()

@@ -20,6 +20,8 @@ public:
 
     // Some label is off by so much that another round is worth its time.
     bool is_any_off() const;
+    // A label of more than some voxels is off by several percent.
+    bool is_any_far_off() const;
     // From now on, interfaces of small labels that are still off may go further beyond the tie.
     void widen();
     bool is_wide(Material m) const { return wide_[m] != 0; }

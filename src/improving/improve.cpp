@@ -73,13 +73,13 @@ Shortfall search_on(LocalMesh& mesh, Improver& improver, const ImproveOptions& o
     // More than these are left where the target is out of reach, as in noise. Going on there would take long and change
     // little.
     constexpr int64_t kFew = 300;
-    const double target = sine_of(options.target_angle);
+    const double target = sine_of(target_angle(options));
     Shortfall left = shortfall(mesh, target, run);
     int rounds = 0;
     for (const double margin : kHigherAims) {
         if (options.margin > 0 || left.tets == 0 || left.tets > kFew)
             break;
-        improver.aim_higher(sine_of(options.target_angle + margin));
+        improver.aim_higher(sine_of(target_angle(options) + margin));
         for (const Search& search : searches_of(options.effort))
             improver.work(search, stage.next());
         left = shortfall(mesh, target, run);
@@ -97,7 +97,7 @@ Shortfall improve(LocalMesh& mesh, const Volume& volume, const ImproveOptions& o
         return {};
     const Array<Search> searches = searches_of(options.effort);
     Stage stage(run, "improving", steps_of(searches.size()));
-    Improver improver(mesh, volume, sine_of(options.target_angle + options.margin), run);
+    Improver improver(mesh, volume, sine_of(target_angle(options) + options.margin), run);
     note_angles(mesh, "improving", "before", run);
     int number = 0;
     for (const Search& search : searches) {

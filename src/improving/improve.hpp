@@ -14,9 +14,18 @@ enum class Effort { off, fast, best };
 
 struct ImproveOptions {
     Effort effort = Effort::fast;
-    double target_angle = 20;  // degrees
-    double margin = 0;         // degrees; aims so much higher, which leads to another mesh
+    double min_angle = 0;  // degrees; 0: as much as the effort can reach
+    double margin = 0;     // degrees; aims so much higher, which leads to another mesh
 };
+
+// Degrees. Decision 13 says what the numbers rest on.
+inline double target_angle(const ImproveOptions& options)
+{
+    constexpr double kUsual = 25, kBest = 32;
+    if (options.min_angle > 0)
+        return options.min_angle;
+    return options.effort == Effort::best ? kBest : kUsual;
+}
 
 // In degrees above the target. A search that aims a little higher takes other ways, few of which end at the same bad
 // tetrahedra.

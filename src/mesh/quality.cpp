@@ -255,6 +255,12 @@ double least_sine(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
     return product > 0 ? -nd.dot(ad) * std::sqrt(square / product) : 0;
 }
 
+double greatest_angle(double least_angle)
+{
+    const double sine = sine_of(least_angle) / kObtuseWeight;
+    return sine < 1 ? 180 - kDegreesInRadian * std::asin(sine) : 90;
+}
+
 double angle_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
     const auto triple = [](const Vec3& x) { return Triple{x.x(), x.y(), x.z()}; };

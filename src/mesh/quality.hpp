@@ -19,11 +19,11 @@ inline double orient(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 double least_sine(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 // The measure that local operations raise: least sine of the six dihedral angles, that of an obtuse angle times
-// kObtuseWeight. 155 degrees are as bad as 20.
-// It is a little below so that a quality of sin(20) or more also keeps all angles below 155 degrees, in spite of
-// rounding.
-inline constexpr double kGreatestAngle = 155;    // degrees, that goes with a least one of 20
-inline constexpr double kObtuseWeight = 0.8092;  // a little below sin(20) / sin(25)
+// kObtuseWeight. 155 degrees are as bad as 20. A little below, so that a quality of sin(20) or more also keeps all
+// angles below 155 degrees, in spite of rounding.
+inline constexpr double kObtuseWeight = 0.8092;  // sin(20) / sin(25)
+// The obtuse angle that is as bad as an acute one, both in degrees; 90 where none is.
+double greatest_angle(double least_angle);
 double angle_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 // The six dihedral angles in degrees, in the order of kEdgeCorners.

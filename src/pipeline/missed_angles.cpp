@@ -23,20 +23,27 @@ constexpr double kRounding = 1e-6;
 struct MissedAngles {
     int64_t tets = 0;
     double least = 180, greatest = 0;
+    double least_quality = 1;
+    Vec3 worst = Vec3::Zero();  // the centroid of the tetrahedron of that quality
 };
 
-MissedAngles missed_angles(const LabelledMesh& mesh, const PipelineOptions& options, const Run& run)
+MissedAngles missed_angles(const LabelledMesh& mesh, double target, const KeptMaterials& kept, const Run& run)
 {
     MissedAngles missed;
-    const double least_quality = sine_of(options.improve.target_angle) * (1 - kRounding);
+    const double least_quality = sine_of(target) * (1 - kRounding);
     for (size_t t = 0; t < mesh.tets.size(); ++t) {
         run.check_at(static_cast<int64_t>(t));
-        if (!options.kept.has(mesh.material[t]))
+        if (!kept.has(mesh.material[t]))
             continue;
         const auto corner = [&](size_t i) -> const Vec3& { return mesh.points[mesh.tets[t][i]]; };
         // The quality needs no arc cosine, and few tetrahedra come further than this.
-        if (angle_quality(corner(0), corner(1), corner(2), corner(3)) >= least_quality)
+        const double quality = angle_quality(corner(0), corner(1), corner(2), corner(3));
+        if (quality >= least_quality)
             continue;
+        if (quality < missed.least_quality) {
+            missed.least_quality = quality;
+            missed.worst = (corner(0) + corner(1) + corner(2) + corner(3)) / 4;
+        }
         const auto angles = dihedral_angles(corner(0), corner(1), corner(2), corner(3));
         const auto [low, high] = std::minmax_element(angles.begin(), angles.end());
         ++missed.tets;
@@ -46,23 +53,37 @@ MissedAngles missed_angles(const LabelledMesh& mesh, const PipelineOptions& opti
     return missed;
 }
 
+// "(12, 0, 7)": the indices of the voxel along the axes of the volume, from 0. They need no frame.
+std::string voxel_text(const Vec3& x, const Grid& grid)
+{
+    std::string text;
+    for (int a = 0; a < 3; ++a) {
+        const auto index = static_cast<int64_t>(x[a] / grid.spacing[a]);
+        text += (a ? ", " : "(") + std::to_string(std::min<int64_t>(index, grid.dims[a] - 1));
+    }
+    return text + ")";
+}
+
 }  // namespace
 
 void warn_of_missed_angles(const Volume& volume, const LabelledMesh& mesh, const PipelineOptions& options,
                            const Run& run)
 {
-    // Who leaves out improving knows that angles will be bad, and without a caller for warnings there is nobody to
-    // tell.
-    if (!run.on_warning || options.improve.effort == Effort::off)
+    // Who leaves out improving knows that angles will be bad.
+    if (options.improve.effort == Effort::off)
         return;
-    const MissedAngles missed = missed_angles(mesh, options, run);
+    const double target = target_angle(options.improve);
+    const MissedAngles missed = missed_angles(mesh, target, options.kept, run);
+    run.note("improving.target_angle", target);
+    run.note("improving.tets_missed", static_cast<double>(missed.tets));
     if (missed.tets == 0)
         return;
     const Vec3 spacing = volume.grid().spacing;
     const double stretch = spacing.maxCoeff() / spacing.minCoeff();
     run.warn(counted(missed.tets, "tetrahedron has", "tetrahedra have") + " dihedral angles below " +
-             number_text(options.improve.target_angle) + " or above " + number_text(kGreatestAngle) +
-             " degrees, from " + decimals_text(missed.least, 1) + " to " + decimals_text(missed.greatest, 1) +
+             number_text(target) + " or above " + decimals_text(greatest_angle(target), 1) + " degrees, from " +
+             decimals_text(missed.least, 1) + " to " + decimals_text(missed.greatest, 1) + ", the worst in voxel " +
+             voxel_text(missed.worst, volume.grid()) +
              (stretch > kUsualStretch ? "; the voxel spacings differ by a factor of " + digits_text(stretch, 3) : ""));
 }
 

@@ -13,13 +13,13 @@ namespace cleft
 namespace
 {
 
-// Twenty degrees are the target; 10 and 15 are what is usable and good (decision 13). 25 shows how close the rest
-// comes.
-constexpr double kCountBelow[] = {10, 15, 20, 25};
+// What is usable, good, and what users ask for (decision 18).
+constexpr size_t kCounts = 5;
+constexpr double kCountBelow[kCounts] = {10, 15, 20, 25, 30};
 
 struct AngleSummary {
     double least = 180, greatest = 0;
-    int64_t below[4] = {0, 0, 0, 0};
+    int64_t below[kCounts] = {};
     int64_t tets = 0;
     // No angle of a tetrahedron of this quality can change the summary any more.
     double of_no_interest = 2;
@@ -34,10 +34,11 @@ struct AngleSummary {
         const auto [low, high] = std::minmax_element(angles.begin(), angles.end());
         least = std::min(least, *low);
         greatest = std::max(greatest, *high);
-        for (size_t i = 0; i < 4; ++i)
+        for (size_t i = 0; i < kCounts; ++i)
             below[i] += *low < kCountBelow[i];
         // The quality is at most the sine of every angle.
-        const double nearest = std::max({kCountBelow[3], std::min(least, 90.0), 180 - std::max(greatest, 90.0)});
+        const double nearest =
+            std::max({kCountBelow[kCounts - 1], std::min(least, 90.0), 180 - std::max(greatest, 90.0)});
         // The factor covers the rounding of both sines, so that no tetrahedron at a limit is missed.
         of_no_interest = sine_of(nearest) * (1 + 1e-12);
     }
@@ -63,6 +64,7 @@ void note_angles(const LocalMesh& mesh, const std::string& prefix, const std::st
     note("below_15", static_cast<double>(summary.below[1]));
     note("below_20", static_cast<double>(summary.below[2]));
     note("below_25", static_cast<double>(summary.below[3]));
+    note("below_30", static_cast<double>(summary.below[4]));
 }
 
 }  // namespace cleft

@@ -7,11 +7,12 @@
 
 enum { N = 12, MOST_TEXTS = 5 };
 
-/* Other options, as name and value in turn. Improving is off, which saves most of the time. */
+/* Other options, as name and value in turn. Where it can be, improving is off, which saves most of the time. */
 static const char* const kSettings[][2 * MOST_TEXTS] = {
     {"improve", "off", NULL},
     {"improve", "off", "tets", "2000", NULL},
     {"improve", "off", "tets", "1000", "snap", "none", NULL},
+    {"improve", "fast", "tets", "1000", "snap", "none", NULL},
     {"improve", "off", "background", "lattice", NULL},
     {"improve", "off", "background", "lattice", "max_tets", "1500", NULL},
     {"improve", "off", "background", "lattice", "size", "2", NULL},
@@ -24,7 +25,7 @@ static const char* const kValues[][2] = {
     {"feature_scale", "3"},   {"gradation", "0.05"}, {"interface_size", "1"}, {"keep_thin", "true"},
     {"tets", "3000"},         {"max_tets", "1000"},  {"smooth", "2"},         {"snap", "none"},
     {"improve", "fast"},      {"steps", "1"},        {"seed", "7"},           {"strict", "true"},
-    {"repair", "0"},
+    {"repair", "0"},          {"min_angle", "35"},
 };
 enum { VALUES = sizeof kValues / sizeof *kValues };
 
@@ -134,8 +135,8 @@ static const struct {
     const char* name;
     uint64_t (*run)(world*, const cleft_options*);
     int settings; /* how many of kSettings are tried: others tell the kind of background apart */
-} kCalls[] = {{"volume", volume_call, 1}, {"sizing", sizing_call, 3},   {"background", background_call, SETTINGS},
-              {"cleave", cleave_call, 1}, {"improve", improve_call, 1}, {"mesh", mesh_call, SETTINGS}};
+} kCalls[] = {{"volume", volume_call, 1}, {"sizing", sizing_call, 4},   {"background", background_call, SETTINGS},
+              {"cleave", cleave_call, 1}, {"improve", improve_call, 4}, {"mesh", mesh_call, SETTINGS}};
 enum { CALLS = sizeof kCalls / sizeof *kCalls };
 
 static cleft_options* options_of(const char* const* texts)

@@ -31,6 +31,7 @@ class OptionKeywords(TypedDict, total=False):
     smooth: int
     snap: str
     improve: str
+    min_angle: float
     steps: int
     seed: int
     strict: bool

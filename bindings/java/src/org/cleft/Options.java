@@ -295,6 +295,29 @@ public final class Options extends NativeObject {
     }
 
     /**
+     * Sets {@code minAngle}: dihedral angle, in degrees, that no tetrahedron shall be below. A greatest angle goes with
+     * it: 148.5 degrees with 25, 141.8 with 30. A warning says how many tetrahedra miss it. 0: 25, or 32 where improve
+     * is best (0 to 35; default 0).
+     *
+     * @param value the new value
+     * @return these options
+     */
+    public Options minAngle(double value) {
+        return set(CleftNative.CLEFT_OPTION_MIN_ANGLE, value);
+    }
+
+    /**
+     * {@code minAngle}: dihedral angle, in degrees, that no tetrahedron shall be below. A greatest angle goes with it:
+     * 148.5 degrees with 25, 141.8 with 30. A warning says how many tetrahedra miss it. 0: 25, or 32 where improve is
+     * best (0 to 35; default 0).
+     *
+     * @return the value
+     */
+    public double minAngle() {
+        return real(CleftNative.CLEFT_OPTION_MIN_ANGLE);
+    }
+
+    /**
      * Sets {@code steps}: number of relaxation steps of the particles (0 to 1000; default 8).
      *
      * @param value the new value
