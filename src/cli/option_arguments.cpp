@@ -88,6 +88,14 @@ std::string range_text(const cleft_option_description& info)
     return significant(info.least) + " .. " + significant(info.greatest, 10);
 }
 
+// Whether the library took a value. The sentence about one that it refuses would be wrong for a want of memory.
+bool is_taken(cleft_status status)
+{
+    if (status == CLEFT_ERROR_OUT_OF_MEMORY)
+        throw std::bad_alloc();
+    return status == CLEFT_OK;
+}
+
 void set_label_size(cleft_options* options, const std::string& assignment)
 {
     const std::size_t equals = assignment.find('=');
@@ -99,7 +107,7 @@ void set_label_size(cleft_options* options, const std::string& assignment)
         throw usage_failure("--label-size: '" + assignment + "' is not of the form LABEL=SIZE");
     // 0 takes a limit back in the library. On the command line there is none to take back; !(size >
     // 0) also catches NaN.
-    if (!(size > 0) || cleft_options_set_label_size(options, label, size) != CLEFT_OK)
+    if (!(size > 0) || !is_taken(cleft_options_set_label_size(options, label, size)))
         throw usage_failure("--label-size: '" + assignment + "': the size must be a positive number");
 }
 
@@ -203,7 +211,7 @@ Options OptionArguments::make() const
         // A flag has no text of its own: that it was given is its value.
         const std::string value = row.info.type == CLEFT_OPTION_TYPE_FLAG ? "true" : row.text;
         // What is not given keeps the default of the library.
-        if (row.given() && cleft_options_set_text(handle, row.info.name, value.c_str()) != CLEFT_OK)
+        if (row.given() && !is_taken(cleft_options_set_text(handle, row.info.name, value.c_str())))
             throw usage_failure(flag_name(row.info) + ": '" + row.text + "' is not " +
                                 (row.info.type == CLEFT_OPTION_TYPE_CHOICE
                                      ? "one of " + std::string(row.info.choices)
