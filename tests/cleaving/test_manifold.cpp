@@ -66,7 +66,7 @@ struct Outcome {
 
 Outcome outcome_of(const LabelVolume& labels, const char* background, const char* improve)
 {
-    const Meshed mesh = mesh_of(labels, {{"background", background}, {"improve", improve}});
+    const Meshed mesh = mesh_of(labels, {{"background", background}, {"improve", improve}, {"min_angle", "25"}});
     return {mesh.failure, count_pinches(mesh.tets, mesh.labels), static_cast<int64_t>(mesh.metric("cleaving.pinched")),
             static_cast<int64_t>(mesh.metric("cleaving.left_pinched")), mesh.labels};
 }
