@@ -328,7 +328,8 @@ Command add_mesh_command(CLI::App& app)
     arguments->options.add_to(parser, {"volume", "mesh"});
     arguments->options.add_label_sizes_to(parser);
     // The command also takes a file here; the table of the library knows the kinds only.
-    parser.get_option("--background")->type_name("particles|lattice|octree|FILE");
+    CLI::Option& background = *parser.get_option("--background");
+    background.type_name(background.get_type_name() + "|FILE");
     add_sizing_field_to(parser, *arguments);
     arguments->options.add_label_lists_to(parser);
     arguments->input.add_reading_to(parser);
