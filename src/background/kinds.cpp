@@ -6,6 +6,8 @@
 #include "background/lattice.hpp"
 #include "background/octree.hpp"
 
+#include <iterator>
+
 namespace cleft
 {
 
@@ -21,12 +23,14 @@ double particle_tets(const SizingField& field)
 
 // In the order of BackgroundKind.
 constexpr BackgroundRow kRows[] = {
-    {[](const SizingField& field, const BackgroundOptions& options, const Run& run) {
+    {BackgroundKind::particles,
+     [](const SizingField& field, const BackgroundOptions& options, const Run& run) {
          return particle_background(field, options.particles, run);
      },
      [](const SizingField& field, const BackgroundOptions&, const Run&) { return particle_tets(field); }, nullptr,
      [](const SizingField& field, double, const Run&) { return expected_particle_tets(field); }, 57, 165},
-    {[](const SizingField& field, const BackgroundOptions& options, const Run& run) {
+    {BackgroundKind::lattice,
+     [](const SizingField& field, const BackgroundOptions& options, const Run& run) {
          return field_lattice(field, options.lattice, run);
      },
      [](const SizingField& field, const BackgroundOptions& options, const Run&) {
@@ -36,12 +40,23 @@ constexpr BackgroundRow kRows[] = {
          return field_lattice_size(field, options.lattice);
      },
      nullptr, 5, 112},
-    {[](const SizingField& field, const BackgroundOptions&, const Run& run) { return octree_background(field, run); },
+    {BackgroundKind::octree,
+     [](const SizingField& field, const BackgroundOptions&, const Run& run) { return octree_background(field, run); },
      [](const SizingField& field, const BackgroundOptions&, const Run& run) {
          return static_cast<double>(octree_tets(field, run));
      },
      nullptr, octree_tets_near_limit, 10, 112},
 };
+
+// A kind is looked up by its number: one without a row would be read behind the table.
+constexpr bool has_row_for_each_kind()
+{
+    for (size_t i = 0; i < std::size(kRows); ++i)
+        if (kRows[i].kind != static_cast<BackgroundKind>(i))
+            return false;
+    return std::size(kRows) == kBackgroundKindCount;
+}
+static_assert(has_row_for_each_kind(), "the table needs a row for each BackgroundKind, in their order");
 
 // The share of the voxels that are in kept materials.
 double kept_share_of_voxels(const Volume& volume, const KeptMaterials& kept)

@@ -10,6 +10,7 @@ namespace cleft
 
 /* <choice> Made by tools/generate.py from src/capi/options.toml. */
 enum class BackgroundKind { particles, lattice, octree };
+inline constexpr size_t kBackgroundKindCount = 3;
 /* </choice> */
 
 struct BackgroundOptions {
@@ -18,7 +19,9 @@ struct BackgroundOptions {
     LatticeOptions lattice;
 };
 
+// All that the library knows of a kind.
 struct BackgroundRow {
+    BackgroundKind kind;
     // Throws CLEFT_ERROR_TOO_LARGE where the sizes ask for more than this kind can make.
     TetMesh (*make)(const SizingField& field, const BackgroundOptions& options, const Run& run);
     double (*expected_tets)(const SizingField& field, const BackgroundOptions& options, const Run& run);

@@ -10,6 +10,7 @@ namespace cleft
 
 /* <choice> Made by tools/generate.py from src/capi/options.toml. */
 enum class Snap { quality, safe, none };
+inline constexpr size_t kSnapCount = 3;
 /* </choice> */
 
 struct CleaveOptions {

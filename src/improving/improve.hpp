@@ -10,6 +10,7 @@ namespace cleft
 
 /* <choice> Made by tools/generate.py from src/capi/options.toml. */
 enum class Effort { off, fast, best };
+inline constexpr size_t kEffortCount = 3;
 /* </choice> */
 
 struct ImproveOptions {

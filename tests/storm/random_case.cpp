@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <sstream>
 
@@ -218,7 +219,7 @@ private:
     void set_options()
     {
         static const char* const kBackgrounds[] = {"particles", "lattice", "octree"};
-        option("background", kBackgrounds[random_.below(3)]);
+        option("background", kBackgrounds[random_.below(std::size(kBackgrounds))]);
         if (one_in(4))
             option("size", number(least_spacing_ * random_.between(0.7, 6)));
         if (one_in(5))

@@ -91,9 +91,11 @@ def _rows(table):
 
 
 def _stage_enum(tree, choice):
-    """The header of the stage with its enum made."""
+    """The header of the stage with its enum made, and the number of its values for tables that have a row for each."""
     names = ", ".join(value.name for value in choice.values)
-    return text.region(tree.read(choice.header), choice.header, "choice", f"enum class {choice.enum} {{ {names} }};\n")
+    made = f"enum class {choice.enum} {{ {names} }};\n"
+    made += f"inline constexpr size_t k{choice.enum}Count = {len(choice.values)};\n"
+    return text.region(tree.read(choice.header), choice.header, "choice", made)
 
 
 def files(tree, table):
