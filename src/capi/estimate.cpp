@@ -25,9 +25,9 @@ Estimate estimated(const cleft_volume& volume, const cleft_sizing* sizing, const
     if (background)
         return cleft::estimate_from_background(volume.volume, given_background(*background, volume.frame, run).mesh, p,
                                                run);
-    return cleft::estimate_from_sizing(
-        volume.volume,
-        sizing ? given_sizing(*sizing, volume) : cleft::ScaledSizing{cleft::sizes_of(volume.volume, p, run)}, p, run);
+    if (sizing)
+        return cleft::estimate_from_sizing(volume.volume, given_sizing(*sizing, volume), p, run);
+    return cleft::estimate_from_volume(volume.volume, p, run);
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 // The entries that make meshes from volumes: background, cleaving, improving, stripping, and all at once.
-#include "base/stage.hpp"
 #include "capi/firewall.hpp"
 #include "capi/given_mesh.hpp"
 #include "capi/kept_labels.hpp"
@@ -36,7 +35,7 @@ void require_sound(const cleft::UserMesh& mesh, const Run& run)
         throw Error(CLEFT_ERROR_INVALID_MESH, "the mesh is not valid: " + fault);
 }
 
-// After stripping, so that these are the numbers of what the caller gets.
+// Of what the caller gets, without the labels that are left out.
 void note_result(const Run& run, const cleft::UserMesh& mesh)
 {
     run.note("mesh.points", static_cast<double>(mesh.points.size()));
@@ -85,11 +84,8 @@ cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volum
         const auto from = held(background, "background");
         const cleft::PipelineOptions p = pipeline_options(options);
         warn_of_unused_smooth(v->volume, options, run);
-        // Its own array: repairing changes points, and the caller's mesh must stay as it is.
         GivenBackground given = given_background(*from, v->frame, run);
-        cleft::Steps steps(run, {{nullptr, 3}, {nullptr, 7}});
-        cleft::repair_background(given.mesh, given.options(p), steps.next());
-        LabelledMesh cleaved = cleft::cleave(v->volume, given.mesh, p.cleave, steps.next());
+        LabelledMesh cleaved = cleft::repair_and_cleave(v->volume, std::move(given.mesh), given.options(p), run);
         cleft_mesh result = to_next_stage(std::move(cleaved), MadeBy::cleaving, v->frame, v->volume.labels(), run);
         add_label_names(result.names, v->names, result.labels);
         return result;
@@ -150,8 +146,6 @@ cleft_status cleft_mesh_volume(cleft_context* context, const cleft_volume* volum
         warn_of_unused_smooth(v->volume, options, run);
         LabelledMesh mesh = meshed(*v, sizing, background, p, run);
         cleft_mesh result = to_user(std::move(mesh), *v, run);
-        // The stages keep everything until here: topology, volumes and angles need the neighbours of what stays.
-        strip_labels(result, options);
         note_result(run, result.mesh);
         return result;
     });

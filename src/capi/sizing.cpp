@@ -68,18 +68,10 @@ cleft_status cleft_sizing_create_values(cleft_context* context, const cleft_volu
     return guarded_create(context, out, "sizing", [&](const Run& run) {
         const auto v = held(volume, "volume");
         required(values, "values");
-        cleft::PipelineOptions p = pipeline_options(options, *v);
+        const cleft::PipelineOptions p = pipeline_options(options, *v);
         warn_of_unused_smooth(v->volume, options, run);
         SizingField field = field_of(type, values, v->frame.grid);
-        field.gradation = p.sizing.gradation;  // by which a search for a number scales it
-        if (combine) {
-            // The old field is read until the new one is complete; the assignment comes after that.
-            p.sizing.user = field.h.data();
-            field = cleft::sizes_of(v->volume, p, run);
-        }
-        ScaledSizing sizing{std::move(field)};
-        cleft::scale_by_meshing(sizing, v->volume, p, run);
-        return finished(*v, std::move(sizing), p, run);
+        return finished(*v, cleft::make_sizing(v->volume, std::move(field), combine != 0, p, run), p, run);
     });
 }
 

@@ -49,6 +49,11 @@ ExpectedMesh times(const ExpectedMesh& mesh, double factor)
 
 }  // namespace
 
+Estimate estimate_from_volume(const Volume& volume, const PipelineOptions& options, const Run& run)
+{
+    return estimate_from_sizing(volume, {sizes_of(volume, options, run)}, options, run);
+}
+
 Estimate estimate_from_sizing(const Volume& volume, ScaledSizing sizing, const PipelineOptions& options, const Run& run)
 {
     scale_by_estimate(sizing, volume, options, run);

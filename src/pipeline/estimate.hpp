@@ -12,6 +12,8 @@ struct Estimate {
     double peak_bytes = 0;  // of the process that makes it, no less
 };
 
+// For the sizes that the options give.
+Estimate estimate_from_volume(const Volume& volume, const PipelineOptions& options, const Run& run);
 // For a sizing field, of which no mesh is made.
 Estimate estimate_from_sizing(const Volume& volume, ScaledSizing sizing, const PipelineOptions& options,
                               const Run& run);

@@ -7,6 +7,7 @@
 #include "base/stage.hpp"
 #include "fitting/fit_volumes.hpp"
 #include "mesh/order.hpp"
+#include "mesh/strip.hpp"
 #include "pipeline/best_of_tries.hpp"
 #include "pipeline/label_report.hpp"
 #include "pipeline/missed_angles.hpp"
@@ -91,6 +92,19 @@ LabelledMesh improve_and_fit(const Volume& volume, const Cleaved& cleaved, const
     return mesh.take();
 }
 
+// Of a background of the user.
+void repair_background(TetMesh& background, const PipelineOptions& options, const Run& run)
+{
+    // 0 stands for a background that is to be cleaved exactly as the user made it.
+    if (options.repair_angle <= 0)
+        return;
+    Stage stage(run, "background", {{"background", 1}});
+    RepairOptions repair_options;
+    repair_options.target_angle = options.repair_angle;
+    repair_options.sweeps = 0;  // a user's points stay where they are unless a bad tetrahedron needs them moved
+    repair(background, repair_options, stage.next());
+}
+
 LabelledMesh finished(const Volume& volume, LabelledMesh mesh, const PipelineOptions& options, const Run& run)
 {
     // Before anything is reported: the sentence of this error says more than warnings about an empty mesh.
@@ -103,6 +117,32 @@ LabelledMesh finished(const Volume& volume, LabelledMesh mesh, const PipelineOpt
     // Last, since stages before number points as they make them. It changes no place, so what was reported stays true.
     order_spatially(mesh, stage.next());
     return mesh;
+}
+
+// Meshes that a search makes take by far the most of the time.
+Steps steps_of_sizing(const PipelineOptions& options, const Run& run)
+{
+    return Steps(run, {{nullptr, 1}, {nullptr, options.tets > 0 ? 20.0 : 0}});
+}
+
+// The field, scaled by meshing to the number that the options want.
+ScaledSizing scaled(const Volume& volume, SizingField field, const PipelineOptions& options, const Run& run)
+{
+    ScaledSizing sizing{std::move(field)};
+    if (options.tets > 0)
+        mesh_of_number(volume, sizing, options, run);
+    return sizing;
+}
+
+// The last stages of the one call. The tetrahedra of labels that are left out were there until here, since topology,
+// volumes and angles need the neighbours of what stays.
+LabelledMesh finished_and_stripped(const Volume& volume, LabelledMesh mesh, const PipelineOptions& options,
+                                   const Run& run)
+{
+    LabelledMesh whole = finished(volume, std::move(mesh), options, run);
+    if (!options.kept.all())
+        strip(whole.points, whole.tets, whole.material, [&](Material m) { return options.kept.has(m); });
+    return whole;
 }
 
 }  // namespace
@@ -118,16 +158,23 @@ SizingField sizes_of(const Volume& volume, const PipelineOptions& options, const
 
 ScaledSizing make_sizing(const Volume& volume, const PipelineOptions& options, const Run& run)
 {
-    Steps steps(run, {{nullptr, 1}, {nullptr, options.tets > 0 ? 20.0 : 0}});
-    ScaledSizing sizing{sizes_of(volume, options, steps.next())};
-    scale_by_meshing(sizing, volume, options, steps.next());
-    return sizing;
+    Steps steps = steps_of_sizing(options, run);
+    SizingField field = sizes_of(volume, options, steps.next());
+    return scaled(volume, std::move(field), options, steps.next());
 }
 
-void scale_by_meshing(ScaledSizing& sizing, const Volume& volume, const PipelineOptions& options, const Run& run)
+ScaledSizing make_sizing(const Volume& volume, SizingField given, bool is_combined, PipelineOptions options,
+                         const Run& run)
 {
-    if (options.tets > 0)
-        mesh_of_number(volume, sizing, options, run);
+    Steps steps = steps_of_sizing(options, run);
+    const Run first = steps.next();
+    given.gradation = options.sizing.gradation;  // by which a search for a number scales it
+    if (is_combined) {
+        // The old field is read until the new one is complete; the assignment comes after that.
+        options.sizing.user = given.h.data();
+        given = sizes_of(volume, options, first);
+    }
+    return scaled(volume, std::move(given), options, steps.next());
 }
 
 TetMesh make_background(const ScaledSizing& sizing, const PipelineOptions& options, const Run& run)
@@ -142,16 +189,11 @@ TetMesh make_background(const ScaledSizing& sizing, const PipelineOptions& optio
     return mesh;
 }
 
-void repair_background(TetMesh& background, const PipelineOptions& options, const Run& run)
+LabelledMesh repair_and_cleave(const Volume& volume, TetMesh background, const PipelineOptions& options, const Run& run)
 {
-    // 0 stands for a background that is to be cleaved exactly as the user made it.
-    if (options.repair_angle <= 0)
-        return;
-    Stage stage(run, "background", {{"background", 1}});
-    RepairOptions repair_options;
-    repair_options.target_angle = options.repair_angle;
-    repair_options.sweeps = 0;  // a user's points stay where they are unless a bad tetrahedron needs them moved
-    repair(background, repair_options, stage.next());
+    Steps steps(run, {{nullptr, 3}, {nullptr, 7}});
+    repair_background(background, options, steps.next());
+    return cleave(volume, background, options.cleave, steps.next());
 }
 
 LabelledMesh cleave_improve_and_fit(const Volume& volume, const TetMesh& background, const PipelineOptions& options,
@@ -186,7 +228,7 @@ LabelledMesh mesh_from_sizing(const Volume& volume, ScaledSizing sizing, const P
         if (!is_graded(options.background.kind))
             warn_of_coarse_lattice(sizing.field, sizing.scale, run);
         sizing = ScaledSizing();
-        return finished(volume, std::move(mesh), options, steps.next());
+        return finished_and_stripped(volume, std::move(mesh), options, steps.next());
     }
     const double share = row_of(options.background.kind).share_of_time;
     Steps steps(run, {{nullptr, share}, {nullptr, 97 - share}, {nullptr, 3}});
@@ -195,7 +237,7 @@ LabelledMesh mesh_from_sizing(const Volume& volume, ScaledSizing sizing, const P
     sizing = ScaledSizing();
     LabelledMesh mesh = cleave_improve_and_fit(volume, background, options, steps.next());
     background = TetMesh();
-    return finished(volume, std::move(mesh), options, steps.next());
+    return finished_and_stripped(volume, std::move(mesh), options, steps.next());
 }
 
 LabelledMesh mesh_from_background(const Volume& volume, TetMesh background, const PipelineOptions& options,
@@ -205,7 +247,7 @@ LabelledMesh mesh_from_background(const Volume& volume, TetMesh background, cons
     repair_background(background, options, steps.next());
     LabelledMesh mesh = cleave_improve_and_fit(volume, background, options, steps.next());
     background = TetMesh();
-    return finished(volume, std::move(mesh), options, steps.next());
+    return finished_and_stripped(volume, std::move(mesh), options, steps.next());
 }
 
 }  // namespace cleft

@@ -33,15 +33,17 @@ SizingField sizes_of(const Volume& volume, const PipelineOptions& options, const
 // The stage of sizing. With options.tets the field is scaled until its mesh has that number, which it finds by making
 // meshes.
 ScaledSizing make_sizing(const Volume& volume, const PipelineOptions& options, const Run& run);
-// The same for a field that is given.
-void scale_by_meshing(ScaledSizing& sizing, const Volume& volume, const PipelineOptions& options, const Run& run);
+// The same for a field that is given: as it is, or combined with the computed one by minimum.
+ScaledSizing make_sizing(const Volume& volume, SizingField given, bool is_combined, PipelineOptions options,
+                         const Run& run);
 
 // Of the kind that the options name, in the local frame. Throws CLEFT_ERROR_TOO_LARGE where it would have too many
 // elements.
 TetMesh make_background(const ScaledSizing& sizing, const PipelineOptions& options, const Run& run);
 
-// Repairs poor tetrahedra of a user-supplied background, as the options say.
-void repair_background(TetMesh& background, const PipelineOptions& options, const Run& run);
+// The stage of cleaving. Poor tetrahedra of the background are repaired first, as the options say.
+LabelledMesh repair_and_cleave(const Volume& volume, TetMesh background, const PipelineOptions& options,
+                               const Run& run);
 
 // Cleaving, improving and fitting, without the final checks and the ordering.
 LabelledMesh cleave_improve_and_fit(const Volume& volume, const TetMesh& background, const PipelineOptions& options,
@@ -55,7 +57,7 @@ using Cleaved = std::function<LabelledMesh(const Run& run)>;
 LabelledMesh improve_and_finish(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options,
                                 const Run& run);
 
-// All stages.
+// All stages. These three leave out the tetrahedra of materials that are not kept.
 LabelledMesh mesh_from_volume(const Volume& volume, const PipelineOptions& options, const Run& run);
 
 // From the sizing field on; the field is given away so that its memory is free when cleaving begins.
