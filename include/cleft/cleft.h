@@ -425,7 +425,8 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_create(cleft_context* contex
                                                            const cleft_options* options,
                                                            cleft_sizing** out) CLEFT_NOEXCEPT;
 /** Makes a sizing field with one size everywhere. CLEFT_ERROR_ARGUMENT if the size is not within 1e-30 to 1e30. The
- *  caller owns *out. \since 0.1 */
+ *  function reads no options, so it does not scale the size to TETS; cleft_mesh_volume() does if it gets the field.
+ *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_create_constant(cleft_context* context, const cleft_volume* volume,
                                                                     double size, cleft_sizing** out) CLEFT_NOEXCEPT;
 /** Makes a sizing field from user-supplied values: one per voxel of the volume, x fastest, FLOAT32 or FLOAT64, within
@@ -461,6 +462,9 @@ CLEFT_API double cleft_sizing_expected_tets(const cleft_sizing* sizing) CLEFT_NO
  *  depend on the materials: its only label is 0. STEPS and SEED apply to particles. A lattice has one size, the least
  *  of the field. To keep to MAX_TETS the library raises that size, unless SIZE, SIZE_MIN or TETS is set. `options`
  *  may be NULL.
+ *
+ *  The function does not scale the sizes to TETS: cleft_sizing_create() and cleft_sizing_create_values() do. A warning
+ *  reports a field that they did not make with the same TETS.
  *  Options read: BACKGROUND, SIZE, SIZE_MIN, TETS, MAX_TETS, STEPS and SEED.
  *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_background_create(cleft_context* context, const cleft_sizing* sizing,
@@ -513,8 +517,9 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_strip(cleft_context* context, 
  *  `sizing`, `background` and `options` may be NULL; the call skips the stages whose results it receives.
  *
  *  With TETS the library corrects the size until the number of kept tetrahedra is within 10 %, in at most eight
- *  rounds. Then MAX_TETS has no effect, with one exception. If strip or only leaves labels out, the whole mesh keeps
- *  to MAX_TETS, and a warning says if the number is not met.
+ *  rounds. A given sizing field is corrected too, unless it was made with the same TETS and gives the number that was
+ *  found then. A given background is not, and a warning says so. Then MAX_TETS has no effect, with one exception. If
+ * strip or only leaves labels out, the whole mesh keeps to MAX_TETS, and a warning says if the number is not met.
  *
  *  With STRICT the call returns CLEFT_ERROR_LABEL_LOST if:
  *  - a kept label, or a piece of more than 30 voxels of one, is not in the mesh;

@@ -42,6 +42,14 @@ void note_result(const Run& run, const cleft::UserMesh& mesh)
     run.note("mesh.tets", static_cast<double>(mesh.tets.size()));
 }
 
+// The search for a number is over when a background is made: it belongs to the sizes.
+void warn_of_unmet_number(const cleft::ScaledSizing& sizing, int64_t tets, const Run& run)
+{
+    if (tets > 0 && sizing.found_for != tets)
+        run.warn("tets is " + std::to_string(tets) + " and has no effect: the sizing field was made " +
+                 (sizing.found_for > 0 ? "with " + std::to_string(sizing.found_for) : "without it"));
+}
+
 // What is given is held by the caller.
 // A background decides over a field: with both, the field has nothing left to say.
 LabelledMesh meshed(const cleft_volume& volume, const cleft_sizing* sizing, const cleft_mesh* background,
@@ -67,7 +75,9 @@ cleft_status cleft_background_create(cleft_context* context, const cleft_sizing*
 {
     return guarded_create(context, out, "background", [&](const Run& run) {
         const auto s = held(sizing, "sizing");
-        cleft::TetMesh mesh = cleft::make_background(s->sizing, pipeline_options(options), run);
+        const cleft::PipelineOptions p = pipeline_options(options);
+        warn_of_unmet_number(s->sizing, p.tets, run);
+        cleft::TetMesh mesh = cleft::make_background(s->sizing, p, run);
         LabelledMesh labelled{std::move(mesh.points), std::move(mesh.tets), {}};
         // A background is a mesh like others to a caller, who may look at it or write it: it needs a label.
         labelled.material.assign(labelled.tets.size(), 0);

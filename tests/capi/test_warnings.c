@@ -270,6 +270,51 @@ static void a_number_for_a_background_that_is_given_is_told(void** state)
     cleft_context_destroy(context);
 }
 
+static void assert_background_reports(cleft_context* context, const cleft_sizing* sizing, const cleft_options* options,
+                                      warnings* reported, const char* words)
+{
+    cleft_mesh* background = NULL;
+    assert_ok(context, cleft_background_create(context, sizing, options, &background));
+    assert_reported(reported, words);
+    cleft_mesh_destroy(background);
+}
+
+/* The stage of sizing searches for the number, and the one call does on a field that no search has scaled. */
+static void a_number_that_the_sizes_were_not_made_for_is_told(void** state)
+{
+    enum { WANTED = 20000 };
+    warnings reported;
+    cleft_context* context = listening_context(&reported);
+    cleft_volume* volume = ball_volume(context, N);
+    cleft_options* options = plain();
+    cleft_sizing *constant = NULL, *scaled = NULL;
+    cleft_mesh* mesh = NULL;
+    float* values = (float*)malloc(sizeof(float) * VOXELS);
+    (void)state;
+    for (int v = 0; v < VOXELS; ++v)
+        values[v] = 3;
+    assert_int_equal(cleft_options_set_integer(options, CLEFT_OPTION_TETS, WANTED), CLEFT_OK);
+    assert_ok(context, cleft_sizing_create_constant(context, volume, 3, &constant));
+    assert_background_reports(context, constant, options, &reported,
+                              "tets is 20000 and has no effect: the sizing field was made without it");
+    assert_ok(context, cleft_mesh_volume(context, volume, constant, NULL, options, &mesh));
+    assert_reported(&reported, NULL);
+    assert_in_range(cleft_mesh_tet_count(mesh), WANTED * 9 / 10, WANTED * 11 / 10);
+    assert_ok(context, cleft_sizing_create_values(context, volume, CLEFT_TYPE_FLOAT32, values, 0, options, &scaled));
+    assert_background_reports(context, scaled, options, &reported, NULL);
+    assert_background_reports(context, scaled, NULL, &reported, NULL);
+    assert_int_equal(cleft_options_set_integer(options, CLEFT_OPTION_TETS, 2 * WANTED), CLEFT_OK);
+    assert_background_reports(context, scaled, options, &reported,
+                              "tets is 40000 and has no effect: the sizing field was made with 20000");
+    free(values);
+    cleft_mesh_destroy(mesh);
+    cleft_sizing_destroy(scaled);
+    cleft_sizing_destroy(constant);
+    cleft_options_destroy(options);
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
 /* A size that is given for interfaces holds, so that a raised least size of features cannot keep to max_tets. */
 static void a_number_that_sizes_of_the_user_exceed_is_told(void** state)
 {
@@ -360,6 +405,7 @@ int main(void)
         cmocka_unit_test(one_or_two_functions_are_told_where_they_leave_a_doubt),
         cmocka_unit_test(smooth_that_has_no_effect_is_told),
         cmocka_unit_test(a_number_for_a_background_that_is_given_is_told),
+        cmocka_unit_test(a_number_that_the_sizes_were_not_made_for_is_told),
         cmocka_unit_test(a_number_that_sizes_of_the_user_exceed_is_told),
         cmocka_unit_test(max_tets_limits_each_background),
         cmocka_unit_test(a_coarse_lattice_is_told_once),
