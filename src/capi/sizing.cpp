@@ -1,6 +1,7 @@
 // Sizing fields: computed from a volume, of one size, or from values of the caller.
 #include "base/number_text.hpp"
 #include "capi/firewall.hpp"
+#include "capi/kept_labels.hpp"
 #include "capi/options.hpp"
 #include "pipeline/pipeline.hpp"
 
@@ -43,6 +44,7 @@ cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* vol
     return guarded_create(context, out, "sizing", [&](const Run& run) {
         const auto v = held(volume, "volume");
         const cleft::PipelineOptions p = pipeline_options(options, *v);
+        warn_of_unknown_labels(v->volume.labels(), options, "volume", run);
         warn_of_unused_smooth(v->volume, options, run);
         return finished(*v, cleft::make_sizing(v->volume, p, run), p, run);
     });

@@ -129,12 +129,16 @@ Command add_sizing_command(CLI::App& app)
     // The calls that this command makes. Options of meshing would have no effect here.
     arguments->options.add_to(parser, {"volume", "sizing"});
     arguments->options.add_label_sizes_to(parser);
+    arguments->options.add_label_lists_to(parser);
     arguments->input.add_reading_to(parser);
     arguments->run.add_to(parser);
-    parser.footer("Formats of FIELD, by extension:\n" + format_help(CLEFT_IO_WRITES_SIZING) +
-                  "\nExamples:\n  cleft sizing head.nrrd -o h.nrrd --gradation 0.2\n"
-                  "  cleft mesh head.nrrd --sizing h.nrrd -o head.vtu\n\n" +
-                  exit_code_help());
+    parser.footer(
+        "Formats of FIELD, by extension:\n" + format_help(CLEFT_IO_WRITES_SIZING) +
+        "\nExamples:\n  cleft sizing head.nrrd -o h.nrrd --gradation 0.2\n"
+        "  cleft mesh head.nrrd --sizing h.nrrd -o head.vtu\n"
+        "  cleft sizing head.nrrd -o h.nrrd --tets 500000 --strip 0      scaled for these tetrahedra\n"
+        "  cleft mesh head.nrrd --sizing h.nrrd --strip 0 -o head.vtu    without --tets, which would scale again\n\n" +
+        exit_code_help());
     return {&parser, [arguments] { return guarded("sizing", arguments->run, [&] { return run_sizing(*arguments); }); }};
 }
 

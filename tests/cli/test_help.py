@@ -64,6 +64,7 @@ class Help(CommandTest):
         self.assertEqual(
             self.options_of("sizing", "Sizes"), [name for name in sizes if name not in ("--sizing", "--combine")]
         )
+        self.assertEqual(self.options_of("sizing", "Labels"), self.options_of("mesh", "Labels"))
         self.assertEqual(
             self.options_of("sizing", "Meshing"),
             ["--background", "--smooth", "--snap", "--improve", "--steps", "--seed"],

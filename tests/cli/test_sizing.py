@@ -2,7 +2,7 @@
 import json
 import unittest
 
-from support import CANNOT_WRITE, DATA, CommandTest, cleft, write_nrrd
+from support import CANNOT_WRITE, DATA, USAGE, CommandTest, cleft, write_nrrd
 
 
 class Sizing(CommandTest):
@@ -53,6 +53,24 @@ class Sizing(CommandTest):
         tets = self.mesh(self.volume, "--sizing", self.path("h.nrrd"))["mesh"]["tets"]
         self.assertGreater(tets, 0.5 * expected)
         self.assertLess(tets, 4 * expected)
+
+    def test_the_field_of_a_number_gives_the_mesh_of_the_one_call(self):
+        for background in ("particles", "lattice", "octree"):
+            with self.subTest(background):
+                kept, wanted = ("--strip", 0, "--background", background), ("--tets", 3000)
+                self.field(self.volume, *kept, *wanted)
+                tets = self.mesh(self.volume, *kept, *wanted, output="one.vtu")["mesh"]["tets"]
+                self.mesh(self.volume, *kept, "--sizing", self.path("h.nrrd"), output="two.vtu")
+                self.assertEqual(self.path("one.vtu").read_bytes(), self.path("two.vtu").read_bytes())
+                whole = self.field(self.volume, "--background", background, *wanted)
+                self.assertGreater(whole["least"], self.field(self.volume, *kept, *wanted)["least"])
+                if background != "lattice":
+                    self.assertAlmostEqual(tets, 3000, delta=300)
+
+    def test_labels_that_are_not_there_are_told(self):
+        done = self.run_ok("sizing", self.volume, "--only", 3, 9, "-o", self.path("h.nrrd"))
+        self.assertEqual(done.stderr.count("only names label 9, which the volume does not have"), 1)
+        self.assert_fails(USAGE, cleft("sizing", self.volume, "--only", 9, "-o", self.path("h.nrrd")), "leave nothing")
 
     def test_unknown_format(self):
         self.assert_fails(CANNOT_WRITE, cleft("sizing", self.volume, "-o", self.path("h.vtu")), "h.vtu")
