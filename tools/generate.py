@@ -40,8 +40,13 @@ def main():
     root, is_check = pathlib.Path(__file__).resolve().parents[1], sys.argv[1:] == ["--check"]
     if sys.argv[1:] and not is_check:
         sys.exit(__doc__)
+    try:
+        made = generate(root)
+    except ValueError as error:
+        # What the sources lack is said in a sentence; a traceback would hide it.
+        sys.exit(f"tools/generate.py: {error}")
     changed = []
-    for path, content in generate(root).items():
+    for path, content in made.items():
         file = root / path
         if not file.exists() or file.read_bytes() != content.encode():
             changed.append(path)
@@ -53,4 +58,5 @@ def main():
         sys.exit("these files are not what tools/generate.py makes: run it, and review what changes")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -9,7 +9,7 @@ import unittest
 ROOT = pathlib.Path(sys.argv.pop(1))
 sys.path.insert(0, str(ROOT / "tools"))
 
-from generator import c_header, fortran, layout, option_table, text  # noqa: E402
+from generator import c_header, fortran, guide, layout, option_table, text  # noqa: E402
 
 
 class OptionTable(unittest.TestCase):
@@ -44,9 +44,16 @@ class OptionTable(unittest.TestCase):
             (r"number = 2\n", "number = 2\nhelp = 1\n", "unknown fields"),
             (r'text = "one wanted', 'text = "One wanted', "phrase"),
             (r'type = "flag"', 'type = "flag"\nleast = 0', "no range"),
+            (r'default = "particles"\n', "", "BACKGROUND lacks default"),
+            (r'type = "flag"', 'type = "choice"', r"KEEP_THIN has no \[\[choice\]\]"),
         ):
             with self.subTest(replacement), self.assertRaisesRegex(ValueError, words):
                 self.changed(pattern, replacement)
+
+    def test_a_new_group_needs_a_place_in_the_guide(self):
+        table = self.changed(r'group = "Sizes"', 'group = "Shapes"')
+        with self.assertRaisesRegex(ValueError, "docs/guide.md has no place for the group Shapes"):
+            guide.files(Tree("", "", ""), table)
 
 
 class Reader(unittest.TestCase):

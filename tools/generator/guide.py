@@ -1,5 +1,5 @@
 """What is made in the documents: the tables of options in docs/guide.md, one a group."""
-from . import text
+from . import option_table, text
 
 PATH = "docs/guide.md"
 
@@ -17,6 +17,11 @@ def files(tree, table):
     guide = tree.read(PATH)
     for group in dict.fromkeys(option.group for option in table.options):
         rows = "".join(_row(option, table.options) for option in table.options if option.group == group)
+        if f"<options: {group}>" not in guide:
+            raise ValueError(
+                f"{PATH} has no place for the group {group} of {option_table.PATH}: add a line "
+                f"<!-- <options: {group}> --> and a line <!-- </options: {group}> --> where its table shall stand"
+            )
         inner = f"\n| option | what it is | values |\n|---|---|---|\n{rows}\n"
         guide = text.region(guide, PATH, f"options: {group}", inner, ("<!--", ""))
     return {PATH: guide}

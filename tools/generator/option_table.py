@@ -71,6 +71,8 @@ def _choice(row):
 
 def _option(row, choices, calls):
     key = row.get("key", "?")
+    missing = _FIELDS - {"least", "greatest", "field"} - set(row)
+    _require(not missing, f"{key} lacks {', '.join(sorted(missing))}")
     _require(set(row) <= _FIELDS, f"{key} has unknown fields: {set(row) - _FIELDS}")
     kind, default, text = row["type"], row["default"], re.sub(r"\s+", " ", row["text"]).strip()
     _require(re.fullmatch(r"[A-Z][A-Z0-9_]*", key), f"{key} is no key")
@@ -78,6 +80,7 @@ def _option(row, choices, calls):
     _require(kind in ("integer", "real") or not {"least", "greatest"} & set(row), f"{key}: a {kind} has no range")
     choice, least, greatest = None, row.get("least", 0), row.get("greatest", 1)
     if kind == "choice":
+        _require(key in choices, f"{key} has no [[choice]] with its names")
         choice = choices[key]
         names = [value.name for value in choice.values]
         _require(default in names, f"{key}: {default} is none of {names}")
