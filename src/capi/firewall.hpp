@@ -3,12 +3,12 @@
 #pragma once
 
 #include "base/run.hpp"
+#include "base/status_of.hpp"
 #include "capi/handles.hpp"
 #include "capi/reporter.hpp"
 
 #include <algorithm>
 #include <memory>
-#include <new>
 #include <optional>
 #include <string>
 
@@ -100,30 +100,13 @@ std::optional<Held<const Handle>> held_if_any(const Handle* handle, const char* 
 }
 
 // Runs `body` and turns what it throws into a status and a sentence.
-// Want of memory comes first and builds no string: the sentence is a literal, and its place is in the handle.
 template <class Body>
 cleft_status guarded(Message* message, const Body& body) noexcept
 {
-    try {
-        body();
-        return CLEFT_OK;
-    } catch (const std::bad_alloc&) {
-        set_message(message, "there is not enough memory");
-        return CLEFT_ERROR_OUT_OF_MEMORY;
-    } catch (const Error& error) {
-        set_message(message, error.what());
-        return error.status();
-    } catch (const std::length_error&) {  // a container asked for more than the address space
-        set_message(message, "there is not enough memory");
-        return CLEFT_ERROR_OUT_OF_MEMORY;
-    } catch (const std::exception& error) {
-        set_message(message, error.what());
-        return CLEFT_ERROR_INTERNAL;
-    } catch (...) {
-        // A callback written in C++ may throw anything, and nothing may unwind through the frames of a C caller.
-        set_message(message, "an unknown exception was thrown");
-        return CLEFT_ERROR_INTERNAL;
-    }
+    return status_of(body, [message](cleft_status status, const char* sentence) noexcept {
+        set_message(message, sentence);
+        return status;
+    });
 }
 
 // Takes a context for a call, and gives it free again.

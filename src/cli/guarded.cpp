@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <new>
+#include <stdexcept>
 
 namespace cleft_cli
 {
@@ -44,6 +45,8 @@ int guarded(const std::string& command, const RunArguments& arguments, const std
         return tell_failure(command, arguments, failure);
         // Also from the command's own code: the summary of a large mesh takes memory, too.
     } catch (const std::bad_alloc&) {
+        return tell_failure(command, arguments, {EXIT_OUT_OF_MEMORY, CLEFT_ERROR_OUT_OF_MEMORY, "out of memory"});
+    } catch (const std::length_error&) {  // a container asked for more than the address space
         return tell_failure(command, arguments, {EXIT_OUT_OF_MEMORY, CLEFT_ERROR_OUT_OF_MEMORY, "out of memory"});
         // Everything else is a mistake in the command or the library, so it is never called a mistake
         // of the user's.

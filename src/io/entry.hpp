@@ -2,11 +2,10 @@
 // what the entry works with lives until it ends.
 #pragma once
 
-#include "base/error.hpp"
+#include "base/status_of.hpp"
 #include "cleft/cleft.h"
 
 #include <initializer_list>
-#include <new>
 #include <string>
 
 namespace cleft::io
@@ -17,22 +16,9 @@ template <class Body>
 cleft_status guarded(cleft_context* context, const Body& body) noexcept
 {
     // The status is returned even where no context can keep the sentence.
-    const auto failed = [context](cleft_status status, const char* sentence) {
+    return status_of(body, [context](cleft_status status, const char* sentence) noexcept {
         return cleft_context_set_error(context, status, sentence);
-    };
-    try {
-        body();
-        return CLEFT_OK;
-        // First, and with a sentence that needs no memory to build.
-    } catch (const std::bad_alloc&) {
-        return failed(CLEFT_ERROR_OUT_OF_MEMORY, "out of memory");
-    } catch (const Error& error) {
-        return failed(error.status(), error.what());
-    } catch (const std::exception& error) {
-        return failed(CLEFT_ERROR_INTERNAL, error.what());
-    } catch (...) {
-        return failed(CLEFT_ERROR_INTERNAL, "an unknown exception");
-    }
+    });
 }
 
 // One call of the context, which works with `handles` (or null).
