@@ -11,6 +11,7 @@
 #include "capi/option_table.hpp"
 #include "mesh/interfaces.hpp"
 #include "mesh/tet_mesh.hpp"
+#include "mesh/user_label.hpp"
 #include "pipeline/label_report.hpp"
 #include "pipeline/scaled_sizing.hpp"
 #include "volume/frame.hpp"
@@ -81,9 +82,9 @@ struct cleft_options : cleft::capi::Handle<cleft::capi::Mark::options> {
     cleft::FixedArray<double, cleft::capi::kOptionCount> values{};
     cleft::FixedArray<bool, cleft::capi::kOptionCount> given{};  // whether the user set it
     // In the order in which they were set; sizes are combined by minimum, so the order does not matter.
-    cleft::Array<std::pair<int32_t, double>> label_sizes;
-    cleft::Array<int32_t> strip;
-    cleft::Array<int32_t> only;
+    cleft::Array<std::pair<cleft::UserLabel, double>> label_sizes;
+    cleft::Array<cleft::UserLabel> strip;
+    cleft::Array<cleft::UserLabel> only;
     cleft::capi::Message message{};
 };
 
@@ -92,7 +93,7 @@ struct cleft_volume : cleft::capi::Handle<cleft::capi::Mark::volume> {
     cleft::Volume volume;
     cleft::Array<cleft::Material> listed;  // Volume::listed
     // Lists for callers are kept in the handle: their functions lend a pointer, which must live as long as it.
-    cleft::Array<int32_t> labels;  // of these
+    cleft::Array<int32_t> labels;  // the numbers of the labels of these
     cleft::capi::LabelNames names;
 };
 
@@ -108,7 +109,7 @@ struct cleft_mesh : cleft::capi::Handle<cleft::capi::Mark::mesh> {
     cleft::capi::MadeBy made_by = cleft::capi::MadeBy::user;
     cleft::Array<cleft::Vec3> local;  // a stage's own points for the next one, if the way back differs in last digits
     cleft::UserMesh mesh;
-    cleft::Array<int32_t> labels;  // the different ones, ascending
+    cleft::Array<int32_t> labels;  // the different numbers, ascending
     cleft::capi::LabelNames names;
 };
 

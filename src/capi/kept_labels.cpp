@@ -14,13 +14,13 @@ namespace cleft::capi
 namespace
 {
 
-bool contains(const Array<int32_t>& list, int32_t label)
+bool contains(const Array<UserLabel>& list, UserLabel label)
 {
     return std::find(list.begin(), list.end(), label) != list.end();
 }
 
 // "label 3", "labels 3 and 5", "labels 3, 5, 8 and 4 more".
-std::string named(Array<int32_t> labels)
+std::string named(Array<UserLabel> labels)
 {
     // Atlases have hundreds of labels, and a sentence that names them all is not read.
     constexpr size_t kMost = 5;
@@ -31,7 +31,7 @@ std::string named(Array<int32_t> labels)
     std::string text = labels.size() == 1 ? "label " : "labels ";
     for (size_t i = 0; i < shown; ++i) {
         const bool is_last = i + 1 == shown && more == 0;
-        text += (i == 0 ? "" : is_last ? " and " : ", ") + std::to_string(labels[i]);
+        text += (i == 0 ? "" : is_last ? " and " : ", ") + std::to_string(number_of(labels[i]));
     }
     return more > 0 ? text + " and " + std::to_string(more) + " more" : text;
 }
@@ -43,12 +43,19 @@ std::string list_names(const cleft_options& options)
 
 }  // namespace
 
-KeptMaterials kept_labels(const Array<int32_t>& labels, const cleft_options* options, const char* whose)
+Array<UserLabel> user_labels(const int32_t* numbers, int64_t count)
+{
+    Array<UserLabel> labels(count);
+    std::transform(numbers, numbers + count, labels.begin(), [](int32_t number) { return UserLabel{number}; });
+    return labels;
+}
+
+KeptMaterials kept_labels(const Array<UserLabel>& labels, const cleft_options* options, const char* whose)
 {
     if (!options || (options->strip.empty() && options->only.empty()))
         return {};
     Array<char> is_kept;
-    for (const int32_t label : labels)
+    for (const UserLabel label : labels)
         is_kept.push_back(!contains(options->strip, label) &&
                           (options->only.empty() || contains(options->only, label)));
     const bool keeps_some = std::find(is_kept.begin(), is_kept.end(), 1) != is_kept.end();
@@ -59,14 +66,14 @@ KeptMaterials kept_labels(const Array<int32_t>& labels, const cleft_options* opt
     return KeptMaterials(std::move(is_kept));
 }
 
-void warn_of_unknown_labels(const Array<int32_t>& labels, const cleft_options* options, const char* whose,
+void warn_of_unknown_labels(const Array<UserLabel>& labels, const cleft_options* options, const char* whose,
                             const Run& run)
 {
     if (!options)
         return;
-    const auto warn = [&](const char* option, const Array<int32_t>& list) {
-        Array<int32_t> unknown;
-        for (const int32_t label : list)
+    const auto warn = [&](const char* option, const Array<UserLabel>& list) {
+        Array<UserLabel> unknown;
+        for (const UserLabel label : list)
             if (!contains(labels, label))
                 unknown.push_back(label);
         // No error: a caller often has one list for many volumes. But a misspelt number would otherwise leave a label
@@ -80,7 +87,7 @@ void warn_of_unknown_labels(const Array<int32_t>& labels, const cleft_options* o
 
 void strip_labels(cleft_mesh& mesh, const cleft_options* options)
 {
-    const KeptMaterials kept = kept_labels(mesh.labels, options, "mesh");
+    const KeptMaterials kept = kept_labels(user_labels(mesh.labels.data(), mesh.labels.count()), options, "mesh");
     if (kept.all())
         return;
     const auto is_kept = [&](int32_t label) {

@@ -238,7 +238,7 @@ cleft_status cleft_report_label(const cleft_report* report, int64_t index, cleft
             throw Error(CLEFT_ERROR_ARGUMENT, "there is no such row");
         const cleft::LabelRow& from = row_at(*report, index);
         cleft_label_report row{};
-        row.label = from.label;
+        row.label = number_of(from.label);
         row.voxels = from.voxels;
         row.voxel_volume = from.voxel_volume;
         row.mesh_volume = from.mesh_volume;
@@ -270,7 +270,7 @@ cleft_status cleft_report_contact(const cleft_report* report, int64_t index, cle
         if (index < 0 || index >= cleft_report_contact_count(report))
             throw Error(CLEFT_ERROR_ARGUMENT, "there is no such contact");
         const cleft::LabelContact& from = report->report.contacts[index];
-        const auto label = [&](cleft::Material m) { return report->report.rows[m].label; };
+        const auto label = [&](cleft::Material m) { return number_of(report->report.rows[m].label); };
         cleft_contact contact{};
         contact.first = label(from.first);
         contact.second = label(from.second);

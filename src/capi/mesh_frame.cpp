@@ -81,7 +81,7 @@ Array<int32_t> distinct_labels(const Array<int32_t>& tet_labels)
     return labels;
 }
 
-cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const Array<int32_t>& labels, const Run& run)
+cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const Array<UserLabel>& labels, const Run& run)
 {
     const StageTimer timer(run, "result_check");
     cleft_mesh out;
@@ -99,12 +99,12 @@ cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const Array<int32_t>
         refuse_result(std::move(out.mesh.tets), mesh.points, frame, fault, run);
     // In place: the array of materials becomes that of labels, and a mesh needs no second one.
     for (int32_t& label : out.mesh.labels)  // a material until here
-        label = labels[label];
+        label = number_of(labels[label]);
     out.labels = distinct_labels(out.mesh.labels);
     return out;
 }
 
-cleft_mesh to_next_stage(LabelledMesh&& mesh, MadeBy stage, const Frame& frame, const Array<int32_t>& labels,
+cleft_mesh to_next_stage(LabelledMesh&& mesh, MadeBy stage, const Frame& frame, const Array<UserLabel>& labels,
                          const Run& run)
 {
     Array<Vec3> local = mesh.points;
@@ -144,12 +144,12 @@ LabelledMesh to_stage(const cleft_mesh& mesh, const cleft_volume& volume)
     } else {
         to_local(mesh, volume.frame, out.points, out.tets);
     }
-    std::unordered_map<int32_t, Material> material_of;  // looked up only, never walked
+    std::unordered_map<UserLabel, Material> material_of;  // looked up only, never walked
     for (Material m = 0; m < volume.volume.material_count(); ++m)
         material_of[volume.volume.labels()[m]] = m;
     out.material.reserve(mesh.mesh.labels.size());
     for (const int32_t label : mesh.mesh.labels) {
-        const auto found = material_of.find(label);
+        const auto found = material_of.find(UserLabel{label});
         // Stages work by the functions of the volume, which has none for such a label.
         if (found == material_of.end())
             throw Error(CLEFT_ERROR_ARGUMENT,

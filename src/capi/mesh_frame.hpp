@@ -11,10 +11,10 @@ namespace cleft::capi
 // World coordinates and labels for a stage's result; an affine that mirrors turns the tetrahedra round. What the user
 // gets is checked (quick_fault()): an Error if a stage went wrong, or if the numbers of the world, far from the origin,
 // do not tell the points apart.
-cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const Array<int32_t>& labels, const Run& run);
+cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const Array<UserLabel>& labels, const Run& run);
 // The same of a stage that another goes on from: that gets the very points, not those that rounding to the world
 // leaves.
-cleft_mesh to_next_stage(LabelledMesh&& mesh, MadeBy stage, const Frame& frame, const Array<int32_t>& labels,
+cleft_mesh to_next_stage(LabelledMesh&& mesh, MadeBy stage, const Frame& frame, const Array<UserLabel>& labels,
                          const Run& run);
 // Whether the mesh is as that stage left it, in this frame.
 // A mesh that the caller has made of arrays, or stripped, never is: its points may have changed.

@@ -82,7 +82,7 @@ cleft_status cleft_background_create(cleft_context* context, const cleft_sizing*
         // A background is a mesh like others to a caller, who may look at it or write it: it needs a label.
         labelled.material.assign(labelled.tets.size(), 0);
         // The handle keeps the points of the stage as well, for cleaving to go on from them.
-        return to_next_stage(std::move(labelled), MadeBy::background, s->frame, {0}, run);
+        return to_next_stage(std::move(labelled), MadeBy::background, s->frame, {cleft::UserLabel{0}}, run);
     });
 }
 
@@ -137,7 +137,7 @@ cleft_status cleft_mesh_strip(cleft_context* context, const cleft_mesh* mesh, co
         copy.made_by = MadeBy::user;
         copy.local = {};
         strip_labels(copy, &*lists);
-        warn_of_unknown_labels(from->labels, &*lists, "mesh", run);
+        warn_of_unknown_labels(user_labels(from->labels.data(), from->labels.count()), &*lists, "mesh", run);
         return copy;
     });
 }
@@ -153,6 +153,8 @@ cleft_status cleft_mesh_volume(cleft_context* context, const cleft_volume* volum
         const cleft::PipelineOptions p = pipeline_options(options, *v);
         // Warnings on options come before the minutes of work, so that a caller can cancel.
         warn_of_unknown_labels(v->volume.labels(), options, "volume", run);
+        if (!sizing && !background)
+            warn_of_unknown_sizes(v->volume, options, run);
         warn_of_unused_smooth(v->volume, options, run);
         LabelledMesh mesh = meshed(*v, sizing, background, p, run);
         cleft_mesh result = to_user(std::move(mesh), *v, run);

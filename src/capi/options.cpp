@@ -114,14 +114,30 @@ void take(Field& field, double value)
         field = static_cast<Field>(value);
 }
 
-void set_labels(Array<int32_t>& list, const int32_t* labels, int64_t count)
+void set_labels(Array<UserLabel>& list, const int32_t* labels, int64_t count)
 {
     if (count < 0)
         throw Error(CLEFT_ERROR_ARGUMENT, "count is " + std::to_string(count) + "; it must not be negative");
     if (count > 0)
         required(labels, "labels");
     // A count of 0 takes the list away, whatever the pointer is.
-    list.assign(labels, labels + count);
+    list = user_labels(labels, count);
+}
+
+// By material, as the stages know the labels. A label that the volume does not have is told of by
+// warn_of_unknown_sizes().
+Array<double> material_sizes(const Array<UserLabel>& labels, const cleft_options* options)
+{
+    if (!options || options->label_sizes.empty())
+        return {};
+    Array<double> sizes(labels.size(), 0.0);
+    for (const auto& [label, size] : options->label_sizes) {
+        check_size("the size of " + name_of(label), size);
+        const auto found = std::find(labels.begin(), labels.end(), label);
+        if (found != labels.end())
+            sizes[found - labels.begin()] = size;
+    }
+    return sizes;
 }
 
 }  // namespace
@@ -144,8 +160,6 @@ PipelineOptions pipeline_options(const cleft_options* options)
     check_size_range(out.sizing);
     // A wanted number is explicit and max_tets a precaution, so the number wins.
     out.sizing.max_tets = out.tets > 0 ? 0 : out.max_tets;
-    if (options)
-        out.sizing.label_sizes = options->label_sizes;
     // A size that was given for all places is meant, and a lattice keeps it. One that features ask for may be raised.
     out.background.lattice = {out.sizing.max_tets, out.sizing.size > 0 || out.sizing.size_min > 0};
     return out;
@@ -154,8 +168,21 @@ PipelineOptions pipeline_options(const cleft_options* options)
 PipelineOptions pipeline_options(const cleft_options* options, const cleft_volume& volume)
 {
     PipelineOptions out = pipeline_options(options);
-    out.kept = kept_labels(volume.volume.labels(), options, "volume");
+    const Array<UserLabel>& labels = volume.volume.labels();
+    out.kept = kept_labels(labels, options, "volume");
+    out.sizing.material_sizes = material_sizes(labels, options);
     return out;
+}
+
+void warn_of_unknown_sizes(const Volume& volume, const cleft_options* options, const Run& run)
+{
+    if (!options)
+        return;
+    const Array<UserLabel>& labels = volume.labels();
+    for (const auto& row : options->label_sizes)
+        // A warning, not an error: one list of sizes may serve several volumes.
+        if (std::find(labels.begin(), labels.end(), row.first) == labels.end())
+            run.warn("a size is given for " + name_of(row.first) + ", which the volume does not have");
 }
 
 void warn_of_unused_smooth(const Volume& volume, const cleft_options* options, const Run& run)
@@ -268,10 +295,11 @@ cleft_status cleft_options_set_label_size(cleft_options* options, int32_t label,
             throw cleft::Error(CLEFT_ERROR_OPTION, "the size of label " + std::to_string(label) + " is " +
                                                        cleft::text_of(size) + "; it must not be negative");
         // One entry per label, the last one set; 0 takes it away.
-        sizes.erase(std::remove_if(sizes.begin(), sizes.end(), [&](const auto& row) { return row.first == label; }),
+        const cleft::UserLabel of{label};
+        sizes.erase(std::remove_if(sizes.begin(), sizes.end(), [&](const auto& row) { return row.first == of; }),
                     sizes.end());
         if (size > 0)
-            sizes.emplace_back(label, size);
+            sizes.emplace_back(of, size);
     });
 }
 

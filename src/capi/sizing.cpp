@@ -45,6 +45,7 @@ cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* vol
         const auto v = held(volume, "volume");
         const cleft::PipelineOptions p = pipeline_options(options, *v);
         warn_of_unknown_labels(v->volume.labels(), options, "volume", run);
+        warn_of_unknown_sizes(v->volume, options, run);
         warn_of_unused_smooth(v->volume, options, run);
         return finished(*v, cleft::make_sizing(v->volume, p, run), p, run);
     });
@@ -71,6 +72,8 @@ cleft_status cleft_sizing_create_values(cleft_context* context, const cleft_volu
         const auto v = held(volume, "volume");
         required(values, "values");
         const cleft::PipelineOptions p = pipeline_options(options, *v);
+        if (combine)
+            warn_of_unknown_sizes(v->volume, options, run);
         warn_of_unused_smooth(v->volume, options, run);
         SizingField field = field_of(type, values, v->frame.grid);
         return finished(*v, cleft::make_sizing(v->volume, std::move(field), combine != 0, p, run), p, run);

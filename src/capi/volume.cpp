@@ -1,5 +1,6 @@
 // Volumes from the arrays of a caller: all that is uncertain about them is refused here, before a stage sees it.
 #include "capi/firewall.hpp"
+#include "capi/kept_labels.hpp"
 #include "capi/options.hpp"
 
 using namespace cleft::capi;
@@ -39,8 +40,8 @@ cleft::Volume indicators(const void* const* fields, int64_t count, const cleft::
         typed.push_back(static_cast<const T*>(required(fields[k], "a field")));
     // A signed function has an outside too.
     const int64_t names = count == 1 ? 2 : count;
-    return cleft::Volume::from_indicators(
-        typed, grid, labels ? cleft::Array<int32_t>(labels, labels + names) : cleft::Array<int32_t>(), run);
+    return cleft::Volume::from_indicators(typed, grid,
+                                          labels ? user_labels(labels, names) : cleft::Array<cleft::UserLabel>(), run);
 }
 
 // Lists for the caller are made once, for the functions that lend them may be called from many threads.
@@ -49,7 +50,7 @@ cleft_volume made_volume(const cleft::Frame& frame, cleft::Volume&& volume)
     cleft::Array<cleft::Material> listed = volume.listed();
     cleft::Array<int32_t> labels;
     for (const cleft::Material m : listed)
-        labels.push_back(volume.labels()[m]);
+        labels.push_back(number_of(volume.labels()[m]));
     return {{}, frame, std::move(volume), std::move(listed), std::move(labels), {}};
 }
 
@@ -165,7 +166,7 @@ cleft_status cleft_volume_sample(const cleft_volume* volume, const double* point
                 throw Error(CLEFT_ERROR_NOT_FINITE, "a point is NaN or infinite");
             // Points outside the box get the label at the nearest wall, as sampling does everywhere.
             const cleft::Material m = volume->volume.material_at(volume->frame.to_local(world));
-            labels[i] = volume->volume.labels()[m];
+            labels[i] = number_of(volume->volume.labels()[m]);
         }
     });
 }

@@ -16,7 +16,7 @@ using Tet = FixedArray<int32_t, 4>;
 
 inline bool has_corner(const Tet& tet, int32_t point) { return std::find(tet.begin(), tet.end(), point) != tet.end(); }
 
-// A dense material number of a volume, 0 .. count-1 (see Volume::labels for the user's values).
+// A dense material number of a volume, 0 .. count-1. What a user calls it is a UserLabel (Volume::labels).
 using Material = int32_t;
 
 // A background mesh: knows nothing of materials.
@@ -33,7 +33,8 @@ struct LabelledMesh {
     Array<Material> material;
 };
 
-// A mesh as users have it: in the world, under their labels, any numbers of 32 bits.
+// A mesh as users have it: in the world, under the numbers of their labels. These are no UserLabel, for the C interface
+// lends the array as it is.
 struct UserMesh {
     Array<Vec3> points;
     Array<Tet> tets;

@@ -9,7 +9,7 @@ namespace cleft
 {
 
 struct LabelRow {
-    int32_t label = 0;
+    UserLabel label{};
     int64_t voxels = 0;
     double voxel_volume = 0, mesh_volume = 0;  // in the frame of the voxels
     int64_t tets = 0;

@@ -30,7 +30,7 @@ namespace
 void require_all_labels(const Volume& volume, const LabelledMesh& mesh, const PipelineOptions& options, const Run& run)
 {
     const LabelReport report = label_report(volume, mesh, run);
-    const auto name = [&](Material m) { return "label " + std::to_string(volume.labels()[m]); };
+    const auto name = [&](Material m) { return name_of(volume.labels()[m]); };
     const std::string piece = " has a piece of more than " + std::to_string(kLargeComponent) + " voxels ";
     for (Material m = 0; m < volume.material_count(); ++m) {
         const LabelRow& row = report.rows[m];

@@ -22,7 +22,7 @@ constexpr int64_t kLeastVoxels = 100;  // the volume of fewer is not known to a 
 constexpr double kMostDifference = 0.05;
 
 struct Difference {
-    int32_t label;
+    UserLabel label;
     double share;  // of the volume of the voxels
 };
 
@@ -30,7 +30,7 @@ struct Difference {
 std::string text(const Difference& difference)
 {
     const std::string sign = difference.share >= 0 ? "+" : "";
-    return "label " + std::to_string(difference.label) + " (" + sign + digits_text(100 * difference.share, 3) + " %)";
+    return name_of(difference.label) + " (" + sign + digits_text(100 * difference.share, 3) + " %)";
 }
 
 // The comparison makes no sense where a background of the user fills only a part of the box.

@@ -18,13 +18,6 @@ namespace cleft
 namespace
 {
 
-void check_size(const char* name, double value)
-{
-    if (value != 0 && !(value >= kLeastSize && value <= kGreatestSize))
-        throw Error(CLEFT_ERROR_OPTION, std::string(name) + " is " + number_text(value) + "; it must be 0, or within " +
-                                            number_text(kLeastSize) + " to " + number_text(kGreatestSize));
-}
-
 void check_options(const SizingOptions& options)
 {
     check_size("size", options.size);
@@ -38,11 +31,8 @@ void check_options(const SizingOptions& options)
         throw Error(CLEFT_ERROR_OPTION, "feature_scale must be positive and finite");
     if (!(options.gradation > 0) || !std::isfinite(options.gradation))
         throw Error(CLEFT_ERROR_OPTION, "gradation must be positive and finite");
-    for (const auto& [label, size] : options.label_sizes)
-        if (size == 0)
-            throw Error(CLEFT_ERROR_OPTION, "the size of label " + std::to_string(label) + " is 0");
-        else
-            check_size(("the size of label " + std::to_string(label)).c_str(), size);
+    for (const double size : options.material_sizes)
+        check_size("the size of a material", size);
 }
 
 // The values that a field may have, from the options and the box.
@@ -89,21 +79,13 @@ Limits limits_of(const Grid& grid, const SizingOptions& options)
     return {greatest, least, options.size_min, thin};
 }
 
-// The greatest size in each material: the limit, or the size of its label.
-Array<float> material_sizes(const Array<int32_t>& labels, const SizingOptions& options, const Limits& limits,
-                            const Run& run)
+// The greatest size in each material: the limit, or its own.
+Array<float> greatest_sizes(const SizingOptions& options, const Limits& limits)
 {
-    Array<float> sizes(labels.size(), static_cast<float>(limits.greatest));
-    for (const auto& [label, size] : options.label_sizes) {
-        const auto found = std::find(labels.begin(), labels.end(), label);
-        // A warning, not an error: one list of sizes may serve several volumes.
-        if (found == labels.end()) {
-            run.warn("a size is given for label " + std::to_string(label) + ", which the volume does not have");
-            continue;
-        }
-        float& kept = sizes[found - labels.begin()];
-        kept = std::min(kept, static_cast<float>(std::max(size, limits.least)));
-    }
+    Array<float> sizes(options.material_sizes.size(), static_cast<float>(limits.greatest));
+    for (size_t m = 0; m < sizes.size(); ++m)
+        if (const double size = options.material_sizes[m]; size > 0)
+            sizes[m] = std::min(sizes[m], static_cast<float>(std::max(size, limits.least)));
     return sizes;
 }
 
@@ -168,7 +150,6 @@ void note_field(const SizingField& field, const Run& run)
 // Everything that the sizes are computed from.
 struct Sources {
     const Labelling& labelling;
-    const Array<int32_t>& labels;
     const SizingOptions& options;
     FeatureSizes features;
 };
@@ -177,14 +158,13 @@ SizingField field_of(const Sources& from, const Limits& limits, const Run& run)
 {
     const Grid& grid = from.labelling.grid;
     SizingField field{grid, Array<float>(grid.size(), static_cast<float>(limits.greatest)), from.options.gradation};
-    Steps steps(run, {{"sizing: sizes of labels", from.options.label_sizes.empty() ? 0.0 : 10},
+    Steps steps(run, {{"sizing: sizes of labels", from.options.material_sizes.empty() ? 0.0 : 10},
                       {"sizing: thin parts", from.options.keep_thin ? 20.0 : 0},
                       {"sizing: gradation", 90}});
     const Run of_labels = steps.next(), of_thin = steps.next(), of_gradation = steps.next();
     lower_to_features(from.features, from.options, limits, field.h);
-    if (!from.options.label_sizes.empty())
-        lower_to_material_sizes(from.labelling, material_sizes(from.labels, from.options, limits, run), field.h,
-                                of_labels);
+    if (!from.options.material_sizes.empty())
+        lower_to_material_sizes(from.labelling, greatest_sizes(from.options, limits), field.h, of_labels);
     if (from.options.keep_thin)
         lower_to_one_voxel_parts(from.labelling, limits, field.h, of_thin);
     if (from.options.user)
@@ -246,6 +226,13 @@ void keep_to_number(const Sources& from, Limits limits, SizingField& field, cons
 
 }  // namespace
 
+void check_size(const std::string& name, double value)
+{
+    if (value != 0 && !(value >= kLeastSize && value <= kGreatestSize))
+        throw Error(CLEFT_ERROR_OPTION, name + " is " + number_text(value) + "; it must be 0, or within " +
+                                            number_text(kLeastSize) + " to " + number_text(kGreatestSize));
+}
+
 void check_size_range(const SizingOptions& options)
 {
     if (options.size_max > 0 && options.size_max < options.size_min)
@@ -253,14 +240,13 @@ void check_size_range(const SizingOptions& options)
                                             number_text(options.size_min));
 }
 
-SizingField compute_sizing(const Labelling& labelling, const Array<int32_t>& labels, const SizingOptions& options,
-                           const Run& run)
+SizingField compute_sizing(const Labelling& labelling, const SizingOptions& options, const Run& run)
 {
     Stage stage(run, "sizing", {{"sizing: features", 60}, {"sizing: field", 40}, {"sizing: number of tetrahedra", 0}});
     check_options(options);
     const Limits limits = limits_of(labelling.grid, options);
 
-    Sources from{labelling, labels, options, {}};
+    Sources from{labelling, options, {}};
     const Run of_features = stage.next();
     if (options.size <= 0 || options.interface_size > 0)
         from.features = local_feature_sizes(labelling, of_features);

@@ -6,14 +6,18 @@
 #include "sizing/sizing_field.hpp"
 #include "sizing/sizing_options.hpp"
 
+#include <string>
+
 namespace cleft
 {
+
+// Throws unless a size that is given is 0, which stands for none, or within what a field may have. `name` is what it is
+// called in the sentence.
+void check_size(const std::string& name, double value);
 
 // Throws if the greatest wanted size is less than the least.
 void check_size_range(const SizingOptions& options);
 
-// labels[m] is the user's value of material m, as in Volume::labels.
-SizingField compute_sizing(const Labelling& labelling, const Array<int32_t>& labels, const SizingOptions& options,
-                           const Run& run);
+SizingField compute_sizing(const Labelling& labelling, const SizingOptions& options, const Run& run);
 
 }  // namespace cleft

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <utility>
 
 namespace cleft
 {
@@ -13,7 +12,7 @@ namespace cleft
 struct Run;
 struct SizingField;
 
-// Lengths are in world units. What is said explicitly wins: interface_size, label_sizes and the user's field may ask
+// Lengths are in world units. What is said explicitly wins: interface_size, material_sizes and the user's field may ask
 // for sizes below the least spacing. A size_min that is given (not 0) holds for them too: nothing is smaller.
 struct SizingOptions {
     double size = 0;            // constant size instead of features (size_min, size_max unused); 0: from the volume
@@ -30,8 +29,8 @@ struct SizingOptions {
     // The number that max_tets limits, of the background that will be made. It need be exact near the limit only.
     // Empty: of particles.
     std::function<double(const SizingField& field, double limit, const Run& run)> expected_tets;
-    Array<std::pair<int32_t, double>> label_sizes;  // (label, greatest size inside it)
-    const float* user = nullptr;  // a user-supplied field at voxel centres, combined by minimum; may be null
+    Array<double> material_sizes;  // by material: the greatest size inside it, or 0; empty: none has one
+    const float* user = nullptr;   // a user-supplied field at voxel centres, combined by minimum; may be null
 };
 
 }  // namespace cleft

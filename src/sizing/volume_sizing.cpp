@@ -12,7 +12,7 @@ SizingField compute_sizing(const Volume& volume, const SizingOptions& options, c
         for (int64_t i = 0; i < count; ++i)
             out[i] = volume.voxel_material(first + i);
     };
-    return compute_sizing(Labelling{volume.grid(), read}, volume.labels(), options, run);
+    return compute_sizing(Labelling{volume.grid(), read}, options, run);
 }
 
 }  // namespace cleft

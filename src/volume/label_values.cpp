@@ -62,10 +62,10 @@ template <class Value, class Label>
 class ValueMap
 {
 public:
-    explicit ValueMap(const Array<int32_t>& labels) : place_(kValueCount<Value>, 0)
+    explicit ValueMap(const Array<UserLabel>& labels) : place_(kValueCount<Value>, 0)
     {
         for (size_t i = 0; i < labels.size(); ++i) {
-            const auto value = static_cast<Value>(labels[i]);
+            const auto value = static_cast<Value>(number_of(labels[i]));
             if constexpr (kIsSmall<Value>)
                 place_[slot(value)] = static_cast<Label>(i);
             else
@@ -93,7 +93,7 @@ private:
 }  // namespace
 
 template <class Value>
-Array<int32_t> distinct_labels(const Value* voxels, int64_t n, const Run& run)
+Array<UserLabel> distinct_labels(const Value* voxels, int64_t n, const Run& run)
 {
     // One thread, since the numbers follow from which voxel comes first.
     ValueSet<Value> set;
@@ -114,11 +114,15 @@ Array<int32_t> distinct_labels(const Value* voxels, int64_t n, const Run& run)
     if constexpr (std::is_same_v<Value, uint32_t>)
         if (const uint32_t greatest = *std::max_element(values.begin(), values.end()); greatest > uint32_t{INT32_MAX})
             throw Error(CLEFT_ERROR_ARGUMENT, "label " + std::to_string(greatest) + " is greater than 2147483647");
-    return Array<int32_t>(values.begin(), values.end());
+    Array<UserLabel> labels;
+    labels.reserve(values.size());
+    for (const Value value : values)
+        labels.push_back(UserLabel{static_cast<int32_t>(value)});
+    return labels;
 }
 
 template <class Value, class Label>
-void dense_materials(const Value* voxels, int64_t n, const Array<int32_t>& labels, Label* out, const Run& run)
+void dense_materials(const Value* voxels, int64_t n, const Array<UserLabel>& labels, Label* out, const Run& run)
 {
     const ValueMap<Value, Label> map(labels);
     parallel_for(run, n, kVoxelsListed, [&](int64_t begin, int64_t end) {
@@ -134,10 +138,10 @@ void dense_materials(const Value* voxels, int64_t n, const Array<int32_t>& label
     });
 }
 
-#define CLEFT_INSTANTIATE(Value)                                                                       \
-    template Array<int32_t> distinct_labels(const Value*, int64_t, const Run&);                        \
-    template void dense_materials(const Value*, int64_t, const Array<int32_t>&, uint8_t*, const Run&); \
-    template void dense_materials(const Value*, int64_t, const Array<int32_t>&, uint16_t*, const Run&)
+#define CLEFT_INSTANTIATE(Value)                                                                         \
+    template Array<UserLabel> distinct_labels(const Value*, int64_t, const Run&);                        \
+    template void dense_materials(const Value*, int64_t, const Array<UserLabel>&, uint8_t*, const Run&); \
+    template void dense_materials(const Value*, int64_t, const Array<UserLabel>&, uint16_t*, const Run&)
 CLEFT_INSTANTIATE(uint8_t);
 CLEFT_INSTANTIATE(uint16_t);
 CLEFT_INSTANTIATE(int16_t);

@@ -3,6 +3,7 @@
 
 #include "base/array.hpp"
 #include "base/run.hpp"
+#include "mesh/user_label.hpp"
 
 #include <cstdint>
 
@@ -15,10 +16,10 @@ constexpr size_t kGreatestLabelCount = 65535;
 // The different values among n voxels in the order in which they come there: materials are numbered so, and another
 // choice of values gives the same mesh. Refuses values past INT32_MAX and more than 65,535 different ones.
 template <class Value>
-Array<int32_t> distinct_labels(const Value* voxels, int64_t n, const Run& run);
+Array<UserLabel> distinct_labels(const Value* voxels, int64_t n, const Run& run);
 
 // out[i] = place of voxels[i] in `labels`.
 template <class Value, class Label>
-void dense_materials(const Value* voxels, int64_t n, const Array<int32_t>& labels, Label* out, const Run& run);
+void dense_materials(const Value* voxels, int64_t n, const Array<UserLabel>& labels, Label* out, const Run& run);
 
 }  // namespace cleft

@@ -25,7 +25,7 @@ namespace cleft
 
 struct Volume::Data {
     std::variant<LabelMap<uint8_t>, LabelMap<uint16_t>, IndicatorField> field;
-    Array<int32_t> labels;
+    Array<UserLabel> labels;
 };
 
 namespace
@@ -50,7 +50,7 @@ void check_grid(const Grid& grid)
 }
 
 template <class Label, class Value>
-LabelMap<Label> make_label_map(const Value* voxels, const Grid& grid, int kernel, const Array<int32_t>& labels,
+LabelMap<Label> make_label_map(const Value* voxels, const Grid& grid, int kernel, const Array<UserLabel>& labels,
                                const Run& run)
 {
     LabelMap<Label> map;
@@ -82,13 +82,13 @@ void store_labels(const void* voxels, const Grid& grid, int kernel, Volume::Data
 
 // The names of the materials of K fields.
 // Fields without labels get 0 .. K-1, so that a material always has a value by which a caller can find it.
-Array<int32_t> indicator_labels(size_t fields, const Array<int32_t>& labels)
+Array<UserLabel> indicator_labels(size_t fields, const Array<UserLabel>& labels)
 {
     const size_t materials = fields == 1 ? 2 : fields;
     if (labels.empty()) {
-        Array<int32_t> numbers(materials);
+        Array<UserLabel> numbers;
         for (size_t i = 0; i < materials; ++i)
-            numbers[i] = static_cast<int32_t>(i);
+            numbers.push_back(UserLabel{static_cast<int32_t>(i)});
         return numbers;
     }
     if (labels.size() != materials)
@@ -98,12 +98,12 @@ Array<int32_t> indicator_labels(size_t fields, const Array<int32_t>& labels)
     std::sort(sorted.begin(), sorted.end());
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
     if (twice != sorted.end())
-        throw Error(CLEFT_ERROR_ARGUMENT, "label " + std::to_string(*twice) + " is given to two materials");
+        throw Error(CLEFT_ERROR_ARGUMENT, name_of(*twice) + " is given to two materials");
     return labels;
 }
 
 template <class Value>
-void store_indicators(const Array<const Value*>& fields, const Grid& grid, const Array<int32_t>& labels,
+void store_indicators(const Array<const Value*>& fields, const Grid& grid, const Array<UserLabel>& labels,
                       Volume::Data& data, const Run& run)
 {
     Stage stage(run, "volume", {{"volume: functions", 1}});
@@ -152,7 +152,7 @@ Volume Volume::from_labels(VoxelType type, const void* voxels, const Grid& grid,
     return Volume(std::move(data));
 }
 
-Volume Volume::from_indicators(const Array<const float*>& fields, const Grid& grid, const Array<int32_t>& labels,
+Volume Volume::from_indicators(const Array<const float*>& fields, const Grid& grid, const Array<UserLabel>& labels,
                                const Run& run)
 {
     auto data = std::make_unique<Data>();
@@ -160,7 +160,7 @@ Volume Volume::from_indicators(const Array<const float*>& fields, const Grid& gr
     return Volume(std::move(data));
 }
 
-Volume Volume::from_indicators(const Array<const double*>& fields, const Grid& grid, const Array<int32_t>& labels,
+Volume Volume::from_indicators(const Array<const double*>& fields, const Grid& grid, const Array<UserLabel>& labels,
                                const Run& run)
 {
     auto data = std::make_unique<Data>();
@@ -178,7 +178,7 @@ const Grid& Volume::grid() const
     return std::visit([](const auto& field) -> const Grid& { return field.grid; }, data_->field);
 }
 
-const Array<int32_t>& Volume::labels() const { return data_->labels; }
+const Array<UserLabel>& Volume::labels() const { return data_->labels; }
 
 Array<Material> Volume::listed() const
 {

@@ -7,6 +7,7 @@
 #include "base/array.hpp"
 #include "base/run.hpp"
 #include "mesh/tet_mesh.hpp"
+#include "mesh/user_label.hpp"
 #include "volume/grid.hpp"
 
 #include <memory>
@@ -58,9 +59,9 @@ public:
     static Volume from_labels(VoxelType type, const void* voxels, const Grid& grid, int kernel, const Run& run);
     // K fields of grid.size() values each. K = 1 is a signed function, inside where > 0: material 0 has -f, material 1
     // has +f. `labels` (K values, or 2 for K = 1, or empty for 0 .. K-1) are what the materials are called.
-    static Volume from_indicators(const Array<const float*>& fields, const Grid& grid, const Array<int32_t>& labels,
+    static Volume from_indicators(const Array<const float*>& fields, const Grid& grid, const Array<UserLabel>& labels,
                                   const Run& run);
-    static Volume from_indicators(const Array<const double*>& fields, const Grid& grid, const Array<int32_t>& labels,
+    static Volume from_indicators(const Array<const double*>& fields, const Grid& grid, const Array<UserLabel>& labels,
                                   const Run& run);
 
     Volume(Volume&&) noexcept;
@@ -68,8 +69,8 @@ public:
     ~Volume();
 
     const Grid& grid() const;
-    // The user's value of each material. Materials of a label map are numbered as the voxels first have them.
-    const Array<int32_t>& labels() const;
+    // What the user calls each material. Materials of a label map are numbered as the voxels first have them.
+    const Array<UserLabel>& labels() const;
     // The materials as users see them: ascending by label for a label map, in the order of the functions else.
     Array<Material> listed() const;
     Material material_count() const { return static_cast<Material>(labels().size()); }

@@ -315,6 +315,43 @@ static void a_number_that_the_sizes_were_not_made_for_is_told(void** state)
     cleft_context_destroy(context);
 }
 
+/* Once, by the calls that compute sizes, also where these are computed several times to keep to a number. */
+static void a_size_of_a_label_that_is_not_there_is_told(void** state)
+{
+    static const char* const words = "a size is given for label 9, which the volume does not have";
+    warnings reported;
+    cleft_context* context = listening_context(&reported);
+    cleft_volume* volume = ball_volume(context, N);
+    cleft_options *known = plain(), *unknown = plain(), *wrong = plain();
+    cleft_sizing *sizing = NULL, *same = NULL;
+    cleft_mesh* mesh = NULL;
+    (void)state;
+    assert_int_equal(cleft_options_set_label_size(known, 7, 2), CLEFT_OK);
+    assert_int_equal(cleft_options_set_label_size(unknown, 7, 2), CLEFT_OK);
+    assert_int_equal(cleft_options_set_label_size(unknown, 9, 1), CLEFT_OK);
+    assert_ok(context, cleft_sizing_create(context, volume, known, &sizing));
+    assert_reported(&reported, NULL);
+    assert_ok(context, cleft_sizing_create(context, volume, unknown, &same));
+    assert_reported(&reported, words);
+    assert_memory_equal(cleft_sizing_values(sizing), cleft_sizing_values(same), sizeof(float) * VOXELS);
+    assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, unknown, &mesh));
+    assert_reported(&reported, words);
+    cleft_mesh_destroy(mesh);
+    assert_ok(context, cleft_mesh_volume(context, volume, sizing, NULL, unknown, &mesh));
+    assert_reported(&reported, NULL);
+    assert_int_equal(cleft_options_set_label_size(wrong, 7, 1e40), CLEFT_OK);
+    cleft_sizing_destroy(same);
+    assert_fails(context, CLEFT_ERROR_OPTION, cleft_sizing_create(context, volume, wrong, &same));
+    assert_non_null(strstr(cleft_context_last_error(context), "the size of label 7 is 1e+40; it must be 0, or within"));
+    cleft_mesh_destroy(mesh);
+    cleft_sizing_destroy(sizing);
+    cleft_options_destroy(wrong);
+    cleft_options_destroy(unknown);
+    cleft_options_destroy(known);
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
 /* A size that is given for interfaces holds, so that a raised least size of features cannot keep to max_tets. */
 static void a_number_that_sizes_of_the_user_exceed_is_told(void** state)
 {
@@ -406,6 +443,7 @@ int main(void)
         cmocka_unit_test(smooth_that_has_no_effect_is_told),
         cmocka_unit_test(a_number_for_a_background_that_is_given_is_told),
         cmocka_unit_test(a_number_that_the_sizes_were_not_made_for_is_told),
+        cmocka_unit_test(a_size_of_a_label_that_is_not_there_is_told),
         cmocka_unit_test(a_number_that_sizes_of_the_user_exceed_is_told),
         cmocka_unit_test(max_tets_limits_each_background),
         cmocka_unit_test(a_coarse_lattice_is_told_once),

@@ -16,12 +16,9 @@ namespace
 
 SizingField field_of(const Labels& labels, const SizingOptions& options, int threads = 1)
 {
-    Array<int32_t> names;  // material m is called 10 m
-    for (int32_t m = 0; m < 20; ++m)
-        names.push_back(10 * m);
     Run run;
     run.threads = threads;
-    return compute_sizing(labels.labelling(), names, options, run);
+    return compute_sizing(labels.labelling(), options, run);
 }
 
 cleft_status status_of(const SizingOptions& options)
@@ -108,7 +105,7 @@ void explicit_sizes_go_below_a_voxel_unless_size_min_is_given(void**)
     user[labels.grid.index(2, 3, 4)] = 0.3F;
     SizingOptions by_interface, by_label, by_user;
     by_interface.interface_size = 0.3;
-    by_label.label_sizes = {{10, 0.3}};
+    by_label.material_sizes = {0, 0.3};
     by_user.user = user.data();
     for (SizingOptions options : {by_interface, by_label, by_user}) {
         assert_true(field_of(labels, options).least() == static_cast<double>(0.3F));
@@ -117,11 +114,11 @@ void explicit_sizes_go_below_a_voxel_unless_size_min_is_given(void**)
     }
 }
 
-void label_sizes_hold_inside_and_fade_outside(void**)
+void sizes_of_materials_hold_inside_and_fade_outside(void**)
 {
     const Labels labels = ball(grid_of(40, 40, 40), {20, 20, 20}, 10);
     SizingOptions options;
-    options.label_sizes = {{10, 1.5}, {777, 0.1}};  // no label 777: a warning
+    options.material_sizes = {0, 1.5};
     const SizingField field = field_of(labels, options);
     for (size_t v = 0; v < labels.values.size(); ++v)
         if (labels.values[v] == 1)
@@ -198,7 +195,7 @@ void refuses_bad_options(void**)
     options.feature_scale = INFINITY;
     assert_int_equal(status_of(options), CLEFT_ERROR_OPTION);
     options = {};
-    options.label_sizes = {{10, 0}};
+    options.material_sizes = {0, NAN};
     assert_int_equal(status_of(options), CLEFT_ERROR_OPTION);
 }
 
@@ -304,7 +301,8 @@ void values_are_taken_as_they_are(void**)
 void does_not_depend_on_threads(void**)
 {
     SizingOptions options;
-    options.label_sizes = {{30, 1.5}};
+    options.material_sizes.assign(12, 0);
+    options.material_sizes[3] = 1.5;
     options.interface_size = 2;
     for (const Labels& labels :
          {ragged_cells(grid_of(60, 50, 40, {0.5, 0.5, 3}), 12, 2.0, 3), noise(grid_of(40, 30, 20), 5, 4)})
@@ -325,7 +323,7 @@ void a_progress_callback_can_cancel(void**)
         ++reports;
         return false;
     };
-    compute_sizing(labels.labelling(), {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}, {}, run);
+    compute_sizing(labels.labelling(), {}, run);
     assert_true(forward);
     const int all = reports;
     assert_true(all > 20);
@@ -334,7 +332,7 @@ void a_progress_callback_can_cancel(void**)
         run.progress = [&](double, const char*) { return ++reports == stop; };
         cleft_status status = CLEFT_OK;
         try {
-            compute_sizing(labels.labelling(), {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}, {}, run);
+            compute_sizing(labels.labelling(), {}, run);
         } catch (const Error& error) {
             status = error.status();
         }
@@ -352,7 +350,7 @@ int main()
         cmocka_unit_test(follows_the_feature_size),
         cmocka_unit_test(size_min_holds_for_features),
         cmocka_unit_test(explicit_sizes_go_below_a_voxel_unless_size_min_is_given),
-        cmocka_unit_test(label_sizes_hold_inside_and_fade_outside),
+        cmocka_unit_test(sizes_of_materials_hold_inside_and_fade_outside),
         cmocka_unit_test(interface_size_holds_at_the_interface),
         cmocka_unit_test(a_users_field_is_combined_by_minimum),
         cmocka_unit_test(a_constant_size_ignores_features),

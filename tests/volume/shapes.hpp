@@ -30,6 +30,14 @@ LabelImage label_image(const std::array<int32_t, 3>& dims, const Label& label)
     return image;
 }
 
+inline Array<UserLabel> user_labels(const Array<int32_t>& numbers)
+{
+    Array<UserLabel> labels;
+    for (const int32_t number : numbers)
+        labels.push_back(UserLabel{number});
+    return labels;
+}
+
 // A small generator of random numbers of its own: the same everywhere.
 struct Random {
     uint64_t state = 1;

@@ -138,7 +138,7 @@ static std::map<int32_t, double> values_by_label(const Volume& volume, const Vec
     volume.sample(x, samples);
     std::map<int32_t, double> values;
     for (size_t i = 0; i < samples.size(); ++i)
-        values[volume.labels()[static_cast<size_t>(samples.material[i])]] = samples.value[i];
+        values[number_of(volume.labels()[samples.material[i]])] = samples.value[i];
     return values;
 }
 

@@ -29,7 +29,7 @@ struct Fields {
             pointers.push_back(field.data());
         Run run;
         run.threads = threads;
-        return Volume::from_indicators(pointers, grid, labels, run);
+        return Volume::from_indicators(pointers, grid, user_labels(labels), run);
     }
 };
 
@@ -135,7 +135,7 @@ static void one_function_is_signed(void**)
     fields.add([](const Vec3& x) { return ball(x, Vec3(10, 10, 10), 6); });
     const Volume volume = fields.volume();
     assert_false(volume.is_label_map());
-    assert_true(volume.labels() == std::vector<int32_t>({0, 1}));
+    assert_true(volume.labels() == user_labels({0, 1}));
     assert_int_equal(volume.material_at(Vec3(10, 10, 10)), 1);
     assert_int_equal(volume.material_at(Vec3(1, 1, 1)), 0);
     assert_true(interface_error(volume, Vec3(10, 10, 10), 6) < 0.004);
@@ -177,7 +177,7 @@ static void values_at_centres_are_those_given(void**)
     for (int f = 0; f < 4; ++f)
         fields.add([&](const Vec3&) { return random.unit(); });
     const Volume volume = fields.volume({5, 9, -2, 1000});
-    assert_true(volume.labels() == std::vector<int32_t>({5, 9, -2, 1000}));
+    assert_true(volume.labels() == user_labels({5, 9, -2, 1000}));
     assert_int_equal(lost_centres(volume), 0);
     Samples s;
     volume.sample(volume.grid().centre(3, 2, 0), s);
