@@ -17,6 +17,12 @@ namespace cleft_cli
 namespace
 {
 
+/* <lists> Made by tools/generate.py from src/capi/options.toml. */
+constexpr const char* kLabelSizesText = "Greatest wanted edge lengths inside single labels, in world units";
+constexpr const char* kStripText = "Labels whose tetrahedra the finished mesh leaves out";
+constexpr const char* kOnlyText = "Labels whose tetrahedra alone the finished mesh keeps. None: all";
+/* </lists> */
+
 // "--interface-size NAME" in help: what stands for the value.
 std::string value_name(const cleft_option_description& info)
 {
@@ -160,9 +166,8 @@ void OptionArguments::add_to(CLI::App& app, const std::vector<std::string>& call
 
 void OptionArguments::add_label_sizes_to(CLI::App& app)
 {
-    app.add_option(
-           "--label-size", label_sizes_,
-           "Greatest wanted edge length inside label L; may be repeated:\n--label-size 3=0.5 --label-size 7=0.8")
+    app.add_option("--label-size", label_sizes_,
+                   std::string(kLabelSizesText) + ":\n--label-size 3=0.5 --label-size 7=0.8")
         // One value for each --label-size: without it CLI11 would take the inputs behind it for
         // more values.
         ->allow_extra_args(false)
@@ -173,13 +178,13 @@ void OptionArguments::add_label_sizes_to(CLI::App& app)
 void OptionArguments::add_label_lists_to(CLI::App& app)
 {
     const char* group = "Labels";
-    app.add_option("--strip", strip_, "Labels to leave out of the mesh: --strip 0, --strip 0,4 or --strip 0 4")
+    app.add_option("--strip", strip_, std::string(kStripText) + ":\n--strip 0, --strip 0,4 or --strip 0 4")
         ->delimiter(',')
         // join_label_lists() has put the words of a list together before.
         ->allow_extra_args(false)
         ->type_name("LABEL")
         ->group(group);
-    app.add_option("--only", only_, "Labels to keep; all others are left out")
+    app.add_option("--only", only_, kOnlyText)
         ->delimiter(',')
         ->allow_extra_args(false)
         ->type_name("LABEL")

@@ -7,6 +7,7 @@ from . import option_table, text
 
 HEADER = "include/cleft/cleft.h"
 ROWS = "src/capi/options.inc"
+ARGUMENTS = "src/cli/option_arguments.cpp"
 WIDTH = text.WIDTH
 
 
@@ -98,8 +99,22 @@ def _stage_enum(tree, choice):
     return text.region(tree.read(choice.header), choice.header, "choice", made)
 
 
+def _list_texts(table):
+    """Constants with what the command says of the lists."""
+    made = ""
+    for row in table.lists:
+        begin, words = f"constexpr const char* k{text.pascal(row.name)}Text =", json.dumps(text.sentence(row.text)[:-1])
+        fits = len(f"{begin} {words};") <= WIDTH
+        made += begin + (" " if fits else "\n    ") + words + ";\n"
+    return made
+
+
 def files(tree, table):
     header = tree.read(HEADER)
     header = text.region(header, HEADER, "options", _keys(table))
     made = {choice.header: _stage_enum(tree, choice) for choice in table.choices}
-    return made | {HEADER: _manual(header, table), ROWS: _rows(table)}
+    return made | {
+        HEADER: _manual(header, table),
+        ROWS: _rows(table),
+        ARGUMENTS: text.region(tree.read(ARGUMENTS), ARGUMENTS, "lists", _list_texts(table)),
+    }

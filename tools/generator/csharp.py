@@ -93,11 +93,6 @@ _ENUMERATIONS = {
     "LogLevel": "CLEFT_LOG_",
     "OptionType": "CLEFT_OPTION_TYPE_",
 }
-_IN_FILES = {
-    "World": "Directions of the world axes.",
-    "VoxelKind": "What the voxels of a file mean.",
-    "Content": "What a file holds.",
-}
 
 
 def files(tree, table):
@@ -107,8 +102,9 @@ def files(tree, table):
     enumerations += [(name, *plain_values.enumeration(tree, prefix)) for name, prefix in _ENUMERATIONS.items()]
     parts = [enumeration(name, comment, rows) for name, comment, rows in enumerations]
     for name, prefix, first in plain_values.IN_FILES:
-        _, rows = plain_values.enumeration(tree, prefix, first)
-        parts.append(enumeration(name, _IN_FILES[name], rows, "CleftIoNative"))
+        comment, rows = plain_values.enumeration(tree, prefix, first)
+        # More than the first sentence is on functions of C.
+        parts.append(enumeration(name, text.sentence(comment.split(". ")[0]), rows, "CleftIoNative"))
     records = [_record(name, values) for name, values in plain_values.records(tree).items()]
     head = f"// {text.MADE_BY} from {option_table.PATH} and include/cleft/*.h.\n"
     return {

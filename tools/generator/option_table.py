@@ -49,10 +49,19 @@ class Option:
 
 
 @dataclass(frozen=True)
+class LabelList:
+    """What is said of single labels, which no row of the library's table can hold."""
+
+    name: str
+    text: str
+
+
+@dataclass(frozen=True)
 class OptionTable:
     calls: dict[str, str]  # name -> C function
     choices: tuple[Choice, ...]
     options: tuple[Option, ...]
+    lists: tuple[LabelList, ...]
 
     @property
     def by_number(self):
@@ -114,4 +123,5 @@ def read(root):
         values = [getattr(option, what) for option in options]
         _require(len(set(values)) == len(values), f"a {what} is there twice")
     _require({option.key for option in options if option.choice} == set(choices), "a choice is of no option")
-    return OptionTable(rows["calls"], tuple(choices.values()), options)
+    lists = tuple(LabelList(**row) for row in rows["list"])
+    return OptionTable(rows["calls"], tuple(choices.values()), options, lists)

@@ -17,7 +17,9 @@ def _field(declaration, about):
 def files(tree, table):
     options, results = f"{FOLDER}/options.py", f"{FOLDER}/results.py"
     keywords = "".join(f"    {option.name}: {_OPTIONS[option.type]}\n" for option in table.options)
-    made = {options: text.region(tree.read(options), options, "options", keywords, ("#", ""))}
+    lists = "".join(f'    "{row.name}": "{row.text}",\n' for row in table.lists)
+    module = text.region(tree.read(options), options, "options", keywords, ("#", ""))
+    made = {options: text.region(module, options, "lists", lists, ("#", ""))}
     classes = tree.read(results)
     for name, values in plain_values.records(tree).items():
         fields = "".join(_field(f"{v.name}: {_VALUES[v.kind]}", v.about) for v in values)

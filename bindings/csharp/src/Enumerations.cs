@@ -105,7 +105,7 @@ namespace Cleft
         Ras = CleftIoNative.CLEFT_IO_WORLD_RAS
     }
 
-    /// <summary>What the voxels of a file mean.</summary>
+    /// <summary>The meaning of the voxels of files.</summary>
     public enum VoxelKind
     {
         /// <summary>
@@ -120,7 +120,7 @@ namespace Cleft
         Indicators = CleftIoNative.CLEFT_IO_KIND_INDICATORS
     }
 
-    /// <summary>What a file holds.</summary>
+    /// <summary>What a file most likely contains.</summary>
     public enum Content
     {
         /// <summary>Neither a volume nor a mesh, as far as the name and first bytes show.</summary>

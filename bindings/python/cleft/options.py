@@ -92,9 +92,11 @@ def _described(index: int) -> OptionDescription:
 
 _TABLE = {row.name: row for row in map(_described, range(native.cleft_option_count()))}
 _LISTS = {
-    "label_sizes": ("{label: float} = {}", "edge lengths that are aimed at inside single labels, in world units"),
-    "strip": ("[label, ...] = []", "labels whose tetrahedra are left out of the finished mesh"),
-    "only": ("[label, ...] = []", "labels whose tetrahedra alone are kept; none: all"),
+    # <lists> made by tools/generate.py from src/capi/options.toml
+    "label_sizes": "greatest wanted edge lengths inside single labels, in world units",
+    "strip": "labels whose tetrahedra the finished mesh leaves out",
+    "only": "labels whose tetrahedra alone the finished mesh keeps. None: all",
+    # </lists>
 }
 
 
@@ -116,7 +118,10 @@ def _kind_of(row: OptionDescription) -> str:
 def describe_options() -> str:
     """Name, type, default, range and meaning of all options, as the docstrings have them."""
     rows = [(row.name, _kind_of(row), row.text) for row in _TABLE.values()]
-    rows += [(name, kind, text) for name, (kind, text) in _LISTS.items()]
+    rows += [
+        (name, "{label: float} = {}" if name == "label_sizes" else "[label, ...] = []", text)
+        for name, text in _LISTS.items()
+    ]
     return "\n".join(
         f"{name} : {kind}\n" + textwrap.indent(textwrap.fill(text, 90), "    ") for name, kind, text in rows
     )
