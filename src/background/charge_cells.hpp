@@ -5,8 +5,8 @@
 #include "background/charge.hpp"
 #include "background/hilbert.hpp"
 #include "background/particle_set.hpp"
-#include "background/random.hpp"
 #include "base/array.hpp"
+#include "base/random.hpp"
 
 namespace cleft
 {

@@ -1,13 +1,13 @@
 // The particle background of the paper, section 3: seeds, relaxation, Delaunay, and then the repair of slivers.
 #include "background/particles.hpp"
 
-#include "background/delaunay.hpp"
-#include "background/random.hpp"
 #include "background/relaxation.hpp"
 #include "background/repair.hpp"
 #include "background/seeding.hpp"
 #include "base/parallel.hpp"
+#include "base/random.hpp"
 #include "base/stage.hpp"
+#include "delaunay/delaunay.hpp"
 
 #include <numeric>
 
@@ -74,7 +74,7 @@ TetMesh particle_background(const SizingField& field, const ParticleOptions& opt
     mesh.points = relaxed_particles(field, options, steps.next());
     {
         Stage stage(steps.next(), "background.delaunay", {{"background: Delaunay", 1}});
-        mesh.tets = delaunay(mesh.points, stage.next());
+        mesh.tets = delaunay(mesh.points, DelaunayEngine::tetgen, stage.next());
     }
     repair(mesh, RepairOptions{}, steps.next());
     return mesh;

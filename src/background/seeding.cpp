@@ -4,9 +4,9 @@
 
 #include "background/bcc_patches.hpp"
 #include "background/charge_cells.hpp"
-#include "background/delaunay.hpp"
 #include "base/number_text.hpp"
 #include "base/parallel.hpp"
+#include "delaunay/delaunay.hpp"
 #include "sizing/sizing_charge.hpp"
 
 #include <cmath>

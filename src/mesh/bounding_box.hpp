@@ -27,6 +27,12 @@ struct BoundingBox {
     }
     // True until a point is added.
     bool empty() const { return !(lo[0] <= hi[0]); }
+    double square_distance(const Vec3& x) const { return (lo - x).cwiseMax(x - hi).cwiseMax(0).squaredNorm(); }
+    double distance(const Vec3& x) const { return std::sqrt(square_distance(x)); }
+    double distance(const BoundingBox& other) const
+    {
+        return (lo - other.hi).cwiseMax(other.lo - hi).cwiseMax(0).norm();
+    }
     double longest() const { return empty() ? 0 : (hi - lo).maxCoeff(); }
     double volume() const { return empty() ? 0 : (hi - lo).prod(); }
     // In the world.

@@ -3,7 +3,7 @@
 #include "pipeline/expected_mesh.hpp"
 
 #include "background/charge.hpp"
-#include "background/random.hpp"
+#include "base/random.hpp"
 
 #include <algorithm>
 #include <array>

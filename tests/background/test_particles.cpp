@@ -1,9 +1,9 @@
 // Relaxed particles: where they are, how dense, what stays the same, and boxes of any shape.
-#include "background/delaunay.hpp"
 #include "background/particle_tree.hpp"
 #include "background/particles.hpp"
 #include "background/relaxation.hpp"
 #include "background/seeding.hpp"
+#include "delaunay/delaunay.hpp"
 #include "fields.hpp"
 #include "mesh/quality.hpp"
 #include "support/cmocka.hpp"
@@ -95,7 +95,7 @@ Mesh delaunay_of(const SizingField& field)
 {
     Mesh mesh;
     mesh.points = relaxed_particles(field, ParticleOptions(), Run());
-    mesh.tets = delaunay(mesh.points, Run());
+    mesh.tets = delaunay(mesh.points, DelaunayEngine::cleft, Run());
     return mesh;
 }
 

@@ -1,6 +1,6 @@
 // Repair: slivers go, the box and the hull of any other mesh stay exactly.
-#include "background/delaunay.hpp"
 #include "background/repair.hpp"
+#include "delaunay/delaunay.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/predicates.hpp"
 #include "mesh/quality.hpp"
@@ -18,7 +18,7 @@ namespace
 TetMesh delaunay_mesh(Array<Vec3> points)
 {
     TetMesh mesh;
-    mesh.tets = delaunay(points, Run{});
+    mesh.tets = delaunay(points, DelaunayEngine::cleft, Run{});
     mesh.points = std::move(points);
     return mesh;
 }

@@ -114,6 +114,48 @@ void sizes_may_differ_within_one_tetrahedron(void**)
     assert_int_equal(orient_sign({Vec3(0, 0, 0), Vec3(e, 0, 0), Vec3(0, e, 0), Vec3(e, e, -e)}), -1);
 }
 
+// -det of the rows (x - e, |x - e|^2), by expansion along the last column.
+int rational_sphere_sign(const Points& p, const Vec3& e)
+{
+    std::array<std::array<cpp_rational, 4>, 4> m;
+    for (size_t i = 0; i < 4; ++i)
+        for (size_t j = 0; j < 3; ++j) {
+            const auto axis = static_cast<Eigen::Index>(j);
+            m[i][j] = cpp_rational(p[i][axis]) - cpp_rational(e[axis]);
+            m[i][3] += m[i][j] * m[i][j];
+        }
+    cpp_rational det = 0;
+    for (size_t i = 0; i < 4; ++i) {
+        const auto &a = m[i == 0 ? 1 : 0], &b = m[i <= 1 ? 2 : 1], &c = m[i <= 2 ? 3 : 2];
+        const cpp_rational minor = a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+                                   a[2] * (b[0] * c[1] - b[1] * c[0]);
+        det += (i % 2 ? 1 : -1) * m[i][3] * minor;
+    }
+    return -det.sign();
+}
+
+// The corners of a positive tetrahedron on one sphere up to rounding, and a fifth point on it.
+void nearly_cospherical_points_agree_with_rationals(void**)
+{
+    Random random(5);
+    int met[3] = {0, 0, 0};
+    for (const double scale : {DBL_MIN, 1e-200, 1e-40, 1.0, 1e50, 1e100, 1e153})
+        for (int round = 0; round < 300; ++round) {
+            const Vec3 shift = random_point(random) * (round % 3 * 100);
+            std::array<Vec3, 5> q;
+            for (Vec3& x : q)
+                x = (random_point(random).normalized() + shift) * scale;
+            if (cleft::orient_sign(q[0], q[1], q[2], q[3]) < 0)
+                std::swap(q[0], q[1]);
+            const int expected = rational_sphere_sign({q[0], q[1], q[2], q[3]}, q[4]);
+            assert_int_equal(in_sphere_sign(q[0], q[1], q[2], q[3], q[4]), expected);
+            ++met[expected + 1];
+            assert_int_equal(in_sphere_sign(q[0], q[1], q[2], q[3], 0.25 * (q[0] + q[1] + q[2] + q[3])), 1);
+            assert_int_equal(in_sphere_sign(q[0], q[1], q[2], q[3], q[round % 4 > 0 ? 1 : 3]), 0);
+        }
+    assert_true(met[0] > 100 && met[2] > 100);
+}
+
 void an_odd_permutation_turns_the_sign(void**)
 {
     Random random(3);
@@ -137,6 +179,7 @@ int main()
         cmocka_unit_test(a_grid_of_neighbouring_numbers_agrees_with_rationals),
         cmocka_unit_test(any_finite_size_is_exact),
         cmocka_unit_test(sizes_may_differ_within_one_tetrahedron),
+        cmocka_unit_test(nearly_cospherical_points_agree_with_rationals),
         cmocka_unit_test(an_odd_permutation_turns_the_sign),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -1,8 +1,8 @@
-// The door to the Delaunay engine: valid, complete meshes of the convex hull, or a clear refusal.
-#include "background/delaunay.hpp"
+// The door to the Delaunay engines: with each, valid, complete meshes of the convex hull, or a clear refusal.
+#include "background/point_sets.hpp"
+#include "engines.hpp"
 #include "mesh/predicates.hpp"
 #include "mesh/quality.hpp"
-#include "point_sets.hpp"
 #include "support/cmocka.hpp"
 
 #include <limits>
@@ -13,6 +13,8 @@ using namespace cleft_test;
 
 namespace
 {
+
+DelaunayEngine engine = DelaunayEngine::cleft;  // that all tests below call
 
 struct Summary {
     double volume = 0;
@@ -38,7 +40,7 @@ Summary summarize(const Array<Vec3>& points, const Array<Tet>& tets)
 cleft_status refusal(const Array<Vec3>& points)
 {
     try {
-        delaunay(points, Run{});
+        delaunay(points, engine, Run{});
     } catch (const Error& error) {
         return error.status();
     }
@@ -48,7 +50,7 @@ cleft_status refusal(const Array<Vec3>& points)
 // The mesh of a set that spans the box [0, extent] fills it with positive tetrahedra and uses every point.
 bool fills_box(const Array<Vec3>& points, const Vec3& extent)
 {
-    const Summary s = summarize(points, delaunay(points, Run{}));
+    const Summary s = summarize(points, delaunay(points, engine, Run{}));
     return s.positive && s.all_used && std::abs(s.volume / extent.prod() - 1) < 1e-12;
 }
 
@@ -63,12 +65,12 @@ static void random_points_fill_the_box(void**)
 static void scale_does_not_matter(void**)
 {
     const Array<Vec3> points = random_points(2000, Vec3(1, 1, 1), 2);
-    const Array<Tet> tets = delaunay(points, Run{});
+    const Array<Tet> tets = delaunay(points, engine, Run{});
     for (const int exponent : {-600, -20, 20, 600}) {
         Array<Vec3> scaled = points;
         for (Vec3& p : scaled)
             p *= std::ldexp(1.0, exponent);
-        assert_true(delaunay(scaled, Run{}) == tets);
+        assert_true(delaunay(scaled, engine, Run{}) == tets);
     }
 }
 
@@ -125,10 +127,10 @@ static void flat_sets_are_refused(void**)
 static void two_threads_at_once_agree_with_one(void**)
 {
     const Array<Vec3> points = random_points(5000, Vec3(1, 1, 1), 8);
-    const Array<Tet> alone = delaunay(points, Run{});
+    const Array<Tet> alone = delaunay(points, engine, Run{});
     Array<Tet> results[2];
-    std::thread other([&] { results[0] = delaunay(points, Run{}); });
-    results[1] = delaunay(points, Run{});
+    std::thread other([&] { results[0] = delaunay(points, engine, Run{}); });
+    results[1] = delaunay(points, engine, Run{});
     other.join();
     assert_true(results[0] == alone);
     assert_true(results[1] == alone);
@@ -141,7 +143,7 @@ static void a_cancel_is_seen(void**)
     run.cancel = &cancel;
     cleft_status status = CLEFT_OK;
     try {
-        delaunay(random_points(100, Vec3(1, 1, 1), 9), run);
+        delaunay(random_points(100, Vec3(1, 1, 1), 9), engine, run);
     } catch (const Error& error) {
         status = error.status();
     }
@@ -161,5 +163,9 @@ int main()
         cmocka_unit_test(two_threads_at_once_agree_with_one),
         cmocka_unit_test(a_cancel_is_seen),
     };
-    return cmocka_run_group_tests(tests, nullptr, nullptr);
+    const int failed = cmocka_run_group_tests_name("cleft", tests, nullptr, nullptr);
+    if (failed != 0 || !has_tetgen())
+        return failed;
+    engine = DelaunayEngine::tetgen;
+    return cmocka_run_group_tests_name("tetgen", tests, nullptr, nullptr);
 }

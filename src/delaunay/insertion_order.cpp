@@ -1,7 +1,7 @@
 // A biased randomized insertion order.
-#include "background/insertion_order.hpp"
+#include "delaunay/insertion_order.hpp"
 
-#include "background/random.hpp"
+#include "base/random.hpp"
 #include "mesh/curve_order.hpp"
 
 namespace cleft
@@ -10,28 +10,25 @@ namespace cleft
 namespace
 {
 
-// A point is in the last round with probability 7/8, else in the one before with 7/8, and so on.
 constexpr int kBitsPerRound = 3;
-constexpr int kMostRounds = 9;  // 8^9 are more points than there can be
 constexpr uint64_t kStream = 0;
 
-// The hash of the index alone: the order does not depend on threads, nor on what the program draws.
-int rounds_from_the_last(uint64_t index)
+}  // namespace
+
+int insertion_round(uint64_t index)
 {
     const uint64_t drawn = hashed(kStream, index);
     int round = 0;
-    while (round + 1 < kMostRounds && (drawn >> (kBitsPerRound * round) & ((1u << kBitsPerRound) - 1)) == 0)
+    while (round + 1 < kInsertionRounds && (drawn >> (kBitsPerRound * round) & ((1u << kBitsPerRound) - 1)) == 0)
         ++round;
     return round;
 }
 
-}  // namespace
-
 Array<int32_t> insertion_order(const Array<Vec3>& points, const Run& run)
 {
-    Array<Array<int32_t>> rounds(kMostRounds);
+    Array<Array<int32_t>> rounds(kInsertionRounds);
     for (size_t i = 0; i < points.size(); ++i)
-        rounds[rounds_from_the_last(i)].push_back(static_cast<int32_t>(i));
+        rounds[insertion_round(i)].push_back(static_cast<int32_t>(i));
     Array<int32_t> order;
     order.reserve(points.size());
     for (auto round = rounds.rbegin(); round != rounds.rend(); ++round) {

@@ -2,7 +2,7 @@
 // TetGen does not test whether its lists got their memory, and loses what it works with where its pools did not.
 #ifdef CLEFT_WITH_TETGEN
 
-#include "background/tetgen_run.hpp"
+#include "delaunay/tetgen_run.hpp"
 
 #include "base/error.hpp"
 
