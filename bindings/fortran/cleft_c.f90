@@ -56,7 +56,8 @@ module cleft_c
     CLEFT_OPTION_REPAIR = 15, &
     CLEFT_OPTION_MAX_TETS = 16, &
     CLEFT_OPTION_KEEP_THIN = 17, &
-    CLEFT_OPTION_MIN_ANGLE = 18
+    CLEFT_OPTION_MIN_ANGLE = 18, &
+    CLEFT_OPTION_DELAUNAY = 19
 
   integer(c_int32_t), parameter :: &
     CLEFT_BACKGROUND_PARTICLES = 0, &
@@ -72,6 +73,10 @@ module cleft_c
     CLEFT_IMPROVE_OFF = 0, &
     CLEFT_IMPROVE_FAST = 1, &
     CLEFT_IMPROVE_BEST = 2
+
+  integer(c_int32_t), parameter :: &
+    CLEFT_DELAUNAY_CLEFT = 0, &
+    CLEFT_DELAUNAY_TETGEN = 1
 
   integer(c_int32_t), parameter :: &
     CLEFT_OPTION_TYPE_INTEGER = 1, &

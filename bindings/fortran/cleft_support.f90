@@ -83,7 +83,7 @@ contains
     version = text_at(cleft_version(c_null_ptr, c_null_ptr, c_null_ptr))
   end function
 
-  ! Is TetGen in this build, without which there is no background of particles?
+  ! Is TetGen in this build, which the option DELAUNAY can choose?
   function cleft_can_make_particles() result(answer)
     logical :: answer
     answer = cleft_has_tetgen() /= 0

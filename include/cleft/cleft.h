@@ -105,7 +105,7 @@ CLEFT_API const char* cleft_version(int32_t* major, int32_t* minor, int32_t* pat
 /** Returns static text for a status code, "unknown status" for any other number. \since 0.1 */
 CLEFT_API const char* cleft_status_string(cleft_status status) CLEFT_NOEXCEPT;
 
-/** Returns 1 if this build contains TetGen, which the background of particles needs, else 0. \since 0.1 */
+/** Returns 1 if this build contains TetGen, which the option DELAUNAY can choose, else 0. \since 0.1 */
 CLEFT_API int32_t cleft_has_tetgen(void) CLEFT_NOEXCEPT;
 
 /* ------------------------------------------------------------------------------------------------- handles -- */
@@ -144,8 +144,8 @@ CLEFT_API int32_t cleft_context_threads(const cleft_context* context) CLEFT_NOEX
 /** Receives the progress of the running call. `fraction` is in [0, 1] and never falls. It grows about as time passes
  *  (docs/quality.md), and ends at 1 if the call succeeds. `stage` names the stage in words and is borrowed for the
  *  call. A nonzero return value cancels the call. The library calls it on the thread that called the library, usually
- *  ten times a second or more. It may repeat a fraction. TetGen cannot be interrupted; it takes seconds for millions of
- *  tetrahedra. \since 0.1 */
+ *  ten times a second or more. It may repeat a fraction. Where the option DELAUNAY chooses TetGen, it cannot be
+ *  interrupted; it takes seconds for millions of tetrahedra. \since 0.1 */
 typedef int (*cleft_progress_callback)(double fraction, const char* stage, void* user);
 /** Sets the progress callback; NULL removes it. The library passes `user` to the callback. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_context_set_progress(cleft_context* context,
@@ -218,7 +218,8 @@ enum {
     CLEFT_OPTION_REPAIR = 15,
     CLEFT_OPTION_MAX_TETS = 16,
     CLEFT_OPTION_KEEP_THIN = 17,
-    CLEFT_OPTION_MIN_ANGLE = 18
+    CLEFT_OPTION_MIN_ANGLE = 18,
+    CLEFT_OPTION_DELAUNAY = 19
 };
 
 /** Kinds of background meshes. \since 0.1 */
@@ -238,6 +239,11 @@ enum {
     CLEFT_IMPROVE_OFF = 0,  /**< no improvement */
     CLEFT_IMPROVE_FAST = 1, /**< moderate effort, the default */
     CLEFT_IMPROVE_BEST = 2  /**< effort until nothing improves further */
+};
+/** Engines of Delaunay tetrahedra, which give the same mesh. \since 0.1 */
+enum {
+    CLEFT_DELAUNAY_CLEFT = 0, /**< Cleft's own, which works on all threads */
+    CLEFT_DELAUNAY_TETGEN = 1 /**< TetGen, on one thread; refused where the library has no TetGen */
 };
 /* </options> */
 
@@ -419,7 +425,7 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_sample(const cleft_volume* v
  *  With TETS the library scales the field until its mesh has that number of tetrahedra in the labels that strip and
  *  only keep. It makes meshes for that as cleft_mesh_volume() does, and takes as long. Then MAX_TETS limits only the
  *  whole mesh from which labels are left out.
- *  Options read: all but SMOOTH, STRICT and REPAIR.
+ *  Options read: all but SMOOTH, STRICT, REPAIR and DELAUNAY.
  *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* volume,
                                                            const cleft_options* options,
@@ -465,7 +471,7 @@ CLEFT_API double cleft_sizing_expected_tets(const cleft_sizing* sizing) CLEFT_NO
  *
  *  The function does not scale the sizes to TETS: cleft_sizing_create() and cleft_sizing_create_values() do. A warning
  *  reports a field that they did not make with the same TETS.
- *  Options read: BACKGROUND, SIZE, SIZE_MIN, TETS, MAX_TETS, STEPS and SEED.
+ *  Options read: BACKGROUND, SIZE, SIZE_MIN, TETS, MAX_TETS, STEPS, SEED and DELAUNAY.
  *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_background_create(cleft_context* context, const cleft_sizing* sizing,
                                                                const cleft_options* options,

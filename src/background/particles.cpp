@@ -7,7 +7,6 @@
 #include "base/parallel.hpp"
 #include "base/random.hpp"
 #include "base/stage.hpp"
-#include "delaunay/delaunay.hpp"
 
 #include <numeric>
 
@@ -74,7 +73,7 @@ TetMesh particle_background(const SizingField& field, const ParticleOptions& opt
     mesh.points = relaxed_particles(field, options, steps.next());
     {
         Stage stage(steps.next(), "background.delaunay", {{"background: Delaunay", 1}});
-        mesh.tets = delaunay(mesh.points, DelaunayEngine::tetgen, stage.next());
+        mesh.tets = delaunay(mesh.points, options.delaunay, stage.next());
     }
     repair(mesh, RepairOptions{}, steps.next());
     return mesh;

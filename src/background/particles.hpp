@@ -3,6 +3,7 @@
 
 #include "base/array.hpp"
 #include "base/run.hpp"
+#include "delaunay/delaunay.hpp"
 #include "mesh/tet_mesh.hpp"
 #include "sizing/sizing_field.hpp"
 
@@ -14,6 +15,7 @@ namespace cleft
 struct ParticleOptions {
     int steps = 8;      // relaxation steps
     uint64_t seed = 0;  // varies the arrangement; the same seed gives the same bytes
+    DelaunayEngine delaunay = DelaunayEngine::cleft;
 };
 
 // Relaxed particles of the box [0, grid.extent()]: the 8 corners first, then edges, faces, inside. A particle of a box

@@ -34,9 +34,8 @@ void describe(CLI::App& app)
                            "  cleft check head.msh && cleft convert head.msh head.inp\n"
                            "`cleft COMMAND --help` tells all options of a command.\n\n") +
                cleft_cli::exit_code_help());
-    app.set_version_flag("--version",
-                         std::string("cleft ") + cleft_version(nullptr, nullptr, nullptr) +
-                             (cleft_has_tetgen() != 0 ? "" : " (without particles: built without TetGen)"));
+    app.set_version_flag("--version", std::string("cleft ") + cleft_version(nullptr, nullptr, nullptr) +
+                                          (cleft_has_tetgen() != 0 ? "" : " (built without TetGen)"));
     // `cleft` alone prints an error and not the help of nothing.
     app.require_subcommand(1);
 }

@@ -16,7 +16,7 @@ namespace
 
 // Points nearer than this to the box of the brick go in at once, in mean distances of points there. With less, more
 // points have to be searched for, each by itself; with more, more go in that were not needed.
-constexpr double kMargin = 1.25;
+constexpr double kNearMargin = 1.25;
 // Memory is taken for so many of them: well spaced points have 6.3 to 6.8.
 constexpr int64_t kTetsOfPoint = 7;
 // Between two looks for a cancel are so many insertions, of some 3 microseconds each.
@@ -91,7 +91,7 @@ void Brick::add_near_points()
         if (node == tree_.brick_node(brick_))
             continue;
         const BoundingBox& box = tree_.box(node);
-        if (box.distance(own) > kMargin * box.longest()) {  // leaves below are no longer
+        if (box.distance(own) > kNearMargin * box.longest()) {  // leaves below are no longer
             work_.room.leave_out(box);
         } else if (tree_.is_leaf(node)) {
             add_near_points(node);
@@ -105,7 +105,7 @@ void Brick::add_near_points()
 void Brick::add_near_points(int64_t leaf)
 {
     const PointTree::Range range = tree_.range(leaf);
-    const double reach = kMargin * tree_.box(leaf).longest() / std::cbrt(static_cast<double>(range.count()));
+    const double reach = kNearMargin * tree_.box(leaf).longest() / std::cbrt(static_cast<double>(range.count()));
     for (int64_t i = range.begin; i < range.end; ++i) {
         const Vec3& x = tree_.points()[i].x;
         if (tree_.box(tree_.brick_node(brick_)).distance(x) > reach)

@@ -13,7 +13,10 @@ namespace cleft
 // About seven tetrahedra a point, four numbers each, must stay below 2^31 in TetGen's arrays.
 inline constexpr size_t kMostDelaunayPoints = 60'000'000;
 
+/* <choice> Made by tools/generate.py from src/capi/options.toml. */
 enum class DelaunayEngine { cleft, tetgen };
+inline constexpr size_t kDelaunayEngineCount = 2;
+/* </choice> */
 
 // Delaunay tetrahedra of the points, positively oriented; every point is used. Refuses fewer than four points,
 // non-finite coordinates, points all in one plane and points at one place. TetGen is refused with

@@ -18,7 +18,7 @@ namespace
 // average; larger ones are sorted.
 constexpr int kCornersInTable = 128;
 // After so many steps a walk by rounded signs may be in a circle.
-constexpr int kMostSteps = 1 << 12;
+constexpr int kMostWalkSteps = 1 << 12;
 
 void prefetch(const void* address) { __builtin_prefetch(address); }
 
@@ -128,7 +128,7 @@ int32_t DelaunayKernel::walk(const Seen& p) const
 {
     int32_t at = last_;
     int entry = -1;
-    for (int64_t step = 0; kExact || step < kMostSteps; ++step) {
+    for (int64_t step = 0; kExact || step < kMostWalkSteps; ++step) {
         const Cell& cell = cells_[at];
         if (in_conflict(cell, p))
             return at;

@@ -10,7 +10,7 @@ namespace cleft
 namespace
 {
 
-constexpr int kCells = 16;      // along each axis: some two mean distances of points each
+constexpr int kRoomCells = 16;  // along each axis: some two mean distances of points each
 constexpr double kWider = 0.1;  // the grid goes beyond the box by this much of its longest side
 
 }  // namespace
@@ -20,8 +20,8 @@ void KnownRoom::clear(const BoundingBox& own)
     own_ = own;
     const Vec3 margin = Vec3::Constant(kWider * own.longest());
     corner_ = own.lo - margin;
-    cells_per_length_ = kCells * (own.hi - own.lo + 2 * margin).cwiseMax(1e-300).cwiseInverse();
-    least_.assign(kCells * kCells * kCells, std::numeric_limits<double>::infinity());
+    cells_per_length_ = kRoomCells * (own.hi - own.lo + 2 * margin).cwiseMax(1e-300).cwiseInverse();
+    least_.assign(kRoomCells * kRoomCells * kRoomCells, std::numeric_limits<double>::infinity());
 }
 
 template <class Visit>
@@ -31,14 +31,14 @@ void KnownRoom::for_cells(const BoundingBox& box, const Visit& visit) const
     for (size_t axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<Eigen::Index>(axis);
         const auto cell = [&](double x) {
-            return static_cast<int>(std::clamp((x - corner_[a]) * cells_per_length_[a], 0.0, kCells - 0.5));
+            return static_cast<int>(std::clamp((x - corner_[a]) * cells_per_length_[a], 0.0, kRoomCells - 0.5));
         };
         range[axis] = {cell(box.lo[a]), cell(box.hi[a])};
     }
     for (int k = range[2][0]; k <= range[2][1]; ++k)
         for (int j = range[1][0]; j <= range[1][1]; ++j)
             for (int i = range[0][0]; i <= range[0][1]; ++i)
-                visit((k * kCells + j) * kCells + i);
+                visit((k * kRoomCells + j) * kRoomCells + i);
 }
 
 void KnownRoom::leave_out(const BoundingBox& box)

@@ -27,6 +27,8 @@ static const char* const kValues[][2] = {
     {"improve", "fast"},      {"steps", "1"},        {"seed", "7"},           {"strict", "true"},
     {"repair", "0"},          {"min_angle", "35"},
 };
+/* Those whose values make no difference by design. */
+static const char* const kSameMesh[] = {"delaunay"};
 enum { VALUES = sizeof kValues / sizeof *kValues };
 
 typedef struct {
@@ -218,6 +220,14 @@ static const char* value_for(const char* name)
     return "";
 }
 
+static int gives_the_same_mesh(const char* name)
+{
+    for (size_t i = 0; i < sizeof kSameMesh / sizeof *kSameMesh; ++i)
+        if (!strcmp(kSameMesh[i], name))
+            return 1;
+    return 0;
+}
+
 static int names_call(const char* calls, const char* name)
 {
     const size_t length = strlen(name);
@@ -243,6 +253,8 @@ static void the_calls_of_the_table_are_those_that_read(void** state)
         cleft_option_description row = {.struct_size = sizeof row};
         int is_read[CALLS] = {0};
         assert_int_equal(cleft_option_info(i, &row), CLEFT_OK);
+        if (gives_the_same_mesh(row.name))
+            continue;
         for (int s = 0; s < SETTINGS; ++s) {
             cleft_options* options = options_of(kSettings[s]);
             assert_int_equal(cleft_options_set_text(options, row.name, value_for(row.name)), CLEFT_OK);

@@ -279,11 +279,9 @@ std::vector<Work> core_works()
         const std::string on = threads == 1 ? "" : ", 2 threads";
         works.push_back({"octree" + on, [](Bench& b) { return mesh_on(b, CLEFT_BACKGROUND_OCTREE); }, {}, threads});
         works.push_back({"lattice" + on, [](Bench& b) { return mesh_on(b, CLEFT_BACKGROUND_LATTICE); }, {}, threads});
-        if (cleft_has_tetgen()) {
-            works.push_back(
-                {"particles" + on, [](Bench& b) { return mesh_on(b, CLEFT_BACKGROUND_PARTICLES); }, {}, threads});
-            works.push_back({"stages" + on, stages, {}, threads});
-        }
+        works.push_back(
+            {"particles" + on, [](Bench& b) { return mesh_on(b, CLEFT_BACKGROUND_PARTICLES); }, {}, threads});
+        works.push_back({"stages" + on, stages, {}, threads});
     }
     return works;
 }

@@ -488,6 +488,9 @@ def make_bytes():
     for target in ("meshing", "background"):
         for i in range(16):
             put(target, "random-%02d" % i, random.bytes(60 + 20 * i))
+    for i in range(20):
+        # The first bytes choose the size of bricks and the form of the points.
+        put("points", "random-%02d" % i, bytes([i, i % 5, i // 5]) + random.bytes(60 + 40 * i))
     put(
         "options",
         "all",

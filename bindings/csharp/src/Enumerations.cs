@@ -34,6 +34,15 @@ namespace Cleft
         Best = CleftNative.CLEFT_IMPROVE_BEST
     }
 
+    /// <summary>Engines of Delaunay tetrahedra, which give the same mesh.</summary>
+    public enum DelaunayEngine
+    {
+        /// <summary>Cleft's own, which works on all threads.</summary>
+        Cleft = CleftNative.CLEFT_DELAUNAY_CLEFT,
+        /// <summary>TetGen, on one thread; refused where the library has no TetGen.</summary>
+        Tetgen = CleftNative.CLEFT_DELAUNAY_TETGEN
+    }
+
     /// <summary>Types of voxels.</summary>
     public enum VoxelType
     {

@@ -198,6 +198,16 @@ namespace Cleft
             set { Set(CleftNative.CLEFT_OPTION_REPAIR, value); }
         }
 
+        /// <summary>
+        /// Engine that makes the tetrahedra of the particles. Both give the same mesh; a library may be built without
+        /// TetGen (cleft or tetgen; default cleft).
+        /// </summary>
+        public Cleft.DelaunayEngine Delaunay
+        {
+            get { return (Cleft.DelaunayEngine)Integer(CleftNative.CLEFT_OPTION_DELAUNAY); }
+            set { Set(CleftNative.CLEFT_OPTION_DELAUNAY, (long)value); }
+        }
+
         // </options>
 
         /// <summary>Labels whose tetrahedra are left out of the finished mesh.</summary>

@@ -114,7 +114,7 @@ namespace Cleft
             }
         }
 
-        /// <summary>Can this build make Background.Particles (is TetGen in it)?</summary>
+        /// <summary>Is TetGen in this build, so that DelaunayEngine.Tetgen can be chosen?</summary>
         public static bool HasTetgen
         {
             get {

@@ -54,7 +54,7 @@ from .surface import SIDES, Surface
 from .volume import Volume
 
 __version__: str = _native.cleft_version(None, None, None)
-#: Can this build make the background "particles" (is TetGen in it)?
+#: Is TetGen in this build, so that delaunay="tetgen" can be chosen?
 has_tetgen: bool = bool(_native.cleft_has_tetgen())
 
 __all__ = [

@@ -36,6 +36,7 @@ class OptionKeywords(TypedDict, total=False):
     seed: int
     strict: bool
     repair: float
+    delaunay: str
     # </options>
     label_sizes: Mapping[int, float]
     strip: Iterable[int]

@@ -15,7 +15,7 @@ public final class Cleft {
     }
 
     /**
-     * Can this build make {@link Background#PARTICLES} (is TetGen in it)?
+     * Is TetGen in this build, so that it can make {@link DelaunayEngine#TETGEN} meshes?
      *
      * @return whether it can
      */

@@ -399,6 +399,27 @@ public final class Options extends NativeObject {
         return real(CleftNative.CLEFT_OPTION_REPAIR);
     }
 
+    /**
+     * Sets {@code delaunay}: engine that makes the tetrahedra of the particles. Both give the same mesh; a library may
+     * be built without TetGen (cleft or tetgen; default cleft).
+     *
+     * @param value the new value
+     * @return these options
+     */
+    public Options delaunay(DelaunayEngine value) {
+        return set(CleftNative.CLEFT_OPTION_DELAUNAY, (long) Objects.requireNonNull(value, "value").number);
+    }
+
+    /**
+     * {@code delaunay}: engine that makes the tetrahedra of the particles. Both give the same mesh; a library may be
+     * built without TetGen (cleft or tetgen; default cleft).
+     *
+     * @return the value
+     */
+    public DelaunayEngine delaunay() {
+        return DelaunayEngine.values()[(int) integer(CleftNative.CLEFT_OPTION_DELAUNAY)];
+    }
+
     // </options>
 
     /**
