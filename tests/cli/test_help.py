@@ -49,7 +49,7 @@ class Help(CommandTest):
             self.assertIn("--" + option, help_text)
         self.assertIn("default 0.3", help_text)
         self.assertIn(".vtu", help_text)
-        self.assertRegex(help_text, r"--background (\w+\|)+FILE ")
+        self.assertRegex(help_text, r"--background (\w+\|)+FILE\s")
 
     def options_of(self, command, group):
         """The options under a heading of the help."""
