@@ -16,7 +16,7 @@ namespace
 
 // Points nearer than this to the box of the brick go in at once, in mean distances of points there. With less, more
 // points have to be searched for, each by itself; with more, more go in that were not needed.
-constexpr double kNearMargin = 1.25;
+constexpr double kNearMargin = 1.5;
 // Memory is taken for so many of them: well spaced points have 6.3 to 6.8.
 constexpr int64_t kTetsOfPoint = 7;
 // Between two looks for a cancel are so many insertions, of some 3 microseconds each.
@@ -43,8 +43,10 @@ private:
     bool is_own(int64_t position) const { return position >= own_.begin && position < own_.end; }
     bool has_own_corner(const Cell& cell) const
     {
-        const auto is_own = [&](int32_t vertex) { return vertex != kGhost && vertex <= own_.count(); };
-        return std::any_of(cell.corners.begin(), cell.corners.end(), is_own);
+        const auto count = static_cast<uint32_t>(own_.count());
+        // A ghost becomes the greatest number.
+        const auto index = [&](int i) { return static_cast<uint32_t>(cell.corners[i]) - 1; };
+        return std::min({index(0), index(1), index(2), index(3)}) < count;
     }
     bool is_first(int64_t position) const
     {

@@ -3,21 +3,21 @@
 
 #include "mesh/tet_mesh.hpp"
 
-#include <algorithm>
-
 namespace cleft
 {
 
 // The least corner first, the least of the others second; an even permutation, so that the orientation stays.
-inline Tet canonical(Tet tet)
+//   Branches on what is least would be guessed wrongly by most processors.
+inline Tet canonical(const Tet& tet)
 {
-    const auto least = std::min_element(tet.begin(), tet.end()) - tet.begin();
-    if (least != 0) {
-        std::swap(tet[0], tet[least]);
-        std::swap(tet[least == 1 ? 2 : 1], tet[least == 3 ? 2 : 3]);
-    }
-    std::rotate(tet.begin() + 1, std::min_element(tet.begin() + 1, tet.end()), tet.end());
-    return tet;
+    const int first = tet[1] < tet[0], second = 2 + (tet[3] < tet[2]);
+    const int least = tet[second] < tet[first] ? second : first;
+    // Each of these permutations swaps two pairs.
+    const int32_t a = tet[least ^ 1], b = tet[least ^ 2], c = tet[least ^ 3];
+    constexpr int kTurned[] = {0, 1, 2, 0, 1};
+    const FixedArray<int32_t, 3> others{{a, b, c}};
+    const int next = b < a ? (c < b ? 2 : 1) : (c < a ? 2 : 0);
+    return {{tet[least], others[next], others[kTurned[next + 1]], others[kTurned[next + 2]]}};
 }
 
 }  // namespace cleft

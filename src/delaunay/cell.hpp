@@ -21,6 +21,7 @@ struct alignas(64) Cell {
     FixedArray<int32_t, 4> behind;
     // A point farther from the centre than `outer` is outside of the sphere, and one nearer than `inner` inside, for
     // sure; both are squared. In the frame of the kernel.
+    // Of a ghost, neither is true of any point.
     FixedArray<float, 3> centre;
     float inner, outer;
     uint32_t mark;

@@ -2,6 +2,7 @@
 #include "delaunay/kernel.hpp"
 
 #include "base/error.hpp"
+#include "base/large_pages.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/predicates.hpp"
 
@@ -17,10 +18,10 @@ namespace
 // Corners of a cavity for which a table of all pairs is kept, in fast memory. Cavities of well spaced points have 16 on
 // average; larger ones are sorted.
 constexpr int kCornersInTable = 128;
+// For which memory is taken at once: well spaced points have 6.3 to 6.8, and the hull adds some.
+constexpr size_t kCellsOfVertex = 7;
 // After so many steps a walk by rounded signs may be in a circle.
 constexpr int kMostWalkSteps = 1 << 12;
-
-void prefetch(const void* address) { __builtin_prefetch(address); }
 
 }  // namespace
 
@@ -47,14 +48,16 @@ int32_t DelaunayKernel::add_vertex(const Vec3& x, int32_t number)
 
 void DelaunayKernel::begin(const FixedArray<int32_t, 4>& vertices)
 {
+    if (cells_.capacity() < kCellsOfVertex * vertices_.size())
+        reserve_large(cells_, kCellsOfVertex * vertices_.size());
     Tet tet = vertices;
     if (orient_sign(place(tet[0]), place(tet[1]), place(tet[2]), place(tet[3])) < 0)
         std::swap(tet[2], tet[3]);
-    // The tetrahedron and its ghosts are what a cavity of no cells leaves: four border faces around its first corner.
     cells_.push_back(Cell{tet, {}, {}, -1, 0, 0, 0});
     for (int face = 0; face < 4; ++face) {
         const auto& f = kFaceCorners[face];
-        cells_.push_back(Cell{{{tet[f[0]], tet[f[1]], tet[f[2]], kGhost}}, {}, {}, -1, 0, 0, 0});
+        cells_.push_back(Cell{{{tet[f[0]], tet[f[1]], tet[f[2]], kGhost}}, {}, {}, 0, 0, 0, 0});
+        leave_in_doubt(cells_.back());
     }
     const auto opposite = [&](int32_t cell, int32_t corner) {
         const Tet& c = cells_[cell].corners;
@@ -69,12 +72,13 @@ void DelaunayKernel::begin(const FixedArray<int32_t, 4>& vertices)
                 cells_[ghost].behind[opposite(ghost, tet[other])] = 4 * (other + 1) + opposite(other + 1, tet[face]);
     }
     const Vec3& p = place(tet[0]);
-    FixedArray<SeenCorner, 3> seen_from_first;
+    FixedArray<SeenCorner, 3> corners;
     for (int i = 0; i < 3; ++i) {
         const Vec3 edge = place(tet[i + 1]) - p;
-        seen_from_first[i] = {edge, edge.squaredNorm()};
+        corners[i] = {edge, edge.squaredNorm()};
     }
-    set_sphere(cells_[0], p - origin_, rounding_, seen_from_first[0], seen_from_first[1], seen_from_first[2]);
+    const auto both = [&](int i) { return PairOfCorners(&corners[i], &corners[i]); };
+    set_spheres_of_pair({&cells_[0], &cells_[0]}, p - origin_, rounding_, both(0), both(1), both(2));
     last_ = 0;
 }
 
@@ -151,65 +155,87 @@ int32_t DelaunayKernel::locate(const Seen& p) const
     return cell;
 }
 
-void DelaunayKernel::add_border(const Cell& cell, int face)
-{
-    const auto& f = kFaceCorners[face];
-    // The ghost becomes the last.
-    const int turn = cell.corners[f[0]] == kGhost ? 1 : cell.corners[f[1]] == kGhost ? 2 : 0;
-    const auto corner = [&](int i) { return cell.corners[f[(turn + i) % 3]]; };
-    border_.push_back({{{corner(0), corner(1), corner(2)}}, cell.behind[face]});
-}
-
 // Lemma: the cells in conflict are connected, and p sees all of the border from inside (Watson 1981; the perturbation
 // keeps it true on spheres with more points, and in planes of the hull).
-void DelaunayKernel::find_cavity(const Seen& p, int32_t cell)
+//   No branch depends on where p is but in the rare cases in doubt: a processor would guess half of them wrongly. So
+// entries are written in any case, and kept by counting them.
+void DelaunayKernel::find_cavity(const Seen& p, int32_t first)
 {
     // Marks of cells are even where the point is outside, odd where it is inside.
     ++insertion_;
     const uint32_t outside = 2 * insertion_, inside = outside + 1;
-    cavity_.clear();
-    border_.clear();
-    cells_[cell].mark = inside;
-    cavity_.push_back(cell);
-    for (size_t k = 0; k < cavity_.size(); ++k) {
-        const Cell& in = cells_[cavity_[k]];
+    cells_[first].mark = inside;
+    make_room(4);
+    cavity_[0] = first;
+    size_t in_cavity = 1, in_border = 0;
+    for (size_t k = 0; k < in_cavity; ++k) {
+        if (in_cavity + 4 > cavity_.size() || in_border + 4 > border_.size())
+            make_room(2 * (in_cavity + in_border));
+        const int32_t at = cavity_[k];
+        const Cell& in = cells_[at];
+        int32_t* const cavity = cavity_.data();
+        BorderFace* const border = border_.data();
         for (int face = 0; face < 4; ++face) {
-            const int32_t next = in.behind[face] >> 2;
-            Cell& neighbour = cells_[next];
-            if (neighbour.mark == inside)
-                continue;
-            if (neighbour.mark != outside) {
-                if (in_conflict(neighbour, p)) {
-                    neighbour.mark = inside;
-                    cavity_.push_back(next);
-                    for (const int32_t behind : neighbour.behind)
-                        prefetch(&cells_[behind >> 2]);
-                    continue;
-                }
-                neighbour.mark = outside;
-            }
-            add_border(in, face);
+            const int32_t behind = in.behind[face];
+            Cell& next = cells_[behind >> 2];
+            const uint32_t mark = next.mark;
+            const double square = square_from(next, p);
+            const uint32_t is_near = square < static_cast<double>(next.inner);
+            const uint32_t is_far = square > static_cast<double>(next.outer);
+            const uint32_t is_marked = mark >= outside;  // and the mark tells
+            uint32_t is_in = (is_marked & mark) | (~is_marked & is_near);
+            if (!(is_marked | is_near | is_far))
+                is_in = doubtful_in_conflict(next, p) ? 1 : 0;
+            next.mark = outside + is_in;
+            cavity[in_cavity] = behind >> 2;
+            in_cavity += is_in & static_cast<uint32_t>(mark != inside);
+            border[in_border] = {4 * at + face, behind};
+            in_border += is_in ^ 1;
         }
     }
+    cavity_size_ = in_cavity;
+    border_size_ = in_border;
+}
+
+void DelaunayKernel::make_room(size_t count)
+{
+    cavity_.resize(std::max(cavity_.size(), count));
+    border_.resize(std::max(border_.size(), count));
+    slots_.resize(border_.size());
+    corners_.resize(3 * border_.size());
+    seen_.resize(3 * border_.size());
+    faces_.resize(border_.size());
 }
 
 void DelaunayKernel::see_corners(const Vec3& p)
 {
-    corners_.clear();
-    slots_.clear();
-    for (const BorderFace& face : border_) {
-        FixedArray<int32_t, 3> slots;
+    int32_t count = 0;
+    int32_t* const seen = seen_.data();
+    Vertex* const vertices = vertices_.data();
+    for (size_t k = 0; k < border_size_; ++k) {
+        const int32_t face = border_[k].face;
+        const Cell& cell = cells_[face >> 2];
+        const int* f = kFaceCorners[face & 3];
+        FixedArray<int32_t, 3> corners{{cell.corners[f[0]], cell.corners[f[1]], cell.corners[f[2]]}}, slots;
+        if (cell.is_ghost() && (face & 3) != 3)  // the ghost becomes the last
+            std::rotate(corners.begin(), std::find(corners.begin(), corners.end(), kGhost) + 1, corners.end());
         for (int i = 0; i < 3; ++i) {
-            Vertex& corner = vertices_[face.corners[i]];
-            if (corner.stamp != insertion_) {
-                corner.stamp = insertion_;
-                corner.slot = static_cast<int32_t>(corners_.size());
-                const Vec3 edge = corner.x - p;
-                corners_.push_back({edge, edge.squaredNorm()});
-            }
-            slots[i] = corner.slot;
+            Vertex& corner = vertices[corners[i]];
+            const bool is_new = corner.stamp != insertion_;
+            const int32_t slot = is_new ? count : corner.slot;
+            corner.stamp = insertion_;
+            corner.slot = slot;
+            slots[i] = slot;
+            seen[count] = corners[i];
+            count += is_new;
         }
-        slots_.push_back(slots);
+        faces_[k] = corners;
+        slots_[k] = slots;
+    }
+    corner_count_ = to_size(count);
+    for (size_t i = 0; i < corner_count_; ++i) {
+        const Vec3 edge = vertices_[seen_[i]].x - p;
+        corners_[i] = {edge, edge.squaredNorm()};
     }
 }
 
@@ -217,13 +243,13 @@ void DelaunayKernel::see_corners(const Vec3& p)
 void DelaunayKernel::take_cells()
 {
     made_.clear();
-    const size_t reused = std::min(border_.size(), cavity_.size());
+    const size_t reused = std::min(border_size_, cavity_size_);
     made_.insert(made_.end(), cavity_.begin(), cavity_.begin() + static_cast<int64_t>(reused));
-    for (size_t k = reused; k < cavity_.size(); ++k) {
+    for (size_t k = reused; k < cavity_size_; ++k) {
         cells_[cavity_[k]].kill();
         free_.push_back(cavity_[k]);
     }
-    while (made_.size() < border_.size()) {
+    while (made_.size() < border_size_) {
         if (free_.empty()) {
             made_.push_back(static_cast<int32_t>(cells_.size()));
             cells_.emplace_back();
@@ -236,13 +262,13 @@ void DelaunayKernel::take_cells()
 
 void DelaunayKernel::fill_cells(int32_t vertex)
 {
-    for (size_t k = 0; k < border_.size(); ++k) {
-        const BorderFace& face = border_[k];
+    for (size_t k = 0; k < border_size_; ++k) {
+        const int32_t behind = border_[k].behind;
         Cell& cell = cells_[made_[k]];
-        cell.corners = {{vertex, face.corners[0], face.corners[1], face.corners[2]}};
-        cell.behind[0] = face.behind;
+        cell.corners = {{vertex, faces_[k][0], faces_[k][1], faces_[k][2]}};
+        cell.behind[0] = behind;
         cell.mark = cell.certified = 0;
-        cells_[face.behind >> 2].behind[face.behind & 3] = 4 * made_[k];
+        cells_[behind >> 2].behind[behind & 3] = 4 * made_[k];
         if (cell.is_real())
             last_ = made_[k];
     }
@@ -252,18 +278,26 @@ void DelaunayKernel::fill_cells(int32_t vertex)
 // every entry that is read was written in this insertion.
 void DelaunayKernel::link_cells()
 {
-    const auto entry = [&](int32_t from, int32_t to) -> uint16_t& { return edges_[kCornersInTable * from + to]; };
-    for (size_t k = 0; k < border_.size(); ++k) {
-        const auto& s = slots_[k];
-        for (int i = 0; i < 3; ++i)
-            entry(s[(i + 1) % 3], s[(i + 2) % 3]) = static_cast<uint16_t>(4 * k + to_size(i) + 1);
+    uint16_t* const edges = edges_.data();
+    const auto entry = [edges](int32_t from, int32_t to) -> uint16_t& { return edges[kCornersInTable * from + to]; };
+    for (size_t k = 0; k < border_size_; ++k) {
+        const auto [a, b, c] = slots_[k];
+        const auto first = static_cast<uint16_t>(4 * k);
+        entry(b, c) = static_cast<uint16_t>(first + 1);
+        entry(c, a) = static_cast<uint16_t>(first + 2);
+        entry(a, b) = static_cast<uint16_t>(first + 3);
     }
-    for (size_t k = 0; k < border_.size(); ++k) {
-        const auto& s = slots_[k];
-        for (int i = 0; i < 3; ++i) {
-            const int32_t other = entry(s[(i + 2) % 3], s[(i + 1) % 3]);
-            cells_[made_[k]].behind[i + 1] = 4 * made_[other >> 2] + (other & 3);
-        }
+    const int32_t* const made = made_.data();
+    for (size_t k = 0; k < border_size_; ++k) {
+        const auto [a, b, c] = slots_[k];
+        const auto other = [&](int32_t from, int32_t to) {
+            const int e = entry(to, from);
+            return 4 * made[e >> 2] + (e & 3);
+        };
+        FixedArray<int32_t, 4>& behind = cells_[made[k]].behind;
+        behind[1] = other(b, c);
+        behind[2] = other(c, a);
+        behind[3] = other(a, b);
     }
 }
 
@@ -273,8 +307,8 @@ void DelaunayKernel::link_many_cells()
         int32_t from, to, at;
     };
     Array<Edge> edges;
-    edges.reserve(3 * border_.size());
-    for (size_t k = 0; k < border_.size(); ++k)
+    edges.reserve(3 * border_size_);
+    for (size_t k = 0; k < border_size_; ++k)
         for (int i = 0; i < 3; ++i) {
             const auto [from, to] = std::minmax(slots_[k][(i + 1) % 3], slots_[k][(i + 2) % 3]);
             edges.push_back({from, to, 4 * made_[k] + i + 1});
@@ -290,11 +324,12 @@ void DelaunayKernel::link_many_cells()
 
 void DelaunayKernel::set_spheres(const Seen& p)
 {
-    for (size_t k = 0; k < border_.size(); ++k) {
-        const auto& s = slots_[k];
-        Cell& cell = cells_[made_[k]];
-        if (cell.is_real())
-            set_sphere(cell, p.in_frame, rounding_, corners_[s[0]], corners_[s[1]], corners_[s[2]]);
+    for (size_t k = 0; k < border_size_; k += 2) {
+        const size_t other = std::min(k + 1, border_size_ - 1);
+        const auto &s = slots_[k], &t = slots_[other];
+        const SeenCorner* const seen = corners_.data();
+        set_spheres_of_pair({&cells_[made_[k]], &cells_[made_[other]]}, p.in_frame, rounding_,
+                            {seen + s[0], seen + t[0]}, {seen + s[1], seen + t[1]}, {seen + s[2], seen + t[2]});
     }
 }
 
@@ -305,7 +340,7 @@ void DelaunayKernel::insert(int32_t vertex, int32_t cell)
     see_corners(p.x);
     take_cells();
     fill_cells(vertex);
-    if (corners_.size() <= kCornersInTable)
+    if (corner_count_ <= kCornersInTable)
         link_cells();
     else
         link_many_cells();

@@ -49,24 +49,31 @@ private:
         NumberedPoint point;
         Vec3 x, in_frame;
     };
-    // A face of the cavity, wound so that it looks outward, and what is behind it.
+    // A face of the cavity, as Cell::behind has it, and what is behind it.
     struct BorderFace {
-        FixedArray<int32_t, 3> corners;
-        int32_t behind;
+        int32_t face, behind;
     };
 
     Seen seen(int32_t vertex) const;
+    static double square_from(const Cell& cell, const Seen& p)
+    {
+        const Pair xy = Pair{p.in_frame[0], p.in_frame[1]} -
+                        Pair{static_cast<double>(cell.centre[0]), static_cast<double>(cell.centre[1])};
+        const double z = p.in_frame[2] - static_cast<double>(cell.centre[2]);
+        const Pair squares = xy * xy;
+        return squares[0] + squares[1] + z * z;
+    }
     bool in_conflict(const Cell& cell, const Seen& p) const
     {
-        if (!cell.is_real())
-            return ghost_in_conflict(cell, p);
-        const double x = p.in_frame[0] - static_cast<double>(cell.centre[0]);
-        const double y = p.in_frame[1] - static_cast<double>(cell.centre[1]);
-        const double z = p.in_frame[2] - static_cast<double>(cell.centre[2]);
-        const double square = x * x + y * y + z * z;
+        const double square = square_from(cell, p);
         if (square > static_cast<double>(cell.outer))
             return false;
-        return square < static_cast<double>(cell.inner) || has_inside(cell, p.point);
+        return square < static_cast<double>(cell.inner) || doubtful_in_conflict(cell, p);
+    }
+    // Of a ghost, or of a real cell near whose sphere p is.
+    bool doubtful_in_conflict(const Cell& cell, const Seen& p) const
+    {
+        return cell.is_real() ? has_inside(cell, p.point) : ghost_in_conflict(cell, p);
     }
     bool ghost_in_conflict(const Cell& cell, const Seen& p) const;
     template <bool kExact>
@@ -75,7 +82,7 @@ private:
     int32_t walk(const Seen& p) const;
     int32_t locate(const Seen& p) const;
     void find_cavity(const Seen& p, int32_t cell);
-    void add_border(const Cell& cell, int face);
+    void make_room(size_t count);
     void see_corners(const Vec3& p);
     void take_cells();
     void fill_cells(int32_t vertex);
@@ -91,11 +98,14 @@ private:
     Array<int32_t> free_;
     int32_t last_ = 0;  // a real cell
     uint32_t insertion_ = 0;
-    // Of one insertion.
+    // Of one insertion. Arrays do not shrink; the counts tell how much of them is used.
     Array<int32_t> cavity_, made_;
     Array<BorderFace> border_;
+    Array<FixedArray<int32_t, 3>> faces_;  // the corners of the border, wound so that it looks outward
+    Array<FixedArray<int32_t, 3>> slots_;  // and their places in corners_
+    Array<int32_t> seen_;                  // the vertices of the border
     Array<SeenCorner> corners_;
-    Array<FixedArray<int32_t, 3>> slots_;  // of the corners of each border face in corners_
+    size_t cavity_size_ = 0, border_size_ = 0, corner_count_ = 0;
     Array<uint16_t> edges_;
 };
 

@@ -10,7 +10,7 @@ namespace cleft
 namespace
 {
 
-constexpr int kRoomCells = 16;  // along each axis: some two mean distances of points each
+constexpr int kRoomCells = 32;  // along each axis: about one mean distance of points each
 constexpr double kWider = 0.1;  // the grid goes beyond the box by this much of its longest side
 
 }  // namespace
@@ -49,6 +49,9 @@ void KnownRoom::leave_out(const BoundingBox& box)
 
 bool KnownRoom::holds_ball(const Vec3& centre, double radius) const
 {
+    // In the box are the points of the brick alone.
+    if ((centre - own_.lo).minCoeff() > radius && (own_.hi - centre).minCoeff() > radius)
+        return true;
     // No point of the ball is farther from the brick's box.
     const double farthest = own_.distance(centre) + radius;
     if (!(farthest < std::numeric_limits<double>::infinity()))

@@ -3,8 +3,10 @@
 
 #include "delaunay/cell.hpp"
 
+#include <array>
 #include <cfloat>
 #include <cmath>
+#include <limits>
 
 namespace cleft
 {
@@ -15,6 +17,14 @@ struct SeenCorner {
     double square;
 };
 
+// Neither inside nor outside of the sphere, for any point.
+inline void leave_in_doubt(Cell& cell)
+{
+    cell.centre = {{0, 0, 0}};
+    cell.inner = -1;
+    cell.outer = std::numeric_limits<float>::infinity();
+}
+
 // Sets the sphere through the point at `place` (in the frame of the kernel) and three corners. Lemma: let D be the
 // distance of the stored centre from the true one, s that of a point from the stored centre, and r that of `place`. The
 // power of the point is (s - r)(s + r) plus an error of at most 2(s + r)D, so it has the sign of s - r wherever
@@ -24,33 +34,55 @@ struct SeenCorner {
 // determinant, which is less than kDeterminant times that. Where g is not small, neither bound decides anything.
 //   The stored centre is not read back as doubles: gcc 12 takes a pair of doubles that were rounded to floats and back
 // for the pair itself.
-inline void set_sphere(Cell& cell, const Vec3& place, double rounding, const SeenCorner& a, const SeenCorner& b,
-                       const SeenCorner& c)
+//   Two cells at a time, in the two halves of the registers that every processor of this kind has.
+using Pair = double __attribute__((vector_size(16)));
+
+struct PairOfCorners {
+    Pair x, y, z, square;
+    PairOfCorners(const SeenCorner* a, const SeenCorner* b)
+        : x{a->edge[0], b->edge[0]}, y{a->edge[1], b->edge[1]}, z{a->edge[2], b->edge[2]}, square{a->square, b->square}
+    {
+    }
+};
+
+inline void set_spheres_of_pair(const std::array<Cell*, 2>& cells, const Vec3& place, double rounding,
+                                const PairOfCorners& a, const PairOfCorners& b, const PairOfCorners& c)
 {
     constexpr double kDeterminant = 4e-15, kLeastDeterminant = 1e-140, kGreatestError = 1e-3;
     constexpr double kFloat = 0x1p-24;    // of a coordinate, by rounding to float
     constexpr double kToFloat = 0x1p-22;  // more than what a square and its rounding to float can lose
-    const Vec3 bc = b.edge.cross(c.edge);
-    const double det = a.edge.dot(bc);
-    const double lengths = std::sqrt(a.square * b.square * c.square);
-    cell.centre = {{0, 0, 0}};
-    cell.inner = -1;
-    cell.outer = std::numeric_limits<float>::infinity();
-    if (!(det > kLeastDeterminant && kDeterminant * lengths < kGreatestError * det))
-        return;
-    const double scale = 0.5 / det;
-    const Vec3 offset = scale * (a.square * bc + b.square * c.edge.cross(a.edge) + c.square * a.edge.cross(b.edge));
-    const Vec3 centre = place + offset;
-    const double radius = offset.norm();
-    const double error = 3 * (kFloat * centre.lpNorm<1>() + 9 * kDeterminant * lengths / det * radius) + 4 * rounding;
-    const double most = (radius + error) * (radius + error), least = radius - error;
-    constexpr double kSmallest = 1e-30, kGreatest = 1e30;  // of floats, with their whole precision
-    if (!(most < kGreatest))
-        return;
-    cell.centre = {{static_cast<float>(centre[0]), static_cast<float>(centre[1]), static_cast<float>(centre[2])}};
-    cell.outer = static_cast<float>(std::max(most, kSmallest) * (1 + kToFloat));
-    if (least > 0 && least * least > kSmallest)
-        cell.inner = static_cast<float>(least * least * (1 - kToFloat));
+    const Pair bc_x = b.y * c.z - b.z * c.y, bc_y = b.z * c.x - b.x * c.z, bc_z = b.x * c.y - b.y * c.x;
+    const Pair det = a.x * bc_x + a.y * bc_y + a.z * bc_z;
+    const Pair scale = 0.5 / det;
+    // a^2 (b x c) + b^2 (c x a) + c^2 (a x b), with one cross product less.
+    const Pair d_x = c.square * b.x - b.square * c.x, d_y = c.square * b.y - b.square * c.y,
+               d_z = c.square * b.z - b.square * c.z;
+    const Pair offset_x = scale * (a.square * bc_x + (a.y * d_z - a.z * d_y));
+    const Pair offset_y = scale * (a.square * bc_y + (a.z * d_x - a.x * d_z));
+    const Pair offset_z = scale * (a.square * bc_z + (a.x * d_y - a.y * d_x));
+    const Pair x = place[0] + offset_x, y = place[1] + offset_y, z = place[2] + offset_z;
+    const Pair square = offset_x * offset_x + offset_y * offset_y + offset_z * offset_z;
+    const Pair lengths = a.square * b.square * c.square;
+    for (int i = 0; i < 2; ++i) {
+        Cell& cell = *cells[to_size(i)];
+        constexpr double kWorst = kDeterminant * kDeterminant / (kGreatestError * kGreatestError);
+        constexpr double kSmallest = 1e-30, kGreatest = 1e30;  // of floats, with their whole precision
+        const double radius = std::sqrt(square[i]);
+        // Each length is below 2.01 radii.
+        const double relative = 2 * kDeterminant * 9 * (square[i] * radius) * scale[i];
+        const double sum = std::abs(x[i]) + std::abs(y[i]) + std::abs(z[i]);
+        const double error = 3 * (kFloat * sum + 9 * relative * radius) + 4 * rounding;
+        const double most = (radius + error) * (radius + error), least = radius - error;
+        if (!cell.is_real() || !(det[i] > kLeastDeterminant && kWorst * lengths[i] < det[i] * det[i]) ||
+            !(most < kGreatest)) {
+            leave_in_doubt(cell);
+            continue;
+        }
+        cell.centre = {{static_cast<float>(x[i]), static_cast<float>(y[i]), static_cast<float>(z[i])}};
+        cell.outer = static_cast<float>(std::max(most, kSmallest) * (1 + kToFloat));
+        const double inner = least * least * (1 - kToFloat);
+        cell.inner = least > 0 && inner > kSmallest ? static_cast<float>(inner) : -1;
+    }
 }
 
 }  // namespace cleft

@@ -23,33 +23,36 @@ struct Key {
     int32_t index;
 };
 
+// The bits of x, each followed by two zeros.
+uint64_t spread(uint64_t x)
+{
+    x = (x | x << 32) & 0x001f00000000ffffu;
+    x = (x | x << 16) & 0x001f0000ff0000ffu;
+    x = (x | x << 8) & 0x100f00f00f00f00fu;
+    x = (x | x << 4) & 0x10c30c30c30c30c3u;
+    return (x | x << 2) & 0x1249249249249249u;
+}
+
 // Place of a cell of the 2^21 cube along the curve, by Skilling's transform of the coordinates ("Programming the
-// Hilbert curve", 2004) and then interleaving their bits.
+// Hilbert curve", 2004) and then interleaving their bits. Masks take the place of branches, half of which a processor
+// would guess wrongly.
 uint64_t hilbert_index(std::array<uint32_t, 3> x)
 {
-    for (uint32_t bit = 1u << (kBits - 1); bit > 1; bit >>= 1) {
-        const uint32_t lower = bit - 1;
+    for (int bit = kBits - 1; bit > 0; --bit) {
+        const uint32_t lower = (1u << bit) - 1;
         for (uint32_t& coordinate : x) {
-            if (coordinate & bit) {
-                x[0] ^= lower;
-            } else {
-                const uint32_t swapped = (x[0] ^ coordinate) & lower;
-                x[0] ^= swapped;
-                coordinate ^= swapped;
-            }
+            const uint32_t is_set = 0u - (coordinate >> bit & 1u);
+            const uint32_t swapped = (x[0] ^ coordinate) & lower & ~is_set;
+            x[0] ^= swapped | (lower & is_set);
+            coordinate ^= swapped;
         }
     }
     x[1] ^= x[0];
     x[2] ^= x[1];
     uint32_t flip = 0;
-    for (uint32_t bit = 1u << (kBits - 1); bit > 1; bit >>= 1)
-        if (x[2] & bit)
-            flip ^= bit - 1;
-    uint64_t index = 0;
-    for (int bit = kBits - 1; bit >= 0; --bit)
-        for (const uint32_t coordinate : x)
-            index = index << 1 | (((coordinate ^ flip) >> bit) & 1u);
-    return index;
+    for (int bit = kBits - 1; bit > 0; --bit)
+        flip ^= ((1u << bit) - 1) & (0u - (x[2] >> bit & 1u));
+    return spread(x[0] ^ flip) << 2 | spread(x[1] ^ flip) << 1 | spread(x[2] ^ flip);
 }
 
 uint64_t hilbert_index(const Vec3& x, const BoundingBox& box)
