@@ -78,7 +78,7 @@ void DelaunayKernel::begin(const FixedArray<int32_t, 4>& vertices)
         corners[i] = {edge, edge.squaredNorm()};
     }
     const auto both = [&](int i) { return PairOfCorners(&corners[i], &corners[i]); };
-    set_spheres_of_pair({&cells_[0], &cells_[0]}, p - origin_, rounding_, both(0), both(1), both(2));
+    set_spheres_of_pair({&cells_[0], &cells_[0]}, pair_of_spheres(p - origin_, rounding_, both(0), both(1), both(2)));
     last_ = 0;
 }
 
@@ -221,8 +221,8 @@ void DelaunayKernel::see_corners(const Vec3& p)
             std::rotate(corners.begin(), std::find(corners.begin(), corners.end(), kGhost) + 1, corners.end());
         for (int i = 0; i < 3; ++i) {
             Vertex& corner = vertices[corners[i]];
-            const bool is_new = corner.stamp != insertion_;
-            const int32_t slot = is_new ? count : corner.slot;
+            const int32_t is_new = corner.stamp != insertion_;
+            const int32_t slot = corner.slot ^ ((corner.slot ^ count) & -is_new);  // by a mask, as above
             corner.stamp = insertion_;
             corner.slot = slot;
             slots[i] = slot;
@@ -328,8 +328,9 @@ void DelaunayKernel::set_spheres(const Seen& p)
         const size_t other = std::min(k + 1, border_size_ - 1);
         const auto &s = slots_[k], &t = slots_[other];
         const SeenCorner* const seen = corners_.data();
-        set_spheres_of_pair({&cells_[made_[k]], &cells_[made_[other]]}, p.in_frame, rounding_,
-                            {seen + s[0], seen + t[0]}, {seen + s[1], seen + t[1]}, {seen + s[2], seen + t[2]});
+        const PairOfSpheres spheres = pair_of_spheres(p.in_frame, rounding_, {seen + s[0], seen + t[0]},
+                                                      {seen + s[1], seen + t[1]}, {seen + s[2], seen + t[2]});
+        set_spheres_of_pair({&cells_[made_[k]], &cells_[made_[other]]}, spheres);
     }
 }
 

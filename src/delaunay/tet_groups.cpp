@@ -14,6 +14,13 @@ namespace
 
 constexpr int64_t kPointsGrouped = 1 << 14;  // that a thread takes at a time
 
+// Of canonical tetrahedra with one least point.
+bool follows_less(const Tet& a, const Tet& b)
+{
+    const auto two = [](const Tet& t) { return static_cast<uint64_t>(t[1]) << 32 | static_cast<uint32_t>(t[2]); };
+    return two(a) != two(b) ? two(a) < two(b) : a[3] < b[3];
+}
+
 }  // namespace
 
 // The tetrahedra of a point are those of one part, so that no two threads write to the same counter.
@@ -38,7 +45,7 @@ Array<Tet> grouped(Array<Array<Tet>>& parts, int64_t point_count, const Run& run
     });
     parallel_for(run, point_count, kPointsGrouped, [&](int64_t first, int64_t last) {
         for (int64_t v = first; v < last; ++v)
-            std::sort(tets.begin() + begin[v], tets.begin() + begin[v + 1]);
+            std::sort(tets.begin() + begin[v], tets.begin() + begin[v + 1], follows_less);
     });
     return tets;
 }
