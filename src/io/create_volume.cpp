@@ -49,6 +49,7 @@ void unify(std::vector<Source>& sources)
 {
     bool wide = false;
     for (Source& source : sources) {
+        unpack(source);
         make_floating(source.image);
         wide = wide || source.image.component == Component::float64;
     }
@@ -93,8 +94,10 @@ void create_volume(cleft_context* context, const cleft_options* options, std::ve
     const std::vector<Field> fields = fields_of(sources);
     const Meaning meaning = meaning_of(fields, kind, notes);
     Image masks;
-    if (meaning == Meaning::masks)
+    if (meaning == Meaning::masks) {
         masks = label_map_of_masks(fields, notes);
+        sources.clear();  // frees their voxels before the volume takes memory
+    }
     // Notes are reported before the volume is made, so that they also explain a failure that follows.
     for (const std::string& note : notes)
         report(context, note);

@@ -11,7 +11,7 @@ namespace cleft::io
 // The sentence names the file. Throws Error where the context refuses it.
 void report(cleft_context* context, const std::string& sentence);
 
-// `sources` lie on one grid, that of `affine`. Their voxels are changed. Notes on what they mean are reported.
+// `sources` lie on one grid, that of `affine`. Their voxels are changed or freed. Notes on what they mean are reported.
 // *out receives a handle that the caller owns. Throws Error with the file's name in it, or
 // std::bad_alloc.
 void create_volume(cleft_context* context, const cleft_options* options, std::vector<Source>& sources,

@@ -26,6 +26,18 @@ struct Claims {
     std::map<Pair, int64_t> contested;  // voxels of two masks: of the one that gets them, and of the next
 };
 
+template <class Body>
+void for_each_inside(const Field& mask, const Body& body)
+{
+    if (mask.mask)
+        return mask.mask->for_each_inside(body);
+    for_each_value(*mask.image, mask.index, [&](int64_t v, double value) {
+        // Any value but 0 is inside: programs write masks with 1, 255 or the label of an organ.
+        if (snapped(value) != 0)
+            body(v);
+    });
+}
+
 template <class Label>
 Claims claim(const std::vector<Field>& masks, Image& labels)
 {
@@ -38,10 +50,7 @@ Claims claim(const std::vector<Field>& masks, Image& labels)
     for (int64_t v = 0; v < labels.field_size(); ++v)
         store<Label>(labels.voxels.get(), v, nobody);
     for (size_t k = 0; k < masks.size(); ++k)
-        for_each_value(*masks[k].image, masks[k].index, [&](int64_t v, double value) {
-            // Any value but 0 is inside: programs write masks with 1, 255 or the label of an organ.
-            if (snapped(value) == 0)
-                return;
+        for_each_inside(masks[k], [&](int64_t v) {
             ++claims.wanted[k];
             const Label owner = load<Label>(labels.voxels.get(), v);
             // The first mask wins, so the user decides by the order of the files. What the others

@@ -5,6 +5,7 @@
 #include "base/number_text.hpp"
 #include "base/ordinal.hpp"
 #include "io/field_shape.hpp"
+#include "io/text_scanner.hpp"
 
 #include <algorithm>
 
@@ -186,18 +187,43 @@ void check_kind(cleft_io_kind kind)
         throw Error(CLEFT_ERROR_ARGUMENT, "there is no kind " + std::to_string(kind));
 }
 
+Source source_of(const std::string& path, Image image, bool may_pack)
+{
+    Source source{path, std::move(image), {}, {}};
+    naming_file(path, [&] {
+        for (int64_t f = 0; f < source.image.fields; ++f)
+            source.values.push_back(values_of(source.image, f));
+    });
+    for (int64_t f = 0; may_pack && f < source.image.fields; ++f)
+        if (const auto mask = PackedMask::of(source.image, f, source.values[static_cast<size_t>(f)]))
+            source.masks.push_back(*mask);
+    if (source.masks.size() == source.values.size())
+        source.image.voxels.reset();
+    else
+        source.masks.clear();  // the voxels stay, which hold all fields
+    return source;
+}
+
+void unpack(Source& source)
+{
+    if (source.masks.empty())
+        return;
+    allocate_voxels(source.image);
+    for (size_t f = 0; f < source.masks.size(); ++f)
+        source.masks[f].unpack(source.image, static_cast<int64_t>(f));
+    source.masks.clear();
+}
+
 std::vector<Field> fields_of(const std::vector<Source>& sources)
 {
     std::vector<Field> fields;
     for (const Source& source : sources)
-        for (int64_t f = 0; f < source.image.fields; ++f) {
+        for (size_t f = 0; f < source.values.size(); ++f) {
+            const auto index = static_cast<int64_t>(f);
             const std::string file = "'" + source.path + "'";
-            const std::string who = source.image.fields > 1 ? "the " + ordinal(f) + " frame of " + file : file;
-            try {
-                fields.push_back({&source.image, f, who, values_of(source.image, f)});
-            } catch (const Error& error) {
-                throw Error(error.status(), file + ": " + error.what());
-            }
+            const std::string who = source.values.size() > 1 ? "the " + ordinal(index) + " frame of " + file : file;
+            const PackedMask* const mask = source.masks.empty() ? nullptr : &source.masks[f];
+            fields.push_back({&source.image, index, who, source.values[f], mask});
         }
     return fields;
 }

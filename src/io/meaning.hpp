@@ -5,6 +5,7 @@
 #include "cleft/cleft_io.h"
 #include "io/field_values.hpp"
 #include "io/image.hpp"
+#include "io/packed_mask.hpp"
 
 #include <string>
 #include <vector>
@@ -22,18 +23,26 @@ enum class Meaning {
 struct Source {
     std::string path;
     Image image;
+    std::vector<FieldValues> values;  // of each field
+    std::vector<PackedMask> masks;    // of each field, in place of the voxels of the image; or none
 };
 
+// Throws if a voxel is not finite. `may_pack`: masks are to need little memory, until unpack().
+Source source_of(const std::string& path, Image image, bool may_pack);
+// Gives the image its voxels back.
+void unpack(Source& source);
+
 // One field of a file.
-// `image` must outlive it.
+// The source must outlive it.
 struct Field {
     const Image* image;
     int64_t index;    // in the image
     std::string who;  // "'a.nii'", "the 3rd frame of 'a.nii'"
     FieldValues values;
+    const PackedMask* mask;  // of the source; null: the voxels are in the image
 };
 
-// All fields of all files, in their order. Throws if a voxel is not finite.
+// All fields of all files, in their order.
 std::vector<Field> fields_of(const std::vector<Source>& sources);
 
 // Notes are sentences that name the file. Throws Error(CLEFT_ERROR_FORMAT or CLEFT_ERROR_ARGUMENT).

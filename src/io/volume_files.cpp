@@ -61,18 +61,20 @@ void read_volume(cleft_context* context, const cleft_options* options, const cha
 {
     std::vector<Source> sources;
     VoxelGrid first{};
+    // One file is what it is. Of several, functions keep their voxels.
+    const bool may_pack = count > 1 && reading.kind != CLEFT_IO_KIND_INDICATORS;
     for (int64_t i = 0; i < count; ++i) {
         const std::string path = required(paths[i], "a path");
-        sources.push_back({path, read_and_tell(context, path, reading)});
+        Image image = read_and_tell(context, path, reading);
         naming_file(path, [&] {
-            const Image& image = sources.back().image;
             // Each file is compared with the first, in the world and with the spacing that the
             // caller asked for.
             const VoxelGrid grid{image.dims, affine_of(image, reading)};
             if (i == 0)
                 first = grid;
-            check_same_grid(grid, first, "'" + sources.front().path + "'");
+            check_same_grid(grid, first, "'" + std::string(paths[0]) + "'");
         });
+        sources.push_back(source_of(path, std::move(image), may_pack));
     }
     create_volume(context, options, sources, first.affine, reading.kind, out);
 }
@@ -118,7 +120,8 @@ cleft_status cleft_io_read_raw(cleft_context* context, const cleft_options* opti
         std::vector<Source> sources;
         for (int64_t i = 0; i < count; ++i) {
             const std::string path = required(paths[i], "a path");
-            sources.push_back({path, read_raw_image(path, layout)});
+            const bool may_pack = count > 1 && layout.kind != CLEFT_IO_KIND_INDICATORS;
+            sources.push_back(source_of(path, read_raw_image(path, layout), may_pack));
         }
         // The layout gives the spacing of all files; world and scale have no meaning for voxels
         // without a place.

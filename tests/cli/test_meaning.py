@@ -83,6 +83,15 @@ class Masks(MeaningTest):
         self.assertNotIn(2, labels)
         self.assertTrue(any("no label 2" in reported and "core.nrrd" in reported for reported in warnings), warnings)
 
+    def test_masks_beside_a_function_are_functions_of_the_same_values(self):
+        function = self.write("function.nrrd", [5.3 - r for r in RADII])
+        for kind in ("uint8", "int16", "int32", "float", "double"):
+            masks = [self.write("mask%d.nrrd" % i, [i * v for v in LEFT], kind) for i in (1, 3)]
+            for files in ((*masks, function), (function, *masks)):
+                with self.subTest(kind=kind, files=files):
+                    told = self.mesh(*files, "--as", "indicators")
+                    self.assertEqual(self.mesh(*files)["mesh"], told["mesh"])
+
     def test_a_mask_of_everything_behind_the_others_is_the_outside(self):
         full = self.write("full.nrrd", [1] * N**3, "uint8")
         labels, warnings = self.info(self.left, self.right, full)
