@@ -118,7 +118,7 @@ module cleft_c
 
   type, bind(C) :: cleft_estimate
     integer(c_int32_t) :: struct_size
-    integer(c_int32_t) :: is_bound
+    integer(c_int32_t) :: is_rough
     real(c_double) :: tets
     real(c_double) :: whole_tets
     real(c_double) :: background_tets

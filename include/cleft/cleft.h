@@ -546,8 +546,8 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_volume(cleft_context* context,
 /** The expected size of a mesh. The caller sets struct_size to sizeof(cleft_estimate). \since 0.1 */
 typedef struct cleft_estimate {
     uint32_t struct_size;
-    int32_t is_bound;       /**< 1 if tets is only an upper bound, since labels have few points each and most cuts may
-                             *   have to stay */
+    int32_t is_rough;       /**< 1 if the numbers may be far off, since several interfaces cross one edge: the sizes are
+                             *   large against the parts */
     double tets;            /**< tetrahedra of the finished mesh, in the labels that strip and only keep */
     double whole_tets;      /**< tetrahedra of the mesh before labels are left out */
     double background_tets; /**< tetrahedra of the background */
@@ -556,8 +556,9 @@ typedef struct cleft_estimate {
 } cleft_estimate;
 
 /** Estimates the mesh that cleft_mesh_volume() makes with the same arguments. The numbers are within 15 % for the
- *  volumes of docs/quality.md; where is_bound is 1, or for meshes of fewer than some thousand tetrahedra, they may be
- *  off by more. The function makes no mesh. It computes the sizing field unless the caller gives that or a background.
+ *  volumes of docs/quality.md. For meshes of fewer than some thousand tetrahedra they may be off by more. Where
+ *  is_rough is 1, the memory may be, too. The function makes no mesh. It computes the sizing field unless the caller
+ *  gives that or a background.
  *  \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_estimate(cleft_context* context, const cleft_volume* volume,
                                                            const cleft_sizing* sizing, const cleft_mesh* background,

@@ -46,7 +46,7 @@ cleft_status cleft_mesh_estimate(cleft_context* context, const cleft_volume* vol
         if (!sizing && !background)
             warn_of_unknown_sizes(v->volume, options, run);
         const Estimate found = estimated(*v, sizing, background, pipeline_options(options, *v), run);
-        cleft::copy_out<cleft_estimate>({0, found.mesh.is_bound, found.mesh.kept_tets, found.mesh.whole_tets,
+        cleft::copy_out<cleft_estimate>({0, found.mesh.is_rough, found.mesh.kept_tets, found.mesh.whole_tets,
                                          found.mesh.background_tets, found.peak_bytes},
                                         *out);
         run.report(1, nullptr);

@@ -98,7 +98,7 @@ Inputs read_inputs(Session& session, const MeshArguments& arguments, const cleft
 std::string estimate_lines(const cleft_estimate& estimate)
 {
     std::string text =
-        summary_line("Estimate", (estimate.is_bound != 0 ? "up to " : "") + rounded(estimate.tets) +
+        summary_line("Estimate", (estimate.is_rough != 0 ? "roughly " : "") + rounded(estimate.tets) +
                                      " tetrahedra, about " + bytes_text(estimate.peak_bytes) + " of memory");
     // Labels that are left out are meshed first and removed at the end, so they cost memory and
     // time.
@@ -127,7 +127,7 @@ int tell_estimate(Session& session, const MeshArguments& arguments, const Inputs
                               {"whole_tets", estimate.whole_tets},
                               {"background_tets", estimate.background_tets},
                               {"peak_bytes", estimate.peak_bytes},
-                              {"is_bound", estimate.is_bound != 0}};
+                              {"is_rough", estimate.is_rough != 0}};
         add_run(report, session);
         write_json(report, arguments.run.json);
     }

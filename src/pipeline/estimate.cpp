@@ -24,27 +24,46 @@ double voxel_bytes(const Volume& volume)
 }
 
 // For the background, and for the tetrahedra that cutting adds, with all that is known of the points at interfaces.
-double tet_bytes(const ExpectedMesh& mesh, BackgroundKind kind)
+// Improving adds some that hardly have such points. Where nothing snaps, more of them are there at once.
+double tet_bytes(const ExpectedMesh& mesh, const PipelineOptions& options)
 {
-    constexpr double kCut = 450;
-    return row_of(kind).bytes_a_tet * mesh.background_tets +
-           kCut * std::max(0.0, mesh.whole_tets - mesh.background_tets);
+    constexpr double kCut = 550, kCutOfNone = 700, kGrown = 400;
+    const double cut = options.cleave.snap == Snap::none ? kCutOfNone : kCut;
+    return row_of(options.background.kind).bytes_a_tet * mesh.background_tets +
+           cut * std::max(0.0, mesh.cleaved_tets - mesh.background_tets) +
+           kGrown * std::max(0.0, mesh.whole_tets - mesh.cleaved_tets);
 }
 
-double peak_bytes(const Volume& volume, const ExpectedMesh& mesh, BackgroundKind kind)
+// For the tries of improving, which hold the best mesh beside the one they work at. Larger meshes have none.
+double try_bytes(const ExpectedMesh& mesh, const PipelineOptions& options)
+{
+    constexpr double kMostTets = 200000, kTry = 60, kTryOfBest = 150;
+    return (options.improve.effort == Effort::best ? kTryOfBest : kTry) * std::min(kMostTets, mesh.whole_tets);
+}
+
+// The largest mesh that may be made. A search makes some, of up to so many times the wanted number.
+double most_times(const ExpectedMesh& mesh, const PipelineOptions& options)
+{
+    constexpr double kSearched = 1.15, kRough = 2;
+    return mesh.is_rough ? kRough : options.tets > 0 ? kSearched : 1;
+}
+
+double peak_bytes(const Volume& volume, const ExpectedMesh& mesh, const PipelineOptions& options)
 {
     constexpr double kProgram = 3e7;
-    return kProgram + voxel_bytes(volume) * static_cast<double>(volume.grid().size()) + tet_bytes(mesh, kind);
+    return kProgram + voxel_bytes(volume) * static_cast<double>(volume.grid().size()) +
+           most_times(mesh, options) * (tet_bytes(mesh, options) + try_bytes(mesh, options));
 }
 
-Estimate estimate_of(const Volume& volume, const ExpectedMesh& mesh, BackgroundKind kind)
+Estimate estimate_of(const Volume& volume, const ExpectedMesh& mesh, const PipelineOptions& options)
 {
-    return {mesh, peak_bytes(volume, mesh, kind)};
+    return {mesh, peak_bytes(volume, mesh, options)};
 }
 
 ExpectedMesh times(const ExpectedMesh& mesh, double factor)
 {
-    return {factor * mesh.background_tets, factor * mesh.whole_tets, factor * mesh.kept_tets, mesh.is_bound};
+    return {factor * mesh.background_tets, factor * mesh.cleaved_tets, factor * mesh.whole_tets,
+            factor * mesh.kept_tets, mesh.is_rough};
 }
 
 }  // namespace
@@ -58,19 +77,17 @@ Estimate estimate_from_sizing(const Volume& volume, ScaledSizing sizing, const P
 {
     scale_by_estimate(sizing, volume, options, run);
     const ExpectedMesh expected = expected_mesh(volume, sizing.field, options, run);
-    // The search goes on by meshing, to the number itself.
-    // So the estimate is of the wanted number, and not of what the fitted sizes are expected to give.
-    const bool is_searched = options.tets > 0 && expected.kept_tets > 0;
-    return estimate_of(volume,
-                       is_searched ? times(expected, static_cast<double>(options.tets) / expected.kept_tets) : expected,
-                       options.background.kind);
+    return estimate_of(volume, times(expected, factor_of_search(expected, options)), options);
 }
 
 Estimate estimate_from_background(const Volume& volume, const TetMesh& background, const PipelineOptions& options,
                                   const Run& run)
 {
     // A background of the user is repaired as one of particles is.
-    return estimate_of(volume, expected_mesh(volume, background, options.kept, run), BackgroundKind::particles);
+    PipelineOptions of_particles = options;
+    of_particles.background.kind = BackgroundKind::particles;
+    of_particles.tets = 0;  // a background decides alone
+    return estimate_of(volume, expected_mesh(volume, background, of_particles, run), of_particles);
 }
 
 }  // namespace cleft

@@ -4,7 +4,6 @@
 
 #include "base/number_text.hpp"
 #include "base/stage.hpp"
-#include "pipeline/expected_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -114,6 +113,15 @@ PipelineOptions without_limit(PipelineOptions options)
     return options;
 }
 
+// The promise is 10 %. Less than kTolerance would take more rounds, each of which makes a mesh. Where the first ones do
+// not come as near, the number jumps, and the promise has to do.
+bool is_met(int round, double count, double wanted)
+{
+    constexpr double kTolerance = 0.08, kPromise = 0.1;
+    constexpr int kNearRounds = 2;
+    return std::abs(count - wanted) <= (round < kNearRounds ? kTolerance : kPromise) * wanted;
+}
+
 void warn_of_number(int64_t kept, const PipelineOptions& options, bool is_limited, const Run& run)
 {
     constexpr double kMet = 0.1;  // as the text of the option says
@@ -150,10 +158,17 @@ void scale_by_estimate(ScaledSizing& sizing, const Volume& volume, const Pipelin
     }
 }
 
+double factor_of_search(const ExpectedMesh& expected, const PipelineOptions& options)
+{
+    if (options.tets <= 0 || expected.kept_tets <= 0)
+        return 1;
+    const double for_number = static_cast<double>(options.tets) / expected.kept_tets, limit = limit_of(options);
+    return limit > 0 ? std::min(for_number, limit / expected.whole_tets) : for_number;
+}
+
 LabelledMesh mesh_of_number(const Volume& volume, ScaledSizing& sizing, const PipelineOptions& options, const Run& run)
 {
-    // The promise is 10 %. Less than kTolerance would take more rounds, each of which makes a mesh.
-    constexpr double kTolerance = 0.08, kNearLimit = 0.9;
+    constexpr double kNearLimit = 0.9;
     const StageTimer timer(run, "pipeline.rounds");  // of all; the stages note their last round
     const double wanted = static_cast<double>(options.tets), limit = limit_of(options);
     NumberSearch search(wanted);
@@ -179,7 +194,7 @@ LabelledMesh mesh_of_number(const Volume& volume, ScaledSizing& sizing, const Pi
         // cleft_sizing_create() has searched already. Meshing its field must not search on, so that single calls give
         // the bytes of the one call.
         const bool is_where_a_search_ended = round == 0 && was_found && kept == sizing.found;
-        if (is_where_a_search_ended || std::abs(count - wanted) <= kTolerance * wanted)
+        if (is_where_a_search_ended || is_met(round, count, wanted))
             break;
         next = std::max(search.next(factor, count), least_factor(factor, all, limit));
         is_limited = limit > 0 && all >= kNearLimit * limit && count < wanted;

@@ -29,7 +29,7 @@ PLACE(cleft_option_description, calls, 72);
 HOLDS(sizeof(cleft_estimate) >= 40);
 ENDS_WITH(cleft_estimate, peak_bytes);
 PLACE(cleft_estimate, struct_size, 0);
-PLACE(cleft_estimate, is_bound, 4);
+PLACE(cleft_estimate, is_rough, 4);
 PLACE(cleft_estimate, tets, 8);
 PLACE(cleft_estimate, whole_tets, 16);
 PLACE(cleft_estimate, background_tets, 24);

@@ -7,6 +7,7 @@ from support import CommandTest, write_nrrd
 
 BACKGROUNDS = ("particles", "lattice", "octree")
 OFF = 0.15  # of the number
+ROUGHLY_OFF = 0.5  # where it is said to be rough
 MOST_TIMES = 2  # the peak of memory
 
 
@@ -25,14 +26,14 @@ class Estimate(CommandTest):
         write_nrrd(self.path(name), dims, grid(dims, value), kind)
         return self.path(name)
 
-    def assert_estimated(self, *arguments, off=OFF):
+    def assert_estimated(self, *arguments, off=OFF, rough=False):
         arguments = (*arguments, "--quiet", "--threads", 1, "--json", self.path("r.json"))
         self.run_ok("mesh", *arguments, "--estimate")
         estimate = json.loads(self.path("r.json").read_text())["estimate"]
         self.run_ok("mesh", *arguments, "-o", self.path("out.vtu"))
         report = json.loads(self.path("r.json").read_text())
         tets, peak = report["mesh"]["tets"], max(stage["peak_bytes"] for stage in report["stages"])
-        self.assertFalse(estimate["is_bound"])
+        self.assertEqual(estimate["is_rough"], rough)
         self.assertLess(abs(estimate["tets"] / tets - 1), off, (arguments, tets, estimate))
         self.assertTrue(1 <= estimate["peak_bytes"] / peak <= MOST_TIMES, (arguments, peak, estimate))
 
@@ -40,7 +41,6 @@ class Estimate(CommandTest):
         shapes = {
             "shell": ((48, 48, 48), lambda x, y, z: int(14 < distance(x, y, z, (23.5, 23.5, 23.5)) < 18)),
             "plate": ((80, 8, 80), lambda x, y, z: int(3 <= y < 5)),
-            "checker": ((14, 14, 14), lambda x, y, z: (x + y + z) % 2),
         }
         for name, (dims, value) in shapes.items():
             volume = self.volume_of(dims, value)
@@ -75,6 +75,52 @@ class Estimate(CommandTest):
             for count in (1, 2, 4):
                 with self.subTest(kind=kind, count=count):
                     self.assert_estimated(*functions[:count])
+
+    def test_every_rule_of_snapping(self):
+        volume = self.volume_of((32, 32, 32), lambda x, y, z: int(distance(x, y, z, (15, 16, 14)) < 9))
+        for rule in ("none", "safe"):
+            for background in BACKGROUNDS:
+                with self.subTest(rule=rule, background=background):
+                    self.assert_estimated(volume, "--snap", rule, "--background", background, "--size", 2)
+
+    def test_every_angle(self):
+        # Grains around ten places.
+        seeds = [(7 * i % 32, 13 * i % 32, 19 * i % 32) for i in range(10)]
+        volume = self.volume_of(
+            (32, 32, 32), lambda x, y, z: min(range(10), key=lambda i: distance(x, y, z, seeds[i]))
+        )
+        for options in (("--min-angle", 20), ("--min-angle", 30), ("--improve", "off")):
+            with self.subTest(options=options):
+                self.assert_estimated(volume, *options)
+
+    def test_files_of_masks(self):
+        # Read one after the other, they need no more memory than one label map.
+        dims = (100, 100, 100)
+        masks = [
+            self.volume_of(dims, lambda x, y, z: int(12 * i <= z < 12 * i + 12), "int32", "m%d.nrrd" % i)
+            for i in range(8)
+        ]
+        self.assert_estimated(*masks)
+
+    def test_a_number_that_the_limit_does_not_let_be(self):
+        # The small label would have 2,000 tetrahedra in a mesh that is far too large.
+        volume = self.volume_of((40, 40, 40), lambda x, y, z: int(distance(x, y, z, (20, 20, 20)) < 4))
+        limits = ("--only", 1, "--tets", 3000, "--max-tets", 30000)
+        for background in ("particles", "lattice"):
+            with self.subTest(background=background):
+                self.assert_estimated(volume, *limits, "--background", background)
+
+    def test_edges_that_are_long_against_the_parts(self):
+        # Several interfaces cross an edge: the number is said to be rough.
+        checker = self.volume_of((14, 14, 14), lambda x, y, z: (x + y + z) % 2)
+        for background in BACKGROUNDS:
+            with self.subTest(background=background):
+                self.assert_estimated(checker, "--background", background, off=ROUGHLY_OFF, rough=True)
+        slabs = self.volume_of((60, 60, 60), lambda x, y, z: x // 5)
+        for size, rough in ((20, True), (5, False)):
+            self.run_ok("mesh", slabs, "--size", size, "--estimate", "--quiet", "--json", self.path("r.json"))
+            estimate = json.loads(self.path("r.json").read_text())["estimate"]
+            self.assertEqual(estimate["is_rough"], rough)
 
 
 if __name__ == "__main__":

@@ -198,7 +198,7 @@ namespace Cleft
     {
         internal Estimate(NativeEstimate row)
         {
-            IsBound = row.is_bound != 0;
+            IsRough = row.is_rough != 0;
             Tets = row.tets;
             WholeTets = row.whole_tets;
             BackgroundTets = row.background_tets;
@@ -206,9 +206,10 @@ namespace Cleft
         }
 
         /// <summary>
-        /// True if tets is only an upper bound, since labels have few points each and most cuts may have to stay.
+        /// True if the numbers may be far off, since several interfaces cross one edge: the sizes are large against the
+        /// parts.
         /// </summary>
-        public bool IsBound { get; }
+        public bool IsRough { get; }
         /// <summary>Tetrahedra of the finished mesh, in the labels that strip and only keep.</summary>
         public double Tets { get; }
         /// <summary>Tetrahedra of the mesh before labels are left out.</summary>

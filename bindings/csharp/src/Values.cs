@@ -10,7 +10,7 @@ namespace Cleft
         public override string ToString()
         {
             return FormattableString.Invariant(
-                $"Estimate of {(IsBound ? "up to " : "")}{Tets:0} tetrahedra and {PeakBytes:0} bytes");
+                $"Estimate of {(IsRough ? "roughly " : "")}{Tets:0} tetrahedra and {PeakBytes:0} bytes");
         }
     }
 

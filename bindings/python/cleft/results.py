@@ -11,8 +11,9 @@ class Estimate:
     """What a mesh will come to."""
 
     # <Estimate> made by tools/generate.py from include/cleft/cleft.h
-    #: true if tets is only an upper bound, since labels have few points each and most cuts may have to stay
-    is_bound: bool
+    #: true if the numbers may be far off, since several interfaces cross one edge: the sizes are large against the
+    #: parts
+    is_rough: bool
     tets: float  #: tetrahedra of the finished mesh, in the labels that strip and only keep
     whole_tets: float  #: tetrahedra of the mesh before labels are left out
     background_tets: float  #: tetrahedra of the background
