@@ -10,9 +10,9 @@
 namespace cleft
 {
 
-// A brick of so many takes some 15 MB of a thread's memory. Smaller ones have more neighbours to take in for each of
+// A brick of so many takes up to 30 MB of a thread's memory. Smaller ones have more neighbours to take in for each of
 // their points, larger ones leave more threads without work at the end.
-inline constexpr int64_t kPointsInBrick = 40'000;
+inline constexpr int64_t kPointsInBrick = 50'000;
 
 // Delaunay tetrahedra of different points with coordinates in [-2, 2], canonical and grouped by their least points.
 // They follow from the points and their numbers alone: where more than four lie on a sphere, the numbers decide.
