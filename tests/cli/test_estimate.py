@@ -86,9 +86,7 @@ class Estimate(CommandTest):
     def test_every_angle(self):
         # Grains around ten places.
         seeds = [(7 * i % 32, 13 * i % 32, 19 * i % 32) for i in range(10)]
-        volume = self.volume_of(
-            (32, 32, 32), lambda x, y, z: min(range(10), key=lambda i: distance(x, y, z, seeds[i]))
-        )
+        volume = self.volume_of((32, 32, 32), lambda x, y, z: min(range(10), key=lambda i: distance(x, y, z, seeds[i])))
         for options in (("--min-angle", 20), ("--min-angle", 30), ("--improve", "off")):
             with self.subTest(options=options):
                 self.assert_estimated(volume, *options)
