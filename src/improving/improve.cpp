@@ -70,14 +70,15 @@ Array<Step> steps_of(size_t searches)
 // a margin, they have had a higher aim from the beginning.
 Shortfall search_on(LocalMesh& mesh, Improver& improver, const ImproveOptions& options, Stage& stage, const Run& run)
 {
-    // More than these are left where the target is out of reach, as in noise. Going on there would take long and change
-    // little.
-    constexpr int64_t kFew = 300;
+    // More than these are left where the target is out of reach. Going on there would take long and change little. The
+    // first number is for small meshes, the second for large ones of noise, which met 30 degrees after 288 were left.
+    constexpr int64_t kFew = 40, kFewOneIn = 1000;
+    const int64_t few = kFew + mesh.slot_count() / kFewOneIn;
     const double target = sine_of(target_angle(options));
     Shortfall left = shortfall(mesh, target, run);
     int rounds = 0;
     for (const double margin : kHigherAims) {
-        if (options.margin > 0 || left.tets == 0 || left.tets > kFew)
+        if (options.margin > 0 || left.tets == 0 || left.tets > few)
             break;
         improver.aim_higher(sine_of(target_angle(options) + margin));
         for (const Search& search : searches_of(options.effort))
