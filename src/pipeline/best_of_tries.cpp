@@ -14,7 +14,7 @@ namespace
 
 // More bad ones than these have a cause that another try does not take away. Of noise at 32 degrees, 50 were left by
 // all of five tries.
-constexpr int64_t kFew = 5;
+constexpr int64_t kFew = 20;
 // A try costs about as much as the first one: in a larger mesh that is too much for a few tetrahedra.
 constexpr int32_t kMostTets = 200000;
 
