@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""CPU time of the stages of one run, and as multiples of TetGen's Delaunay tetrahedralization in the same run, which
-says what the machine is worth at the moment.
+"""CPU time of the stages of one run, and as multiples of TetGen's Delaunay tetrahedralization of the same points, which
+says what the machine is worth at the moment. Runs with Cleft's own engine and with TetGen take turns.
 
     benchmarks/speed.py VOLUME... [--cleft build/release/src/cli/cleft] [--repeat 3]
 """
@@ -25,7 +25,7 @@ STAGES = (
 )
 
 
-def run(cleft, volume):
+def run(cleft, volume, engine):
     with tempfile.TemporaryDirectory() as folder:
         report = pathlib.Path(folder) / "report.json"
         subprocess.run(
@@ -37,6 +37,8 @@ def run(cleft, volume):
                 pathlib.Path(folder) / "mesh.vtu",
                 "--threads",
                 "1",
+                "--delaunay",
+                engine,
                 "--quiet",
                 "--json",
                 report,
@@ -48,11 +50,12 @@ def run(cleft, volume):
 
 def measure(cleft, volume, repeat):
     """The fastest of the repeated runs, by stage."""
-    reports = [run(cleft, volume) for _ in range(repeat)]
+    turns = [[run(cleft, volume, engine) for engine in ("cleft", "tetgen")] for _ in range(repeat)]
+    reports = [own for own, _ in turns]
     best = {stage: min(r["metrics"].get(stage + ".cpu_seconds", 0) for r in reports) for stage in STAGES}
     report = reports[0]
     total = sum(best.values())
-    tetgen = best["background.delaunay"]
+    tetgen = min(other["metrics"]["background.delaunay.cpu_seconds"] for _, other in turns)
     print(
         "%s: %d tetrahedra, %.1f CPU s, %.0f tetrahedra a CPU second, peak %.0f bytes a tetrahedron"
         % (

@@ -168,7 +168,8 @@ double factor_of_search(const ExpectedMesh& expected, const PipelineOptions& opt
 
 LabelledMesh mesh_of_number(const Volume& volume, ScaledSizing& sizing, const PipelineOptions& options, const Run& run)
 {
-    constexpr double kNearLimit = 0.9;
+    // Nearer to the limit than this, a search that wants more has ended. A lattice may jump over it: then it goes on.
+    constexpr double kNearLimit = 0.9, kOverLimit = 1.05;
     const StageTimer timer(run, "pipeline.rounds");  // of all; the stages note their last round
     const double wanted = static_cast<double>(options.tets), limit = limit_of(options);
     NumberSearch search(wanted);
@@ -197,7 +198,7 @@ LabelledMesh mesh_of_number(const Volume& volume, ScaledSizing& sizing, const Pi
         if (is_where_a_search_ended || is_met(round, count, wanted))
             break;
         next = std::max(search.next(factor, count), least_factor(factor, all, limit));
-        is_limited = limit > 0 && all >= kNearLimit * limit && count < wanted;
+        is_limited = limit > 0 && all >= kNearLimit * limit && all <= kOverLimit * limit && count < wanted;
     }
     sizing.found_for = options.tets;
     sizing.found = kept;
