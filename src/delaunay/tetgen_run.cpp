@@ -19,7 +19,7 @@ namespace cleft
 namespace
 {
 
-// With those that close the hull off, points of a background have at most 7 each (tests/background/test_delaunay.cpp);
+// With those that close the hull off, points of a background have at most 7 each (tests/delaunay/test_delaunay.cpp);
 // those of a small box have most points on its hull.
 constexpr long kTetsPerPoint = 8;
 constexpr long kTetsOfFewPoints = 64;
