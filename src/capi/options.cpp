@@ -50,7 +50,7 @@ void assign(cleft_options& options, const OptionRow& row, double value)
     if (value < row.least || value > row.greatest)
         throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is " + text_of(value) + ", which is not within " +
                                             text_of(row.least) + " to " + text_of(row.greatest));
-    if (row.key == CLEFT_OPTION_DELAUNAY && value == CLEFT_DELAUNAY_TETGEN && !cleft_has_tetgen())
+    if (row.key == CLEFT_OPTION_DELAUNAY && static_cast<int>(value) == CLEFT_DELAUNAY_TETGEN && !cleft_has_tetgen())
         throw Error(CLEFT_ERROR_UNSUPPORTED, std::string(row.name) + " is tetgen, and this library has no TetGen");
     const auto at = &row - kOptionTable;
     options.values[at] = value;
