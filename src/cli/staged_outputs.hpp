@@ -43,7 +43,7 @@ private:
         ~Stage();
         Stage(const Stage&) = delete;
         Stage& operator=(const Stage&) = delete;
-        const std::filesystem::path& path() const { return path_; }
+        std::filesystem::path path() const { return path_; }
         std::vector<std::string> names() const;  // sorted
         void remove() noexcept;
 
@@ -51,7 +51,7 @@ private:
         Stage* next = nullptr;
 
     private:
-        std::filesystem::path path_;
+        std::string path_;  // a path would ask for memory when the folder is there and in no list yet
         DIR* listing_ = nullptr;
     };
     struct Output {
