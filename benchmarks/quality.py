@@ -114,9 +114,9 @@ def volume_errors(report):
 def estimate(report):
     """The estimated number over the true one, and the estimated memory over the peak when the mesh was there."""
     peak = next(stage["peak_bytes"] for stage in report["stages"] if stage["name"] == "result_check")
-    bound = "up to " if report["estimate"]["is_bound"] else ""
+    rough = "roughly " if report["estimate"]["is_rough"] else ""
     return "%s%+.0f %%, %.2f" % (
-        bound,
+        rough,
         100 * report["estimate"]["tets"] / report["mesh"]["tets"] - 100,
         report["estimate"]["peak_bytes"] / peak,
     )
