@@ -44,7 +44,7 @@ double try_bytes(const ExpectedMesh& mesh, const PipelineOptions& options)
 // The largest mesh that may be made. A search makes some, of up to so many times the wanted number.
 double most_times(const ExpectedMesh& mesh, const PipelineOptions& options)
 {
-    constexpr double kSearched = 1.15, kRough = 1.5;
+    constexpr double kSearched = 1.15, kRough = 1.45;
     return mesh.is_rough ? kRough : options.tets > 0 ? kSearched : 1;
 }
 
