@@ -19,7 +19,6 @@ VOLUMES = (
     "one-voxel sheets",
     "one-voxel rods",
     "checkerboard",
-    "noise, 5 labels",
 )
 BACKGROUNDS = ("particles", "octree", "lattice")
 # The options of a goal, and its name in the table.
