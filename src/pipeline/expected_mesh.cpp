@@ -2,6 +2,7 @@
 #include "pipeline/expected_mesh.hpp"
 
 #include "base/random.hpp"
+#include "mesh/bounding_box.hpp"
 #include "pipeline/pieces.hpp"
 
 #include <algorithm>
@@ -68,12 +69,10 @@ std::array<Vec3, 4> corners_at(const Vec3& x, double edge, uint64_t sample)
 // Tetrahedra at a wall end there.
 void move_into_box(std::array<Vec3, 4>& corners, const Vec3& extent)
 {
-    Vec3 low = corners[0], high = corners[0];
-    for (const Vec3& x : corners) {
-        low = low.cwiseMin(x);
-        high = high.cwiseMax(x);
-    }
-    const Vec3 by = (-low).cwiseMax(0) - (high - extent).cwiseMax(0);
+    BoundingBox box;
+    for (const Vec3& x : corners)
+        box.add(x);
+    const Vec3 by = (-box.lo).cwiseMax(0) - (box.hi - extent).cwiseMax(0);
     for (Vec3& x : corners)
         x += by;
 }

@@ -69,8 +69,9 @@ std::string voxel_text(const Vec3& x, const Grid& grid)
 void warn_of_missed_angles(const Volume& volume, const LabelledMesh& mesh, const PipelineOptions& options,
                            const Run& run)
 {
-    // Who leaves out improving knows that angles will be bad.
-    if (options.improve.effort == Effort::off)
+    // Who leaves out improving knows that angles will be bad, and without a caller for warnings or figures there is
+    // nobody to tell.
+    if (options.improve.effort == Effort::off || (!run.on_warning && !run.metrics))
         return;
     const double target = target_angle(options.improve);
     const MissedAngles missed = missed_angles(mesh, target, options.kept, run);

@@ -4,6 +4,7 @@
 #include "base/mix.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace cleft
 {
@@ -31,6 +32,8 @@ constexpr RuleRow kRows[] = {
     {{{0.57, 0.9, 8.18}, -1.82, 0, 0, {1, 1, 1.91}}, {{0.03, 0, 10.5}, 0.12, 0, 0, {1, 1.92, 3}}, 60.0},
     {{{3.35, 10.1, 23.5}, 0, 0, 0, {1, 1, 1}}, {{0.75, 3.04, 33.3}, 31.1, 0, 0, {1, 1.07, 1.32}}, 60.0},
 };
+
+static_assert(std::size(kRows) == kSnapCount);
 
 const RuleRow& row_of(Snap rule) { return kRows[static_cast<size_t>(rule)]; }
 
