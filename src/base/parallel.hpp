@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/array.hpp"
+#include "base/loop_timer.hpp"
 #include "base/run.hpp"
 
 #include <algorithm>
@@ -66,15 +67,21 @@ void run_workers(int count, const Work& work)
         thread.join();
 }
 
-// body(chunk, begin, end) for every chunk of `grain` items of [0, n). A cancel is looked for before each chunk.
-// If bodies throw, the exception of the lowest chunk that threw is rethrown on the calling thread.
+// How many workers a loop has at most: 0 to worker_count - 1 are their numbers.
+inline int worker_count(const Run& run) { return std::max(1, run.threads); }
+
+// body(worker, chunk, begin, end) for every chunk of `grain` items of [0, n). A worker has one chunk at a time, so what
+// is kept by worker needs no lock. Which worker has which chunk changes from run to run, and must not matter.
+// A cancel is looked for before each chunk. If bodies throw, the exception of the lowest chunk that threw is rethrown
+// on the calling thread.
 template <class Body>
-void parallel_chunks(const Run& run, int64_t n, int64_t grain, const Body& body)
+void parallel_chunks_by_worker(const Run& run, int64_t n, int64_t grain, const Body& body)
 {
     const int64_t chunks = chunk_count(n, grain);
     if (chunks == 0)
         return;
-    const int workers = static_cast<int>(std::min<int64_t>(std::max(1, run.threads), chunks));
+    const LoopTimer timer(run, chunks);
+    const int workers = static_cast<int>(std::min<int64_t>(worker_count(run), chunks));
     // Threads take chunks as they come: which thread has which chunk must not matter, and their times even out.
     std::atomic<int64_t> next{0};
     ChunkErrors errors(workers);
@@ -83,13 +90,21 @@ void parallel_chunks(const Run& run, int64_t n, int64_t grain, const Body& body)
         try {
             while (!errors.any() && (chunk = next.fetch_add(1)) < chunks) {
                 run.check();
-                body(chunk, chunk * grain, std::min(n, (chunk + 1) * grain));
+                body(worker, chunk, chunk * grain, std::min(n, (chunk + 1) * grain));
             }
         } catch (...) {
             errors.keep(worker, chunk);
         }
     });
     errors.rethrow_first();
+}
+
+// body(chunk, begin, end) for every chunk.
+template <class Body>
+void parallel_chunks(const Run& run, int64_t n, int64_t grain, const Body& body)
+{
+    parallel_chunks_by_worker(run, n, grain,
+                              [&](int, int64_t chunk, int64_t begin, int64_t end) { body(chunk, begin, end); });
 }
 
 // body(begin, end) for every chunk.

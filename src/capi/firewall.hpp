@@ -168,7 +168,9 @@ cleft_status guarded_run(cleft_context* context, const char* stage, const Body& 
     return guarded_call(context, [&](cleft_context& sound) {
         begin(sound);
         Reporter reporter(sound, stage);
+        std::atomic<int64_t> loop_time{0};
         Run run;
+        run.loop_time = &loop_time;
         run.threads = sound.threads;
         run.cancel = &sound.cancel;
         run.metrics = &sound.metrics;

@@ -138,7 +138,7 @@ void Session::note_stages(const char* name, const StageFigures& before, int64_t 
                 return value;
         return 0.0;
     };
-    // The library notes three metrics for each stage; this one comes once a stage, so it stands for
+    // The library notes several metrics for each stage; this one comes once a stage, so it stands for
     // all.
     const std::string end = ".cpu_seconds";
     for (std::size_t i = static_cast<std::size_t>(metrics_before); i < all.size(); ++i) {

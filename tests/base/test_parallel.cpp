@@ -97,14 +97,26 @@ void a_lack_of_memory_ends_nothing_halfway(void**)
     }
 }
 
+// A loop that threads can share adds its time, one of a single chunk does not.
+void time_of_loops_of_several_chunks_is_counted(void**)
+{
+    std::atomic<int64_t> time{0};
+    Run run = with_threads(1);
+    run.loop_time = &time;
+    const auto wait = [](int64_t, int64_t) { std::this_thread::sleep_for(std::chrono::milliseconds(1)); };
+    parallel_for(run, 10, 10, wait);
+    assert_int_equal(time.load(), 0);
+    parallel_for(run, 20, 1, wait);
+    assert_true(time.load() >= 20'000'000);
+}
+
 }  // namespace
 
 int main()
 {
-    const CMUnitTest tests[] = {
-        cmocka_unit_test(every_item_is_visited_once),
-        cmocka_unit_test(the_error_of_the_lowest_chunk_is_thrown),
-        cmocka_unit_test(a_lack_of_memory_ends_nothing_halfway),
-    };
+    const CMUnitTest tests[] = {cmocka_unit_test(every_item_is_visited_once),
+                                cmocka_unit_test(the_error_of_the_lowest_chunk_is_thrown),
+                                cmocka_unit_test(a_lack_of_memory_ends_nothing_halfway),
+                                cmocka_unit_test(time_of_loops_of_several_chunks_is_counted)};
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

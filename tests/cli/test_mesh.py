@@ -47,6 +47,10 @@ class Mesh(CommandTest):
             self.assertGreaterEqual(stage["seconds"], 0)
             self.assertGreaterEqual(stage["cpu_seconds"], 0)
             self.assertGreater(stage["peak_bytes"], 1e6)
+        metrics = report["metrics"]
+        for name in ("sizing", "background", "cleaving", "improving", "fitting"):
+            serial = metrics[name + ".serial_seconds"]
+            self.assertTrue(0 <= serial <= metrics[name + ".seconds"], name)
 
     def test_memory_is_that_of_the_command_alone(self):
         held = bytearray(os.urandom(4096) * 75000)  # of the program that starts it: 300 MB
