@@ -25,7 +25,7 @@ private:
 class CutStar
 {
 public:
-    CutStar(const Centres& c, const Run& run) : c_(c), tets_of_(c, run), seen_(c.points.size(), -1) {}
+    CutStar(const Centres& c, const VertexTets& tets_of) : c_(c), tets_of_(tets_of), seen_(c.points.size(), -1) {}
 
     // Replaces what was gathered before.
     // Parts come by number of tetrahedron, so sums over them are the same in every run.
@@ -55,7 +55,7 @@ private:
     bool is_inside() const;
 
     const Centres& c_;
-    const VertexTets tets_of_;
+    const VertexTets& tets_of_;
     int32_t vertex_ = -1;
     Array<Part> parts_;
     Array<int32_t> link_, edges_;
@@ -75,7 +75,7 @@ struct StarShape {
 struct StarState {
     Vec3 x;
     MaterialSet materials;
-    SampleStore::Span samples{};
+    SampleSpan samples;
     Array<CutEdge> edges;
 
     void save(const Centres& c, const CutStar& star);

@@ -64,6 +64,24 @@ Centres unsnapped(const Volume& volume, const TetMesh& mesh, const Array<Materia
     return c;
 }
 
+// Without the samples and doubts, which nothing here reads.
+Centres copy_of(const Centres& c)
+{
+    return {c.volume,
+            c.tets,
+            c.points,
+            c.materials,
+            SampleStore({}, Array<uint16_t>(c.points.size(), 0)),
+            c.edges,
+            c.faces,
+            c.mixed,
+            c.mixed_of,
+            c.stencils,
+            c.fans,
+            c.kept,
+            AtomicFlags(c.points.size(), false)};
+}
+
 void place_cuts_at_random(Centres& c, Random& random)
 {
     for (CutEdge& e : c.edges)
@@ -199,7 +217,7 @@ Tally go_through_all(const TetMesh& original, bool all_orders)
         for_each_labelling(mesh.points.size(), labels, 0, [&](const Array<Material>& of_vertices) {
             const Centres whole_cuts = unsnapped(volume, mesh, of_vertices);
             for (int64_t state = 0; state < snap_states(whole_cuts); ++state) {
-                Centres c = whole_cuts;
+                Centres c = copy_of(whole_cuts);
                 place_cuts_at_random(c, random);
                 snap_by_state(c, state);
                 check(c, whole, area, state > 0, tally);

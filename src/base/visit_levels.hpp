@@ -1,0 +1,72 @@
+// Visits one after the other, done side by side: the result is that of the given order, for any number of threads.
+// A visit may begin as soon as all earlier ones that it shares a place with are done (Blelloch, Fineman, Shun 2012:
+// greedy sequential algorithms are parallel on average).
+#pragma once
+
+#include "base/parallel.hpp"
+
+namespace cleft
+{
+
+// Which visits may go side by side. Places are numbers, of points say.
+class VisitLevels
+{
+public:
+    explicit VisitLevels(int64_t places) : level_of_place_(places, 0) {}
+
+    // The next visit in the order, which may change what is at `changed`, and look at what is at `seen` and what is at
+    // `changed`. Where one visit changes what another sees, the other must see what the one changes as well, as
+    // neighbours do: a visit then waits for all that changed what it sees, and none changes what an earlier one has yet
+    // to see. `least`: the level that it has at least.
+    template <class Seen, class Changed>
+    int32_t add(const Seen& seen, const Changed& changed, int32_t least = 0)
+    {
+        int32_t level = least;
+        for (const int32_t place : seen)
+            level = std::max(level, level_of_place_[place]);
+        for (const int32_t place : changed)
+            level = std::max(level, level_of_place_[place]);
+        for (const int32_t place : changed)
+            level_of_place_[place] = level + 1;
+        level_.push_back(level);
+        return level;
+    }
+
+    // do_visit(worker, i) for all i, level by level.
+    template <class Visit>
+    void visit_all(const Run& run, const Visit& do_visit) const
+    {
+        const Array<Array<int32_t>> levels = by_level();
+        int64_t done = 0;
+        for (const Array<int32_t>& level : levels) {
+            run.report(static_cast<double>(done) / static_cast<double>(level_.count()));
+            parallel_chunks_by_worker(run, level.count(), kAtOnce,
+                                      [&](int worker, int64_t, int64_t begin, int64_t end) {
+                                          for (int64_t i = begin; i < end; ++i)
+                                              do_visit(worker, level[i]);
+                                      });
+            done += level.count();
+        }
+    }
+
+private:
+    // Visits take some microseconds. More at once would leave threads without work in small levels.
+    static constexpr int64_t kAtOnce = 32;
+
+    // In each level the visits keep their order, in which neighbours mostly follow one another.
+    Array<Array<int32_t>> by_level() const
+    {
+        Array<Array<int32_t>> levels;
+        for (int64_t i = 0; i < level_.count(); ++i) {
+            if (level_[i] >= levels.count())
+                levels.resize(level_[i] + 1);
+            levels[level_[i]].push_back(static_cast<int32_t>(i));
+        }
+        return levels;
+    }
+
+    Array<int32_t> level_;           // by visit
+    Array<int32_t> level_of_place_;  // after all that changed it so far; 0: none did
+};
+
+}  // namespace cleft
