@@ -2,8 +2,8 @@
 // others.
 #include "mesh/face_buckets.hpp"
 
+#include "base/counting_sort.hpp"
 #include "base/error.hpp"
-#include "base/large_pages.hpp"
 
 namespace cleft
 {
@@ -31,47 +31,38 @@ uint64_t other_points(const Array<Tet>& tets, uint32_t id)
     return static_cast<uint64_t>(middle) << 32 | static_cast<uint64_t>(greatest);
 }
 
-}  // namespace
-
-template <class Visit>
-void FaceBuckets::for_faces_of(size_t tet, int64_t point_count, const Visit& visit) const
+// give(least point, face) for the faces of a tetrahedron that take part.
+template <class Give>
+void give_faces(const Array<Tet>& tets, int64_t tet, const Array<uint8_t>* among, const Give& give)
 {
-    const Tet& corners = tets_[tet];
-    if (has_bad_index(corners, point_count))
-        return;
+    const Tet& corners = tets[tet];
     unsigned marked = 15;
-    if (among_ != nullptr)
+    if (among)
         for (unsigned i = 0; i < 4; ++i)
-            if ((*among_)[corners[i]] == 0)
+            if ((*among)[corners[i]] == 0)
                 marked &= ~(1U << i);
     const std::array<int32_t, 4> least = least_points(corners);
-    // The constructor fills buckets from the last face to the first. Going through the corners backwards too leaves
-    // each bucket in ascending order.
-    for (uint32_t i = 4; i-- > 0;)
+    for (uint32_t i = 0; i < 4; ++i)
         // Corner i is not a point of the face opposite it, so its mark does not count.
         if ((marked | 1U << i) == 15)
-            visit(static_cast<uint32_t>(tet) * 4 + i, least[i]);
+            give(least[i], static_cast<uint32_t>(tet) * 4 + i);
 }
 
+}  // namespace
+
 FaceBuckets::FaceBuckets(const Array<Tet>& tets, int64_t point_count, const Run& run, const Array<uint8_t>* among)
-    : tets_(tets), among_(among), start_(large_array(point_count + 1, uint32_t{0}))
+    : tets_(tets)
 {
     CLEFT_ASSERT(!among || among->count() == point_count);
     if (tets.size() >= kMostTets)
         throw Error(CLEFT_ERROR_TOO_LARGE, "a mesh of 2^30 or more tetrahedra is too large for 32-bit face numbers");
-    for (size_t t = 0; t < tets.size(); ++t) {
-        run.check_at(t);
-        for_faces_of(t, point_count, [&](uint32_t, int32_t least) { ++start_[least]; });
-    }
-    // Counts become ends; the filling below, from the last face to the first, turns the ends into starts.
-    uint32_t end = 0;
-    for (uint32_t& s : start_)
-        s = end += s;
-    ids_ = large_array<uint32_t>(end);
-    for (size_t t = tets.size(); t-- > 0;) {
-        run.check_at(t);
-        for_faces_of(t, point_count, [&](uint32_t face, int32_t least) { ids_[--start_[least]] = face; });
-    }
+    Groups<uint32_t, uint32_t> faces =
+        group_by_key<uint32_t, uint32_t>(run, tets.count(), point_count, [&](int64_t t, const auto& give) {
+            if (!has_bad_index(tets[t], point_count))
+                give_faces(tets, t, among, give);
+        });
+    start_ = std::move(faces.start);
+    ids_ = std::move(faces.values);
 }
 
 void FaceBuckets::load(int64_t point, Bucket& bucket) const

@@ -20,7 +20,12 @@ struct HalfFace {
 
 inline bool has_bad_index(const Tet& tet, int64_t point_count)
 {
-    return std::any_of(tet.begin(), tet.end(), [&](int32_t p) { return p < 0 || p >= point_count; });
+    // Without a branch at each point: this is asked of every tetrahedron of a mesh, again and again. A negative number
+    // is a great one without its sign.
+    bool is_bad = false;
+    for (const int32_t p : tet)
+        is_bad |= static_cast<uint64_t>(p) >= static_cast<uint64_t>(point_count);
+    return is_bad;
 }
 
 inline bool has_repeated_corner(const Tet& t)
@@ -48,7 +53,7 @@ public:
 
     // Throws CLEFT_ERROR_TOO_LARGE from 2^30 tetrahedra on: four times their number must fit 32 bits.
     // With `among`, by point, only faces all of whose points are marked there; these then are found much sooner.
-    // Borrows `tets` and `among`, which must not change while the buckets are in use.
+    // Borrows `tets`, which must not change while the buckets are in use.
     FaceBuckets(const Array<Tet>& tets, int64_t point_count, const Run& run, const Array<uint8_t>* among = nullptr);
 
     // visit(const HalfFace* faces, size_t count) for each different face whose least point is in [begin, end), in an
@@ -82,13 +87,9 @@ private:
         Array<int32_t> last_of_face;  // the hash table, by other_points
     };
 
-    // visit(face, least point) for the faces of a tetrahedron that take part.
-    template <class Visit>
-    void for_faces_of(size_t tet, int64_t point_count, const Visit& visit) const;
     void load(int64_t point, Bucket& bucket) const;
 
     const Array<Tet>& tets_;
-    const Array<uint8_t>* among_;
     Array<uint32_t> start_;
     Array<uint32_t> ids_;
 };

@@ -1,8 +1,8 @@
 // Keeps the tetrahedra at each point in one pool of memory, so that a mesh of millions of points takes two allocations.
 #include "mesh/point_stars.hpp"
 
+#include "base/counting_sort.hpp"
 #include "base/error.hpp"
-#include "base/large_pages.hpp"
 #include "base/ordinal.hpp"
 #include "mesh/face_buckets.hpp"
 
@@ -11,29 +11,49 @@
 namespace cleft
 {
 
-PointStars::PointStars(const Array<Tet>& tets, size_t point_count, const Run& run)
-    : lists_(large_array(point_count, List{0, 0, 0})), pool_(large_array<int32_t>(4 * tets.size()))
+namespace
 {
-    for (size_t t = 0; t < tets.size(); ++t) {
-        run.check_at(t);
-        if (has_bad_index(tets[t], static_cast<int64_t>(point_count)) || has_repeated_corner(tets[t]))
-            throw Error(CLEFT_ERROR_INVALID_MESH, "the " + ordinal(static_cast<int64_t>(t)) +
-                                                      " tetrahedron does not have four different points of the mesh");
-        for (const int32_t v : tets[t])
-            ++lists_[v].capacity;
-    }
-    size_t begin = 0;
-    for (List& list : lists_) {
-        list.begin = begin;
-        begin += list.capacity;
-    }
-    for (size_t t = 0; t < tets.size(); ++t) {
-        run.check_at(t);
-        for (const int32_t v : tets[t]) {
-            List& list = lists_[v];
-            pool_[list.begin + list.size++] = static_cast<int32_t>(t);
+
+// Points whose lists a thread sets up at once. The number changes the time alone.
+constexpr int64_t kPointsListed = 1 << 14;
+
+void require_four_points(const Array<Tet>& tets, int64_t t, int64_t point_count)
+{
+    if (has_bad_index(tets[t], point_count) || has_repeated_corner(tets[t]))
+        throw Error(CLEFT_ERROR_INVALID_MESH,
+                    "the " + ordinal(t) + " tetrahedron does not have four different points of the mesh");
+}
+
+}  // namespace
+
+PointStars::PointStars(const Array<Tet>& tets, size_t point_count, const Run& run)
+{
+    // Four numbers a tetrahedron: below this many, 32 bits count them, and the tables take half the memory.
+    constexpr size_t kFew = size_t{1} << 30;
+    if (tets.size() < kFew)
+        fill<uint32_t>(tets, point_count, run);
+    else
+        fill<size_t>(tets, point_count, run);
+}
+
+template <class Number>
+void PointStars::fill(const Array<Tet>& tets, size_t point_count, const Run& run)
+{
+    const auto points = static_cast<int64_t>(point_count);
+    Groups<Number, int32_t> stars =
+        group_by_key<Number, int32_t>(run, tets.count(), points, [&](int64_t t, const auto& give) {
+            require_four_points(tets, t, points);
+            for (const int32_t v : tets[t])
+                give(v, static_cast<int32_t>(t));
+        });
+    pool_ = std::move(stars.values);
+    lists_ = large_array<List>(point_count);
+    parallel_for(run, points, kPointsListed, [&](int64_t begin, int64_t end) {
+        for (int64_t v = begin; v < end; ++v) {
+            const auto size = static_cast<uint32_t>(stars.start[v + 1] - stars.start[v]);
+            lists_[v] = {stars.start[v], size, size};
         }
-    }
+    });
 }
 
 // A list that is full moves to the end of the pool, with room to grow.

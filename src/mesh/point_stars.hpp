@@ -43,6 +43,9 @@ private:
         uint32_t size, capacity;
     };
 
+    template <class Number>
+    void fill(const Array<Tet>& tets, size_t point_count, const Run& run);
+
     Array<List> lists_;
     Array<int32_t> pool_;
 };
