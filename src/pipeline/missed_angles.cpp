@@ -4,7 +4,8 @@
 #include "base/counted.hpp"
 #include "base/degrees.hpp"
 #include "base/number_text.hpp"
-#include "mesh/quality.hpp"
+#include "base/parallel.hpp"
+#include "mesh/angle_qualities.hpp"
 #include "volume/limits.hpp"
 
 #include <algorithm>
@@ -24,32 +25,50 @@ struct MissedAngles {
     int64_t tets = 0;
     double least = 180, greatest = 0;
     double least_quality = 1;
-    Vec3 worst = Vec3::Zero();  // the centroid of the tetrahedron of that quality
+    Vec3 worst = Vec3::Zero();  // the centroid of the first tetrahedron of that quality
+
+    void add(const FixedArray<Vec3, 4>& x, double quality)
+    {
+        const auto angles = dihedral_angles(x[0], x[1], x[2], x[3]);
+        const auto [low, high] = std::minmax_element(angles.begin(), angles.end());
+        join({1, *low, *high, quality, (x[0] + x[1] + x[2] + x[3]) / 4});
+    }
+
+    void join(const MissedAngles& next)
+    {
+        if (next.least_quality < least_quality) {
+            least_quality = next.least_quality;
+            worst = next.worst;
+        }
+        tets += next.tets;
+        least = std::min(least, next.least);
+        greatest = std::max(greatest, next.greatest);
+    }
 };
 
 MissedAngles missed_angles(const LabelledMesh& mesh, double target, const KeptMaterials& kept, const Run& run)
 {
-    MissedAngles missed;
+    constexpr int64_t kTetsAtOnce = 4096;
     const double least_quality = sine_of(target) * (1 - kRounding);
-    for (size_t t = 0; t < mesh.tets.size(); ++t) {
-        run.check_at(static_cast<int64_t>(t));
-        if (!kept.has(mesh.material[t]))
-            continue;
-        const auto corner = [&](size_t i) -> const Vec3& { return mesh.points[mesh.tets[t][i]]; };
+    Array<MissedAngles> parts(chunk_count(mesh.tets.count(), kTetsAtOnce));
+    parallel_chunks(run, mesh.tets.count(), kTetsAtOnce, [&](int64_t chunk, int64_t begin, int64_t end) {
         // The quality needs no arc cosine, and few tetrahedra come further than this.
-        const double quality = angle_quality(corner(0), corner(1), corner(2), corner(3));
-        if (quality >= least_quality)
-            continue;
-        if (quality < missed.least_quality) {
-            missed.least_quality = quality;
-            missed.worst = (corner(0) + corner(1) + corner(2) + corner(3)) / 4;
+        Array<double> qualities(end - begin);
+        Foursome four;
+        for (int64_t t = begin; t < end; ++t)
+            if (four.add(t - begin, mesh.tets[t], mesh.points))
+                four.measure(qualities);
+        four.measure(qualities);
+        for (int64_t t = begin; t < end; ++t) {
+            const Tet& tet = mesh.tets[t];
+            if (qualities[t - begin] < least_quality && kept.has(mesh.material[t]))
+                parts[chunk].add({mesh.points[tet[0]], mesh.points[tet[1]], mesh.points[tet[2]], mesh.points[tet[3]]},
+                                 qualities[t - begin]);
         }
-        const auto angles = dihedral_angles(corner(0), corner(1), corner(2), corner(3));
-        const auto [low, high] = std::minmax_element(angles.begin(), angles.end());
-        ++missed.tets;
-        missed.least = std::min(missed.least, *low);
-        missed.greatest = std::max(missed.greatest, *high);
-    }
+    });
+    MissedAngles missed;
+    for (const MissedAngles& part : parts)
+        missed.join(part);
     return missed;
 }
 

@@ -2,6 +2,7 @@
 #include "remeshing/angle_notes.hpp"
 
 #include "base/degrees.hpp"
+#include "base/parallel.hpp"
 #include "mesh/quality.hpp"
 
 #include <algorithm>
@@ -21,28 +22,69 @@ struct AngleSummary {
     double least = 180, greatest = 0;
     int64_t below[kCounts] = {};
     int64_t tets = 0;
-    // No angle of a tetrahedron of this quality can change the summary any more.
-    double of_no_interest = 2;
 
-    void add(const LocalMesh& mesh, int32_t t)
+    void add(const FixedArray<double, 6>& angles)
     {
-        ++tets;
-        if (mesh.quality(t) > of_no_interest)
-            return;
-        const Tet& v = mesh.tet(t);
-        const auto angles = dihedral_angles(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]));
         const auto [low, high] = std::minmax_element(angles.begin(), angles.end());
         least = std::min(least, *low);
         greatest = std::max(greatest, *high);
         for (size_t i = 0; i < kCounts; ++i)
             below[i] += *low < kCountBelow[i];
-        // The quality is at most the sine of every angle.
+    }
+
+    void join(const AngleSummary& other)
+    {
+        least = std::min(least, other.least);
+        greatest = std::max(greatest, other.greatest);
+        for (size_t i = 0; i < kCounts; ++i)
+            below[i] += other.below[i];
+        tets += other.tets;
+    }
+
+    // No angle of a tetrahedron of this quality can change the summary any more: the quality is at most the sine of
+    // every angle.
+    double of_no_interest() const
+    {
         const double nearest =
             std::max({kCountBelow[kCounts - 1], std::min(least, 90.0), 180 - std::max(greatest, 90.0)});
         // The factor covers the rounding of both sines, so that no tetrahedron at a limit is missed.
-        of_no_interest = sine_of(nearest) * (1 + 1e-12);
+        return sine_of(nearest) * (1 + 1e-12);
     }
 };
+
+FixedArray<double, 6> angles_of(const LocalMesh& mesh, int32_t t)
+{
+    const Tet& v = mesh.tet(t);
+    return dihedral_angles(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]));
+}
+
+AngleSummary summarize(const LocalMesh& mesh, const Run& run)
+{
+    constexpr int64_t kTetsAtOnce = 1 << 14;
+    mesh.find_qualities(run);
+    Array<AngleSummary> parts(chunk_count(mesh.slot_count(), kTetsAtOnce));
+    // What one thread has met spares the others angles, sooner or later as they come. It spares only angles that change
+    // nothing in the summary of all.
+    std::atomic<double> of_no_interest{2};
+    parallel_chunks(run, mesh.slot_count(), kTetsAtOnce, [&](int64_t chunk, int64_t begin, int64_t end) {
+        AngleSummary part;
+        double limit = of_no_interest;
+        for (auto t = static_cast<int32_t>(begin); t < end; ++t) {
+            part.tets += mesh.alive(t);
+            if (!mesh.alive(t) || mesh.quality(t) > limit)
+                continue;
+            part.add(angles_of(mesh, t));
+            limit = std::min(limit, part.of_no_interest());
+        }
+        parts[chunk] = part;
+        if (limit < of_no_interest)
+            of_no_interest = limit;
+    });
+    AngleSummary all;
+    for (const AngleSummary& part : parts)
+        all.join(part);
+    return all;
+}
 
 }  // namespace
 
@@ -50,12 +92,7 @@ void note_angles(const LocalMesh& mesh, const std::string& prefix, const std::st
 {
     if (!run.metrics)
         return;
-    AngleSummary summary;
-    for (int32_t t = 0; t < mesh.slot_count(); ++t)
-        if (mesh.alive(t)) {
-            run.check_at(t);
-            summary.add(mesh, t);
-        }
+    const AngleSummary summary = summarize(mesh, run);
     const auto note = [&](const char* name, double value) { run.note(prefix + "." + name + "_" + when, value); };
     note("tets", static_cast<double>(summary.tets));
     note("min_angle", summary.least);

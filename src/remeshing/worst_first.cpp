@@ -1,50 +1,70 @@
 // Keeps the list of bad tetrahedra of a local search, and when something near each of them changed.
 #include "remeshing/worst_first.hpp"
 
+#include "base/collect.hpp"
+
 #include <algorithm>
 
 namespace cleft
 {
 
+namespace
+{
+
+// Tetrahedra that a thread looks at. The number changes the time alone.
+constexpr int64_t kTetsAtOnce = 1 << 14;
+
+}  // namespace
+
 void WorstFirst::collect_all(const LocalMesh& mesh, double target, const Run& run)
 {
+    threads_.threads = run.threads;
     next_.clear();
-    list_.clear();
+    tried_.assign(mesh.slot_count(), kNotListed);
     // Items start with `tried` 0, before this time, so each is worth a first try.
     changed_.assign(mesh.point_count(), now_);
-    for (int32_t t = 0; t < mesh.slot_count(); ++t) {
-        run.check_at(t);
-        if (mesh.alive(t) && mesh.quality(t) < target)
-            list_.push_back({mesh.quality(t), t, 0});
-    }
+    mesh.find_qualities(run);
+    list_ = collect<Item>(run, mesh.slot_count(), kTetsAtOnce, [&](int64_t begin, int64_t end, Array<Item>& list) {
+        for (auto t = static_cast<int32_t>(begin); t < end; ++t)
+            if (mesh.alive(t) && mesh.quality(t) < target)
+                list.push_back({mesh.quality(t), t, 0});
+    });
     sort_list();
 }
 
 void WorstFirst::collect_left(const LocalMesh& mesh, double target)
 {
     for (const Item& item : list_)
-        next_.push_back(item);
-    for (Item& item : next_)
-        item.tried = 0;
+        list_next(item.tet, 0);
+    for (const int32_t t : next_)
+        tried_[t] = 0;
     collect_next(mesh, target);
 }
 
 void WorstFirst::collect_next(const LocalMesh& mesh, double target)
 {
-    // One item for each tetrahedron, the one that knows of the last try.
-    std::sort(next_.begin(), next_.end(),
-              [](const Item& a, const Item& b) { return a.tet != b.tet ? a.tet < b.tet : a.tried > b.tried; });
-    next_.erase(std::unique(next_.begin(), next_.end(), [](const Item& a, const Item& b) { return a.tet == b.tet; }),
-                next_.end());
-    list_.clear();
-    for (Item item : next_)
-        if (mesh.alive(item.tet)) {
-            item.quality = mesh.quality(item.tet);
-            if (item.quality < target)
-                list_.push_back(item);
+    // Each tetrahedron is listed once, so no two threads find the quality of the same one.
+    list_ = collect<Item>(threads_, next_.count(), kTetsAtOnce, [&](int64_t begin, int64_t end, Array<Item>& list) {
+        for (int64_t i = begin; i < end; ++i) {
+            const int32_t t = next_[i];
+            const uint32_t tried = std::exchange(tried_[t], kNotListed);
+            if (mesh.alive(t) && mesh.quality(t) < target)
+                list.push_back({mesh.quality(t), t, tried});
         }
+    });
     next_.clear();
     sort_list();
+}
+
+// Of several times the last one counts.
+void WorstFirst::list_next(int32_t t, uint32_t tried)
+{
+    if (t >= tried_.count())
+        tried_.resize(t + 1, kNotListed);
+    if (tried_[t] == kNotListed)
+        next_.push_back(t);
+    if (tried_[t] == kNotListed || tried_[t] < tried)
+        tried_[t] = tried;
 }
 
 // By quality, then by number: a total order, so that the course of a search, and so the mesh, is the same in every run.
@@ -72,7 +92,7 @@ void WorstFirst::changed(const LocalMesh& mesh, const Array<int32_t>& tets)
     for (const int32_t t : tets) {
         for (const int32_t v : mesh.tet(t))
             changed_[v] = now_;
-        next_.push_back({0, t, 0});
+        list_next(t, 0);
     }
 }
 
@@ -80,9 +100,9 @@ void WorstFirst::renumbered(const Array<int32_t>& tets)
 {
     for (const int32_t t : tets)
         // The stars are what they were, so the time is kept and they are not tried again.
-        next_.push_back({0, t, now_});
+        list_next(t, now_);
 }
 
-void WorstFirst::give_back(size_t i, bool tried) { next_.push_back({0, list_[i].tet, tried ? now_ : list_[i].tried}); }
+void WorstFirst::give_back(size_t i, bool tried) { list_next(list_[i].tet, tried ? now_ : list_[i].tried); }
 
 }  // namespace cleft

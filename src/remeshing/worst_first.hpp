@@ -38,11 +38,17 @@ private:
         uint32_t tried;  // when nothing helped it
     };
 
+    static constexpr uint32_t kNotListed = UINT32_MAX;
+
+    void list_next(int32_t t, uint32_t tried);
     void sort_list();
 
-    Array<Item> list_, next_;
+    Array<Item> list_;
+    Array<int32_t> next_;      // each once
+    Array<uint32_t> tried_;    // by tetrahedron in next_: when nothing helped it; of others kNotListed
     Array<uint32_t> changed_;  // by point: when something in its star changed last
     uint32_t now_ = 1;
+    Run threads_;  // those of the search, without its callbacks
 };
 
 }  // namespace cleft
