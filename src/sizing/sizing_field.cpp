@@ -8,6 +8,7 @@
 #include "volume/limits.hpp"
 
 #include <cmath>
+#include <numeric>
 #include <string>
 
 namespace cleft
@@ -21,6 +22,23 @@ namespace
 constexpr double kParticlesPerCharge = 1.75;
 // Numbers that are reported before a run, and the memory for them, rest on this product.
 constexpr double kTetsPerParticle = 5.9;
+
+// The least or the greatest value of at least one. Several of them are kept at a time: one alone would wait for each
+// comparison.
+template <class Pick>
+float extreme(const Array<float>& values, const Pick& pick)
+{
+    constexpr int64_t kLanesKept = 16;
+    FixedArray<float, kLanesKept> kept;
+    kept.fill(values.front());
+    int64_t v = 0;
+    for (; v + kLanesKept <= values.count(); v += kLanesKept)
+        for (int64_t lane = 0; lane < kLanesKept; ++lane)
+            kept[lane] = pick(kept[lane], values[v + lane]);
+    for (; v < values.count(); ++v)
+        kept[0] = pick(kept[0], values[v]);
+    return std::accumulate(kept.begin(), kept.end(), kept[0], pick);
+}
 
 }  // namespace
 
@@ -57,9 +75,15 @@ SizingField sizing_from_values(const Grid& grid, const Value* values)
 template SizingField sizing_from_values(const Grid& grid, const float* values);
 template SizingField sizing_from_values(const Grid& grid, const double* values);
 
-double SizingField::least() const { return *std::min_element(h.begin(), h.end()); }
+double SizingField::least() const
+{
+    return extreme(h, [](float a, float b) { return a < b ? a : b; });
+}
 
-double SizingField::greatest() const { return *std::max_element(h.begin(), h.end()); }
+double SizingField::greatest() const
+{
+    return extreme(h, [](float a, float b) { return a > b ? a : b; });
+}
 
 double expected_particle_tets(const SizingField& field)
 {

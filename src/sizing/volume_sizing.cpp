@@ -9,8 +9,7 @@ namespace cleft
 SizingField compute_sizing(const Volume& volume, const SizingOptions& options, const Run& run)
 {
     const auto read = [&volume](int64_t first, int64_t count, Material* out) {
-        for (int64_t i = 0; i < count; ++i)
-            out[i] = volume.voxel_material(first + i);
+        volume.voxel_materials(first, count, out);
     };
     return compute_sizing(Labelling{volume.grid(), read}, options, run);
 }

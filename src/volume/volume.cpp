@@ -120,6 +120,42 @@ void store_indicators(const Array<const Value*>& fields, const Grid& grid, const
     run.report(1);
 }
 
+// Where a row of voxels begins with this many equal ones, they count as one.
+constexpr int64_t kEqualVoxels = 64;
+
+template <class Label>
+bool all_equal(const Label* voxels, Label value)
+{
+    unsigned different = 0;
+    for (int64_t i = 0; i < kEqualVoxels; ++i)
+        different |= static_cast<unsigned>(voxels[i] ^ value);
+    return different == 0;
+}
+
+template <class Label>
+Array<int64_t> counts_of(const LabelMap<Label>& map, size_t materials)
+{
+    Array<int64_t> counts(materials, 0);
+    const Label* voxels = map.material.data();
+    const int64_t n = map.grid.size();
+    for (int64_t v = 0; v < n;)
+        if (v + kEqualVoxels <= n && all_equal(voxels + v, voxels[v])) {
+            counts[voxels[v]] += kEqualVoxels;
+            v += kEqualVoxels;
+        } else {
+            ++counts[voxels[v++]];
+        }
+    return counts;
+}
+
+Array<int64_t> counts_of(const IndicatorField& field, size_t materials)
+{
+    Array<int64_t> counts(materials, 0);
+    for (int64_t v = 0; v < field.grid.size(); ++v)
+        ++counts[voxel_material(field, v)];
+    return counts;
+}
+
 }  // namespace
 
 Volume Volume::from_labels(VoxelType type, const void* voxels, const Grid& grid, int kernel, const Run& run)
@@ -217,17 +253,22 @@ Material Volume::voxel_material(int64_t voxel) const
     return std::visit([&](const auto& field) { return cleft::voxel_material(field, voxel); }, data_->field);
 }
 
-Array<int64_t> Volume::voxel_counts() const
+void Volume::voxel_materials(int64_t first, int64_t count, Material* out) const
 {
-    Array<int64_t> counts(labels().size(), 0);
-    const int64_t n = grid().size();
     std::visit(
         [&](const auto& field) {
-            for (int64_t v = 0; v < n; ++v)
-                ++counts[cleft::voxel_material(field, v)];
+            if constexpr (std::is_same_v<std::decay_t<decltype(field)>, IndicatorField>)
+                for (int64_t i = 0; i < count; ++i)
+                    out[i] = cleft::voxel_material(field, first + i);
+            else
+                std::copy_n(field.material.data() + first, count, out);
         },
         data_->field);
-    return counts;
+}
+
+Array<int64_t> Volume::voxel_counts() const
+{
+    return std::visit([&](const auto& field) { return counts_of(field, labels().size()); }, data_->field);
 }
 
 Material Volume::material_at(const Vec3& x) const

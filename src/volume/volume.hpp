@@ -82,6 +82,8 @@ public:
 
     // The material that holds at the centre of a voxel: its own label in a label map.
     Material voxel_material(int64_t voxel) const;
+    // Those of the voxels first .. first + count - 1.
+    void voxel_materials(int64_t first, int64_t count, Material* out) const;
     // Number of voxels of each material.
     Array<int64_t> voxel_counts() const;
 

@@ -16,31 +16,46 @@ VoxelComponents find_runs(const Volume& volume, const Run& run)
 {
     const Grid& grid = volume.grid();
     VoxelComponents runs;
+    const int32_t n = grid.dims[0];
     runs.of_voxel.reserve(grid.size());
-    int64_t v = 0;
-    for (int64_t row = 0; v < grid.size(); ++row) {
-        if (row % grid.dims[1] == 0)
+    Array<Material> materials(n);
+    for (int64_t v = 0; v < grid.size(); v += n) {
+        if (v % (int64_t{n} * grid.dims[1]) == 0)
             run.report(static_cast<double>(v) / static_cast<double>(grid.size()));
-        for (int32_t i = 0; i < grid.dims[0]; ++i, ++v) {
-            const Material m = volume.voxel_material(v);
-            if (i == 0 || m != runs.material.back()) {
-                runs.material.push_back(m);
-                runs.voxels.push_back(0);
-            }
-            ++runs.voxels.back();
-            runs.of_voxel.push_back(static_cast<int32_t>(runs.material.size()) - 1);
+        volume.voxel_materials(v, n, materials.data());
+        for (int32_t begin = 0, end = 0; begin < n; begin = end) {
+            while (end < n && materials[end] == materials[begin])
+                ++end;
+            runs.of_voxel.insert(runs.of_voxel.end(), end - begin, static_cast<int32_t>(runs.material.size()));
+            runs.material.push_back(materials[begin]);
+            runs.voxels.push_back(end - begin);
         }
     }
     return runs;
+}
+
+// Long runs are passed by so many voxels at a time.
+constexpr int64_t kTogether = 16;
+
+bool all_equal(const int32_t* voxels, int32_t value)
+{
+    int32_t different = 0;
+    for (int64_t i = 0; i < kTogether; ++i)
+        different |= voxels[i] ^ value;
+    return different == 0;
 }
 
 // Joins runs of one material that touch across the rows `step` voxels before.
 // Two long runs touch at many voxels; one join is enough, and the last pair is remembered for that.
 void join_rows(const VoxelComponents& runs, int64_t first, int64_t count, int64_t step, DisjointSets& sets)
 {
+    const int32_t* const of_voxel = runs.of_voxel.data();
     int32_t last_here = -1, last_there = -1;
     for (int64_t v = first; v < first + count; ++v) {
-        const int32_t here = runs.of_voxel[v], there = runs.of_voxel[v - step];
+        while (v + kTogether < first + count && all_equal(of_voxel + v, last_here) &&
+               all_equal(of_voxel + v - step, last_there))
+            v += kTogether;
+        const int32_t here = of_voxel[v], there = of_voxel[v - step];
         if (here == last_here && there == last_there)
             continue;
         last_here = here;
