@@ -25,32 +25,18 @@ STAGES = (
 )
 
 
-def run(cleft, volume, engine):
+def run(cleft, files, options, threads=1):
+    """The report of one run of the command."""
     with tempfile.TemporaryDirectory() as folder:
         report = pathlib.Path(folder) / "report.json"
-        subprocess.run(
-            [
-                cleft,
-                "mesh",
-                volume,
-                "-o",
-                pathlib.Path(folder) / "mesh.vtu",
-                "--threads",
-                "1",
-                "--delaunay",
-                engine,
-                "--quiet",
-                "--json",
-                report,
-            ],
-            check=True,
-        )
+        command = [cleft, "mesh", *files, "-o", pathlib.Path(folder) / "surface.ply", "--quiet", "--json", report]
+        subprocess.run([*map(str, command), "--threads", str(threads), *map(str, options)], check=True)
         return json.loads(report.read_text())
 
 
 def measure(cleft, volume, repeat):
     """The fastest of the repeated runs, by stage."""
-    turns = [[run(cleft, volume, engine) for engine in ("cleft", "tetgen")] for _ in range(repeat)]
+    turns = [[run(cleft, [volume], ["--delaunay", engine]) for engine in ("cleft", "tetgen")] for _ in range(repeat)]
     reports = [own for own, _ in turns]
     best = {stage: min(r["metrics"].get(stage + ".cpu_seconds", 0) for r in reports) for stage in STAGES}
     report = reports[0]

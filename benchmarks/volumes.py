@@ -1,5 +1,7 @@
 """Volumes to measure on: those of the repository, generated ones, and whatever else is at hand."""
 import pathlib
+import re
+import zlib
 
 import numpy as np
 
@@ -35,9 +37,15 @@ def torus(shape=(48, 48, 48), spacing=(1, 1, 1)):
 
 
 def voronoi_grains(n=64, grains=37):
-    seeds = np.random.RandomState(1).rand(grains, 3) * n
-    x = centres((n, n, n))
-    return np.argmin([((x - s) ** 2).sum(-1) for s in seeds], axis=0).astype(np.uint8)
+    x = np.arange(n) + 0.5
+    nearest = np.zeros((n, n, n), np.uint8)
+    least = np.full((n, n, n), np.inf)
+    for grain, seed in enumerate(np.random.RandomState(1).rand(grains, 3) * n):
+        along_x, along_y, along_z = [(x - coordinate) ** 2 for coordinate in seed]
+        squared = along_x + along_y[:, None] + along_z[:, None, None]
+        nearest[squared < least] = grain
+        np.minimum(least, squared, out=least)
+    return nearest
 
 
 def noise(n=24, labels=5):
@@ -124,6 +132,32 @@ def kept():
         if (ATLASES / file).exists():
             found[name] = ([ATLASES / file], None)
     return found
+
+
+def read_nrrd(path):
+    head, _, data = path.read_bytes().partition(b"\n\n")
+    fields = dict(line.split(": ", 1) for line in head.decode().splitlines()[1:] if ": " in line)
+    if fields["encoding"] in ("gzip", "gz"):
+        data = zlib.decompress(data, zlib.MAX_WBITS | 32)  # whatever head it has
+    elif fields["encoding"] != "raw":
+        raise ValueError("the encoding %s is not read here" % fields["encoding"])
+    words = {"unsigned char": "u1", "uint8": "u1", "short": "i2", "uint16": "u2", "unsigned short": "u2"}
+    word = np.dtype(words[fields["type"]]).newbyteorder("<" if fields.get("endian", "little") == "little" else ">")
+    sizes = [int(size) for size in fields["sizes"].split()]
+    directions = re.findall(r"\(([^)]*)\)", fields["space directions"])
+    spacing = [np.linalg.norm([float(number) for number in axis.split(",")]) for axis in directions]
+    return np.frombuffer(data, word, int(np.prod(sizes))).reshape(sizes[::-1]), spacing
+
+
+def read_labels(path):
+    """Labels, indexed [k][j][i], and the spacing of a file of NRRD or NIfTI."""
+    path = pathlib.Path(path)
+    if path.suffix == ".nrrd":
+        return read_nrrd(path)
+    import nibabel
+
+    image = nibabel.load(path)
+    return np.asarray(image.dataobj).T, [float(length) for length in image.header.get_zooms()[:3]]
 
 
 def more(folder):

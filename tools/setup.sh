@@ -19,6 +19,11 @@ test_packages="
     python3-numpy python3-meshio python3-vtk9 python3-nibabel python3-pydicom
     python3-pil python3-skimage python3-tifffile"
 
+benchmark_packages="
+    libcgal-dev libtbb-dev
+    python3-numpy python3-matplotlib python3-nibabel
+    mricron-data"
+
 say() { printf '\n== %s\n' "$*"; }
 fail() { printf '%s: %s\n' "$(basename "$0")" "$*" >&2; exit 1; }
 

@@ -1,0 +1,244 @@
+"""The tables of docs/performance.md, from the figures of performance.py."""
+import math
+import statistics
+
+import performance_plots
+import programs
+import quality
+import speed
+
+PROGRAMS = ("particles", "octree", "lattice", programs.REFINE, programs.OPTIMISE)
+BACKGROUNDS = PROGRAMS[:3]
+LEAST_SECONDS = 0.05  # of a stage whose growth is told: the clock's noise is a large part of less
+
+
+def table(columns, rows):
+    return quality.line(columns) + quality.line(["---"] * len(columns)) + "".join(map(quality.line, rows))
+
+
+def key(program, threads):
+    return "%s, %d" % (program, threads)
+
+
+def cost(run):
+    """CPU seconds of a tetrahedron."""
+    return run["cpu_seconds"] / run["tets"]
+
+
+def times(number):
+    return "%.2f" % number
+
+
+def megabytes(number):
+    return "%.0f" % (number / 1e6)
+
+
+def side_by_side(volume, threads):
+    """One row for each program and number of threads. All ratios are to `particles` on one thread."""
+    runs = volume["runs"]
+    first = runs[key("particles", 1)]
+    for program in PROGRAMS:
+        for count in sorted({1, threads}):
+            run = runs.get(key(program, count))
+            if run:
+                one = runs[key(program, 1)]
+                yield [
+                    volume["name"],
+                    program,
+                    str(count),
+                    times(cost(run) / cost(first)),
+                    times((run["seconds"] / run["tets"]) / (first["seconds"] / first["tets"])),
+                    times(one["seconds"] / run["seconds"]),
+                    times((run["peak_bytes"] / run["tets"]) / (first["peak_bytes"] / first["tets"])),
+                    "%.1f" % run["min_dihedral"],
+                    "{:,}".format(run["tets"]),
+                    "%.1f" % run["seconds"],
+                    "%.1f" % run["cpu_seconds"],
+                    megabytes(run["peak_bytes"]),
+                ]
+
+
+def programs_table(data):
+    columns = (
+        "volume",
+        "program",
+        "threads",
+        "CPU time a tetrahedron",
+        "time a tetrahedron",
+        "speed-up",
+        "memory a tetrahedron",
+        "least angle",
+        "tetrahedra",
+        "seconds",
+        "CPU s",
+        "peak, MB",
+    )
+    return table(columns, (row for volume in data["volumes"] for row in side_by_side(volume, data["threads"])))
+
+
+def delaunay_of(run):
+    return run["stages"]["background.delaunay"]
+
+
+def delaunay_table(data):
+    columns = ("volume", "points", "CPU time", "time on all threads", "CPU s", "TetGen's CPU s")
+    rows = []
+    for volume in data["volumes"]:
+        runs = volume["runs"]
+        own, parallel = (delaunay_of(runs[key("particles", count)]) for count in (1, data["threads"]))
+        tetgen = delaunay_of(runs["particles, TetGen, 1"])
+        rows.append(
+            [
+                volume["name"],
+                "{:,}".format(int(runs[key("particles", 1)]["points"])),
+                times(own["cpu_seconds"] / tetgen["cpu_seconds"]),
+                times(parallel["seconds"] / tetgen["seconds"]),
+                times(own["cpu_seconds"]),
+                times(tetgen["cpu_seconds"]),
+            ]
+        )
+    return table(columns, rows)
+
+
+def serial_share(stage):
+    return "%.0f %%" % (100 * stage["serial_seconds"] / stage["seconds"]) if stage.get("serial_seconds") else ""
+
+
+def stage_row(names, one, many, tetgen):
+    """Times of a stage on one thread and on many."""
+    speed_up = times(one["seconds"] / many["seconds"]) if one["seconds"] > LEAST_SECONDS else ""
+    return [
+        *names,
+        times(one["cpu_seconds"] / tetgen),
+        speed_up,
+        serial_share(many),
+        times(one["cpu_seconds"]),
+        times(one["seconds"]),
+        times(many["seconds"]),
+        megabytes(one["peak_bytes"]),
+    ]
+
+
+def stages_of(run):
+    """The stages of one background: its own steps where it has some."""
+    has_steps = any(name.startswith("background.") for name in run["stages"])
+    order = [name for name in speed.STAGES if name in run["stages"]]
+    if not has_steps:
+        order.insert(order.index("sizing") + 1, "background")
+    return order
+
+
+def stages_table(data):
+    """Of the largest volume."""
+    columns = (
+        "background",
+        "stage",
+        "of TetGen's Delaunay",
+        "speed-up",
+        "serial share",
+        "CPU s",
+        "seconds",
+        "seconds, all threads",
+        "peak so far, MB",
+    )
+    runs = data["volumes"][-1]["runs"]
+    tetgen = delaunay_of(runs["particles, TetGen, 1"])["cpu_seconds"]
+    rows = []
+    for background in BACKGROUNDS:
+        one, many = (runs[key(background, count)] for count in (1, data["threads"]))
+        for stage in stages_of(one):
+            rows.append(stage_row((background, stage), one["stages"][stage], many["stages"][stage], tetgen))
+        rows.append(stage_row((background, "all"), one, many, tetgen))
+    return table(columns, rows)
+
+
+def exponent(ratio, growth):
+    return "%.2f" % (math.log(ratio) / math.log(growth))
+
+
+def growth_row(program, stage, base, voxels, tets, growth):
+    cells = [program, stage]
+    for grown, factor in ((voxels, 8), (tets, growth)):
+        ratio = grown["cpu_seconds"] / base["cpu_seconds"]
+        cells += [times(ratio), exponent(ratio, factor), times(grown["peak_bytes"] / base["peak_bytes"])]
+    return cells + [times(step["cpu_seconds"]) for step in (base, voxels, tets)]
+
+
+def growth_table(data):
+    columns = (
+        "program",
+        "stage",
+        "voxels: CPU",
+        "exponent",
+        "peak",
+        "tetrahedra: CPU",
+        "exponent",
+        "peak",
+        "CPU s: base",
+        "voxels",
+        "tetrahedra",
+    )
+    rows = []
+    for program in PROGRAMS:
+        steps = [data["growth"][name].get(key(program, 1)) for name in ("base", "voxels", "tets")]
+        if None in steps:
+            continue
+        growth = steps[2]["tets"] / steps[0]["tets"]
+        rows.append(growth_row(program, "all", *steps, growth))
+        for stage in stages_of(steps[0]) if program in BACKGROUNDS else ():
+            parts = [step["stages"][stage] for step in steps]
+            if min(part["cpu_seconds"] for part in parts) > LEAST_SECONDS:
+                rows.append(growth_row(program, stage, *parts, growth))
+    return table(columns, rows)
+
+
+def numbers_of_growth(data):
+    """The numbers of tetrahedra, so that a reader sees how nearly eightfold they are."""
+    names = ("base", "voxels", "tets")
+    rows = []
+    for program in PROGRAMS:
+        steps = [data["growth"][name].get(key(program, 1)) for name in names]
+        if None not in steps:
+            rows.append([program, *("{:,}".format(step["tets"]) for step in steps)])
+    sides = ["%d^3 voxels, edges of %g" % tuple(data["series"][name]) for name in names]
+    return table(["program", *sides], rows)
+
+
+def delay(data):
+    """How much longer the runs on one thread took than their CPU time: the middle one of all."""
+    every = [volume["runs"] for volume in data["volumes"]] + list(data["growth"].values())
+    chosen = [run for runs in every for name, run in runs.items() if name.endswith(", 1")]
+    return statistics.median(run["seconds"] / run["cpu_seconds"] - 1 for run in chosen)
+
+
+def machine_text(data):
+    sizes = "; ".join(
+        "%s, %s voxels, %d labels" % (volume["name"], " x ".join(map(str, volume["dims"])), volume["labels"])
+        for volume in data["volumes"]
+    )
+    return (
+        "The volumes: %s.\n\nThe machine had %d cores (%s). Each figure is the least of %d turns. Runs on one thread "
+        "took %.0f %% longer than their CPU time: other programs and the disk had the rest.\n"
+        % (sizes, data["threads"], data["processor"], data["repeat"], 100 * delay(data))
+    )
+
+
+PARTS = {
+    "machine": machine_text,
+    "programs": programs_table,
+    "delaunay": delaunay_table,
+    "stages": stages_table,
+    "growth": growth_table,
+    "numbers": numbers_of_growth,
+}
+
+
+def write(data, page):
+    """Prints every table, and puts them into the page if there is one, with its plots beside."""
+    for mark, make in PARTS.items():
+        text = make(data)
+        print(text)
+        if page:
+            quality.write_into(page, mark, text)
+    if page:
+        performance_plots.draw(data, page.parent / "images")

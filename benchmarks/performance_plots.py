@@ -1,0 +1,57 @@
+"""The plots of docs/performance.md, from the figures of performance.py."""
+import matplotlib
+
+matplotlib.use("svg")
+import matplotlib.pyplot as plt
+
+# Text stays text: small files. Names and dates that change with each run would make each picture a new one.
+plt.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "cleft", "font.size": 9, "font.family": "sans-serif"})
+STAGES = ("volume", "sizing", "background", "cleaving", "improving", "fitting", "finish", "refine", "perturb", "exude")
+COLOURS = ("#8c8c8c", "#c9b458", "#4c72b0", "#55a868", "#c44e52", "#8172b2", "#937860", "#2f4b7c", "#dd8452", "#da8bc3")
+
+
+def save(figure, path):
+    figure.tight_layout()
+    figure.savefig(path, metadata={"Date": None, "Creator": None})
+    plt.close(figure)
+
+
+def bars_of_stages(data, path):
+    """CPU time of a tetrahedron by stage, one thread, in the largest volume."""
+    volume = data["volumes"][-1]
+    runs = {name[:-3]: run for name, run in volume["runs"].items() if name.endswith(", 1") and "TetGen" not in name}
+    figure, axes = plt.subplots(figsize=(7.5, 2.6))
+    left = dict.fromkeys(runs, 0)
+    for stage, colour in zip(STAGES, COLOURS):
+        widths = [1e6 * run["stages"].get(stage, {}).get("cpu_seconds", 0) / run["tets"] for run in runs.values()]
+        axes.barh(list(runs), widths, left=list(left.values()), color=colour, label=stage, height=0.7)
+        left = {name: begin + width for (name, begin), width in zip(left.items(), widths)}
+    axes.invert_yaxis()
+    axes.set_xlabel("%s, one thread: CPU microseconds a tetrahedron" % volume["name"])
+    axes.legend(ncol=2, fontsize=7, frameon=False, bbox_to_anchor=(1, 1), loc="upper left")
+    save(figure, path)
+
+
+def bars_of_growth(data, path):
+    """How many times the CPU time and the peak of memory are, where voxels or tetrahedra are eightfold."""
+    base = data["growth"]["base"]
+    names = [name[:-3] for name in base if "TetGen" not in name]
+    figure, both = plt.subplots(1, 2, figsize=(7.5, 2.6), sharey=True)
+    for axes, (kind, title) in zip(both, (("cpu_seconds", "CPU time"), ("peak_bytes", "peak of memory"))):
+        for shift, (grown, colour) in enumerate((("voxels", "#c9b458"), ("tets", "#4c72b0"))):
+            runs = data["growth"][grown]
+            ratios = [runs[name + ", 1"][kind] / base[name + ", 1"][kind] for name in names]
+            label = {"voxels": "eightfold voxels", "tets": "edges half as long"}[grown]
+            axes.barh([i + 0.4 * shift for i in range(len(names))], ratios, height=0.36, color=colour, label=label)
+        axes.axvline(8, color="black", linewidth=0.7, linestyle=":")
+        axes.set_xlabel("times the %s" % title)
+    both[0].set_yticks([i + 0.2 for i in range(len(names))], names)
+    both[0].invert_yaxis()
+    both[1].legend(fontsize=7, frameon=False, loc="lower right")
+    save(figure, path)
+
+
+def draw(data, folder):
+    folder.mkdir(exist_ok=True)
+    bars_of_stages(data, folder / "performance_programs.svg")
+    bars_of_growth(data, folder / "performance_growth.svg")
