@@ -15,6 +15,7 @@ import pathlib
 import platform
 import sys
 import tempfile
+import time
 
 import numpy as np
 
@@ -24,6 +25,7 @@ import volumes
 
 BUILD = pathlib.Path(__file__).resolve().parent.parent / "build" / "benchmarks"
 BACKGROUNDS = ("particles", "octree", "lattice")
+LEAST_SECONDS = 40  # of the turns of one volume: what disturbs for seconds is then not in all
 SIDE = 96  # of a cube of grains, in world units
 
 
@@ -56,9 +58,10 @@ class Machine:
         return found
 
     def repeated(self, case, thread_counts, repeat):
-        turns = []
-        for number in range(repeat):
-            say("%s: turn %d of %d" % (case.name, number + 1, repeat))
+        """The least of so many turns, and of more where they are short."""
+        turns, begin = [], time.monotonic()
+        while len(turns) < repeat or (repeat > 1 and time.monotonic() - begin < LEAST_SECONDS):
+            say("%s: turn %d" % (case.name, len(turns) + 1))
             turns.append(self.turn(case, thread_counts))
         return programs.least(turns)
 
@@ -156,7 +159,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("volumes", nargs="*", metavar="VOLUME")
     parser.add_argument("--quick", action="store_true", help="a look in two minutes: one turn, CIT168, small grains")
-    parser.add_argument("--repeat", type=int, help="turns of which the least figures count (default 2; quick: 1)")
+    parser.add_argument(
+        "--repeat", type=int, help="least number of turns of which the least figures count (2; quick: 1)"
+    )
     parser.add_argument("--side", type=int, help="voxels along the side of the least cube of grains (96; quick: 48)")
     parser.add_argument(
         "--threads", type=int, default=len(os.sched_getaffinity(0)), help="all threads (default: cores)"

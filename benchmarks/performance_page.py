@@ -1,6 +1,7 @@
 """The tables of docs/performance.md, from the figures of performance.py."""
 import math
 import statistics
+import textwrap
 
 import performance_plots
 import programs
@@ -9,7 +10,7 @@ import speed
 
 PROGRAMS = ("particles", "octree", "lattice", programs.REFINE, programs.OPTIMISE)
 BACKGROUNDS = PROGRAMS[:3]
-LEAST_SECONDS = 0.05  # of a stage whose growth is told: the clock's noise is a large part of less
+LEAST_SECONDS = 0.05  # of a stage whose ratios are told: noise is a large part of less
 
 
 def table(columns, rows):
@@ -100,18 +101,14 @@ def delaunay_table(data):
     return table(columns, rows)
 
 
-def serial_share(stage):
-    return "%.0f %%" % (100 * stage["serial_seconds"] / stage["seconds"]) if stage.get("serial_seconds") else ""
-
-
 def stage_row(names, one, many, tetgen):
     """Times of a stage on one thread and on many."""
-    speed_up = times(one["seconds"] / many["seconds"]) if one["seconds"] > LEAST_SECONDS else ""
+    is_timed = one["seconds"] > LEAST_SECONDS
     return [
         *names,
         times(one["cpu_seconds"] / tetgen),
-        speed_up,
-        serial_share(many),
+        times(one["seconds"] / many["seconds"]) if is_timed else "",
+        "%.0f %%" % (100 * one["serial_seconds"] / one["seconds"]) if is_timed else "",
         times(one["cpu_seconds"]),
         times(one["seconds"]),
         times(many["seconds"]),
@@ -216,11 +213,12 @@ def machine_text(data):
         "%s, %s voxels, %d labels" % (volume["name"], " x ".join(map(str, volume["dims"])), volume["labels"])
         for volume in data["volumes"]
     )
-    return (
-        "The volumes: %s.\n\nThe machine had %d cores (%s). Each figure is the least of %d turns. Runs on one thread "
-        "took %.0f %% longer than their CPU time: other programs and the disk had the rest.\n"
-        % (sizes, data["threads"], data["processor"], data["repeat"], 100 * delay(data))
+    machine = (
+        "The machine had %d cores (%s). Each figure is the least of %d turns or more. Runs on one thread took %.0f %% "
+        "longer than their CPU time: other programs and the disk had the rest."
+        % (data["threads"], data["processor"], data["repeat"], 100 * delay(data))
     )
+    return "".join(textwrap.fill(text, 120) + "\n" for text in ("The volumes: %s." % sizes, machine))
 
 
 PARTS = {

@@ -4,7 +4,7 @@
      "stages": {name: {"seconds": ..., "cpu_seconds": ..., "peak_bytes": ..., "serial_seconds": ...}}}
 
 Both begin with labels in memory and end with a mesh in memory: reading, reports and writing are left out. Serial
-seconds are those in which one thread alone had work. A stage that does not tell them has none.
+seconds are those outside of loops that threads can share. CGAL does not tell them.
 """
 import dataclasses
 import json
@@ -58,26 +58,31 @@ def figures_of_stages(metrics, stages):
     return found
 
 
-def sums(stages, names):
-    """Of consecutive stages: their times, and the peak of the last. Serial seconds count if all stages have them."""
-    chosen = [stages[name] for name in names]
-    total = {kind: sum(stage[kind] for stage in chosen) for kind in KINDS if all(kind in stage for stage in chosen)}
-    return {**total, "peak_bytes": chosen[-1]["peak_bytes"]}
+def sums(stages):
+    """Of consecutive stages: their times, and the peak of the last."""
+    total = {kind: sum(stage[kind] for stage in stages) for kind in ("seconds", "cpu_seconds")}
+    return {**total, "peak_bytes": stages[-1]["peak_bytes"]}
+
+
+def serial_seconds(whole, metrics):
+    """Of a whole run: what is not in a shared loop of one of its stages, between the stages too."""
+    parts = ("volume", "sizing", "background", "cleaving", "improving", "fitting", "finish", "result_check")
+    noted = [metrics[part + ".seconds"] - metrics[part + ".serial_seconds"] for part in parts]
+    return whole["seconds"] - sum(noted)
 
 
 def run_cleft(cleft, case, background, threads, engine="cleft"):
     options = ["--background", background, "--delaunay", engine, *case.options[background]]
     report = speed.run(cleft, [case.path], options, threads)
-    whole = {stage.pop("name"): stage for stage in report["stages"]}
     metrics = report["metrics"]
-    for name, stage in whole.items():
-        if name + ".serial_seconds" in metrics:
-            stage["serial_seconds"] = metrics[name + ".serial_seconds"]
+    stages = {stage["name"]: stage for stage in report["stages"]}
+    whole = sums([stages["volume"], stages["mesh"]])
     return {
         "tets": report["mesh"]["tets"],
         "points": metrics["background.points"],
         "min_dihedral": report["quality"]["min_dihedral"],
-        **sums(whole, ("volume", "mesh")),
+        **whole,
+        "serial_seconds": serial_seconds(whole, metrics),
         "stages": figures_of_stages(metrics, (*speed.STAGES, "background")),
     }
 
@@ -95,7 +100,7 @@ def run_cgal(program, case, facets, threads):
     for last, names in (("refine", ("refine",)), ("exude", tuple(stages))):
         figures = {name: {kind: stages[name][kind] for kind in KINDS[:3]} for name in names}
         shape = {"tets": stages[last]["tets"], "min_dihedral": angles[last]}
-        answer.append({**shape, **sums(figures, names), "stages": figures})
+        answer.append({**shape, **sums(list(figures.values())), "stages": figures})
     return answer
 
 
