@@ -1,7 +1,9 @@
-// Sets of numbers that join (union-find). A set is known by its least member, so the result has one form only.
+// Sets of numbers that join (union-find). A set is known by its least member, so the result has one form only, also
+// where several threads join.
 #pragma once
 
 #include "base/large_pages.hpp"
+#include "base/shared_access.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -20,23 +22,30 @@ public:
         std::iota(parent_.begin(), parent_.end(), 0);
     }
 
-    // The least member of the set.
+    // The least member of the set. find() and join() may be called by several threads at once: whatever they do, a
+    // parent is a lesser member of the same set, or the number itself. So a path leads to the root, by a detour at
+    // most.
     int32_t find(int32_t i)
     {
-        while (parent_[i] != i) {
-            parent_[i] = parent_[parent_[i]];  // halves the path
-            i = parent_[i];
+        for (int32_t up = load_shared(parent_[i]); up != i;) {
+            const int32_t above = load_shared(parent_[up]);
+            if (above != up)
+                store_shared(parent_[i], above);  // halves the path
+            i = above;
+            up = load_shared(parent_[i]);
         }
         return i;
     }
 
     void join(int32_t a, int32_t b)
     {
-        a = find(a);
-        b = find(b);
         // Not by size: the least member as root costs some longer paths, which find() halves, and makes the result
-        // independent of the order of joins.
-        parent_[std::max(a, b)] = std::min(a, b);
+        // independent of the order of joins. Where another thread has joined that root first, its set is looked up
+        // anew.
+        do {
+            a = find(a);
+            b = find(b);
+        } while (a != b && !replace_shared(parent_[std::max(a, b)], std::max(a, b), std::min(a, b)));
     }
 
     // By number: the least member of its set.

@@ -52,7 +52,7 @@ TetMesh checked_background(const cleft_mesh& mesh, const Frame& frame, const Run
                     "the background is too fine for its distance from the origin: in the frame "
                     "of the volume " +
                         fault);
-    check_cover(cover_of(out, frame.grid.extent()), run);
+    check_cover(cover_of(out, frame.grid.extent(), run), run);
     return out;
 }
 

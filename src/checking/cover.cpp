@@ -7,13 +7,13 @@
 namespace cleft
 {
 
-Cover cover_of(const TetMesh& mesh, const Vec3& extent)
+Cover cover_of(const TetMesh& mesh, const Vec3& extent, const Run& run)
 {
     // Far above the rounding of coordinates, and far below a layer of elements that is missing.
     constexpr double kSame = 1e-6;  // relative
     BoundingBox box;
     box.add(mesh.points);
-    const double volume = material_volumes(mesh.points, mesh.tets, Array<Material>(mesh.tets.size(), 0), 1)[0];
+    const double volume = material_volumes(mesh.points, mesh.tets, Array<Material>(mesh.tets.size(), 0), 1, run)[0];
     const Vec3 margin = kSame * extent;
     Cover cover;
     cover.is_outside = (box.hi.array() <= 0).any() || (box.lo.array() >= extent.array()).any();

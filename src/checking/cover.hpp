@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/array.hpp"
+#include "base/run.hpp"
 #include "mesh/tet_mesh.hpp"
 
 namespace cleft
@@ -20,6 +21,6 @@ struct Cover {
 };
 
 // In the frame of the box, one corner of which is at the origin. The mesh is valid and has tetrahedra.
-Cover cover_of(const TetMesh& mesh, const Vec3& extent);
+Cover cover_of(const TetMesh& mesh, const Vec3& extent, const Run& run);
 
 }  // namespace cleft

@@ -54,7 +54,7 @@ bool fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, cons
     Array<FitPoint> points = find_points(mesh, without_tie, triangles);
     const Array<SharedArea> shared = find_shared_areas(triangles);
     VolumeCorrector corrector(mesh, floor);
-    VolumeDeficits deficits(mesh, volume);
+    VolumeDeficits deficits(mesh, volume, of_volumes);
     int64_t held = 0;  // in the last round
     for (int round = 0; round < kMostRounds; ++round) {
         if (round >= kFitRounds && !deficits.is_any_off())

@@ -22,12 +22,14 @@ constexpr double kWideTolerance = 0.03;
 
 }  // namespace
 
-VolumeDeficits::VolumeDeficits(const LocalMesh& mesh, const Volume& volume) : voxel_(volume.grid().spacing.prod())
+VolumeDeficits::VolumeDeficits(const LocalMesh& mesh, const Volume& volume, const Run& run)
+    : voxel_(volume.grid().spacing.prod())
 {
     if (!volume.is_label_map())
         return;
     voxels_ = volume.voxel_counts();
-    missing_ = material_volumes(mesh.points(), mesh.tets(), mesh.materials(), static_cast<Material>(voxels_.size()));
+    missing_ =
+        material_volumes(mesh.points(), mesh.tets(), mesh.materials(), static_cast<Material>(voxels_.size()), run);
     for (size_t m = 0; m < voxels_.size(); ++m)
         missing_[m] = static_cast<double>(voxels_[m]) * voxel_ - missing_[m];
     wide_.resize(missing_.size(), 0);

@@ -12,7 +12,7 @@ class VolumeDeficits
 {
 public:
     // There are none for fields, whose volumes nobody knows.
-    VolumeDeficits(const LocalMesh& mesh, const Volume& volume);
+    VolumeDeficits(const LocalMesh& mesh, const Volume& volume, const Run& run);
 
     bool empty() const { return missing_.empty(); }
     const Array<double>& missing() const { return missing_; }

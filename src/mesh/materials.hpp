@@ -25,9 +25,9 @@ MeshParts mesh_parts(const LabelledMesh& mesh, const Run& run);
 // Volume of each material.
 // In the frame of the points, by material number. Inverted tetrahedra count negative. The sum runs in the order of the
 // tetrahedra, so it is the same for any number of threads.
-Array<double> material_volumes(const LabelledMesh& mesh, Material material_count);
+Array<double> material_volumes(const LabelledMesh& mesh, Material material_count, const Run& run = Run());
 // The same; dead tetrahedra, whose first corner is -1, are passed over.
 Array<double> material_volumes(const Array<Vec3>& points, const Array<Tet>& tets, const Array<Material>& material,
-                               Material material_count);
+                               Material material_count, const Run& run = Run());
 
 }  // namespace cleft

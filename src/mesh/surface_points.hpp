@@ -1,4 +1,4 @@
-// Which points can be corners of a face of the mesh's surface: of the hull, or between two materials.
+// Which points can be corners of a face of the mesh's surface: of the hull, or between two regions.
 #pragma once
 
 #include "base/array.hpp"
@@ -11,9 +11,9 @@ namespace cleft
 // By point: 1 if each face at it belongs to two tetrahedra, as inside a mesh; also if there is none.
 Array<uint8_t> points_inside(const Array<Tet>& tets, size_t point_count, const Run& run);
 
-// By point: 1 if it is on the hull, or tetrahedra of several materials meet there. A face of the hull, and one between
-// two materials, has three such corners; most faces have not. Tetrahedra with a bad index are left out.
-// The reverse is not true: a face inside a material may have three corners on the surface.
+// By point: 1 if it is a corner of a face of the hull or of one between two regions. Tetrahedra with a bad index are
+// left out.
+// The reverse is not true: a face inside a region may have three corners on the surface.
 Array<uint8_t> surface_points(const RegionMesh& mesh, const Run& run);
 
 }  // namespace cleft

@@ -2,6 +2,8 @@
 // contacts.
 #include "pipeline/label_report.hpp"
 
+#include "base/collect.hpp"
+#include "base/shared_access.hpp"
 #include "base/stage.hpp"
 #include "mesh/materials.hpp"
 #include "mesh/quality.hpp"
@@ -102,10 +104,10 @@ Array<LabelContact> new_contacts(const Volume& volume, const VoxelComponents& co
 }
 
 // Labels, voxels and volumes; the counts of tetrahedra and pieces are not in them yet.
-Array<LabelRow> rows_of_labels(const Volume& volume, const LabelledMesh& mesh)
+Array<LabelRow> rows_of_labels(const Volume& volume, const LabelledMesh& mesh, const Run& run)
 {
     const Array<int64_t> voxels = volume.voxel_counts();
-    const Array<double> volumes = material_volumes(mesh, volume.material_count());
+    const Array<double> volumes = material_volumes(mesh, volume.material_count(), run);
     Array<LabelRow> rows(volume.material_count());
     for (size_t m = 0; m < rows.size(); ++m) {
         rows[m].label = volume.labels()[m];
@@ -122,27 +124,40 @@ struct MetComponents {
     Array<Shared> shared;   // of large ones: the volume in each part of the mesh
 };
 
-MetComponents count_tets(const Grid& grid, const LabelledMesh& mesh, const Array<int32_t>& part,
-                         const VoxelComponents& components, Array<LabelRow>& rows)
+// Looks at the tetrahedra from `begin` on, beside other threads: all add to the same rows and marks.
+void count_tets(const Grid& grid, const LabelledMesh& mesh, const Array<int32_t>& part,
+                const VoxelComponents& components, int64_t begin, int64_t end, Array<LabelRow>& rows,
+                MetComponents& met, Array<Shared>& shared)
 {
-    MetComponents met{Array<uint8_t>(components.voxels.size(), 0), {}};
-    for (size_t t = 0; t < mesh.tets.size(); ++t) {
+    for (int64_t t = begin; t < end; ++t) {
         const Tet& tet = mesh.tets[t];
         const auto point = [&](size_t i) -> const Vec3& { return mesh.points[tet[i]]; };
         const int64_t voxel = voxel_of(grid, (point(0) + point(1) + point(2) + point(3)) / 4);
         LabelRow& row = rows[mesh.material[t]];
-        ++row.tets;
+        add_shared(row.tets, int64_t{1});
         // A part is numbered by its first tetrahedron, so each is counted once.
-        row.mesh_components += part[t] == static_cast<int32_t>(t);
+        if (part[t] == t)
+            add_shared(row.mesh_components, int64_t{1});
         const int32_t component = components.of_voxel[voxel];
         // A tetrahedron at an interface may have its centroid in a voxel of the other label, and says nothing about
         // either piece.
         if (components.material[component] != mesh.material[t])
             continue;
-        met.is_met[component] = 1;
+        store_shared(met.is_met[component], uint8_t{1});
         if (components.voxels[component] > kLargeComponent)
-            add(met.shared, {component, part[t], orient(point(0), point(1), point(2), point(3)) / 6});
+            add(shared, {component, part[t], orient(point(0), point(1), point(2), point(3)) / 6});
     }
+}
+
+MetComponents count_tets(const Grid& grid, const LabelledMesh& mesh, const Array<int32_t>& part,
+                         const VoxelComponents& components, Array<LabelRow>& rows, const Run& run)
+{
+    constexpr int64_t kTetsAtOnce = 1 << 14;
+    MetComponents met{Array<uint8_t>(components.voxels.size(), 0), {}};
+    met.shared =
+        collect<Shared>(run, mesh.tets.count(), kTetsAtOnce, [&](int64_t begin, int64_t end, Array<Shared>& shared) {
+            count_tets(grid, mesh, part, components, begin, end, rows, met, shared);
+        });
     return met;
 }
 
@@ -169,9 +184,11 @@ LabelReport label_report(const Volume& volume, const LabelledMesh& mesh, const R
 {
     Steps steps(run, {{"finding parts", 4}, {"counting components", 4}, {"looking for contacts", 2}});
     const MeshParts parts = mesh_parts(mesh, steps.next());
-    const VoxelComponents components = voxel_components(volume, steps.next());
-    Array<LabelRow> rows = rows_of_labels(volume, mesh);
-    count_components(volume.grid(), components, count_tets(volume.grid(), mesh, parts.of_tet, components, rows), rows);
+    const Run of_components = steps.next();
+    const VoxelComponents components = voxel_components(volume, of_components);
+    Array<LabelRow> rows = rows_of_labels(volume, mesh, of_components);
+    count_components(volume.grid(), components,
+                     count_tets(volume.grid(), mesh, parts.of_tet, components, rows, of_components), rows);
     return {std::move(rows), new_contacts(volume, components, parts.borders, steps.next())};
 }
 

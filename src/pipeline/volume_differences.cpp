@@ -65,8 +65,10 @@ void warn_of_volume_differences(const Volume& volume, const LabelledMesh& mesh, 
 {
     // A sentence that names more is not read.
     constexpr size_t kNamed = 5;
-    const Array<double> volumes = material_volumes(mesh, volume.material_count());
-    if (!run.on_warning || !fills_box(volume, volumes))
+    if (!run.on_warning)
+        return;
+    const Array<double> volumes = material_volumes(mesh, volume.material_count(), run);
+    if (!fills_box(volume, volumes))
         return;
     const Array<Difference> all = differences(volume, volumes, kept);
     if (all.empty())

@@ -2,6 +2,9 @@
 // mesh has.
 #include "volume/voxel_contacts.hpp"
 
+#include "base/parallel.hpp"
+#include "base/shared_access.hpp"
+
 #include <algorithm>
 
 namespace cleft
@@ -14,7 +17,8 @@ namespace
 class Seen
 {
 public:
-    explicit Seen(const Array<std::array<Material, 2>>& pairs) : pairs_(pairs), seen_(pairs.size(), 0)
+    // Marks in `seen`, which several threads may do.
+    Seen(const Array<std::array<Material, 2>>& pairs, Array<uint8_t>& seen) : pairs_(pairs), seen_(seen)
     {
         CLEFT_ASSERT(std::is_sorted(pairs.begin(), pairs.end()));
     }
@@ -31,14 +35,12 @@ public:
         recent = pair;
         const auto at = std::lower_bound(pairs_.begin(), pairs_.end(), pair);
         if (at != pairs_.end() && *at == pair)
-            seen_[at - pairs_.begin()] = 1;
+            store_shared(seen_[at - pairs_.begin()], uint8_t{1});
     }
-
-    Array<uint8_t> take() { return std::move(seen_); }
 
 private:
     const Array<std::array<Material, 2>>& pairs_;
-    Array<uint8_t> seen_;
+    Array<uint8_t>& seen_;
     std::array<std::array<Material, 2>, 1024> recent_{};  // two times material 0: no pair
 };
 
@@ -74,34 +76,40 @@ void add_rows(const VoxelComponents& components, int64_t row, int64_t other, int
     }
 }
 
+// The nine neighbours over faces and edges that come after a voxel: one in its row, three in each of two rows next to
+// it, and one in each of two rows across.
+void add_neighbours_of_row(const Grid& grid, const VoxelComponents& components, int32_t j, int32_t k, Seen& seen)
+{
+    constexpr int32_t kBeside[2][2] = {{1, 0}, {0, 1}}, kAcross[2][2] = {{-1, 1}, {1, 1}};
+    const int32_t nx = grid.dims[0];
+    const int64_t row = grid.index(0, j, k);
+    const auto add_beside = [&](const int32_t(&by)[2], int64_t reach) {
+        if (j + by[0] < 0 || j + by[0] >= grid.dims[1] || k + by[1] >= grid.dims[2])
+            return;
+        for (int64_t step = -reach; step <= reach; ++step)
+            add_rows(components, row, grid.index(0, j + by[0], k + by[1]), nx, step, seen);
+    };
+    add_rows(components, row, row, nx, 1, seen);
+    for (size_t i = 0; i < 2; ++i) {
+        add_beside(kBeside[i], 1);
+        add_beside(kAcross[i], 0);
+    }
+}
+
 }  // namespace
 
 Array<uint8_t> voxels_touch(const Grid& grid, const VoxelComponents& components,
                             const Array<std::array<Material, 2>>& pairs, const Run& run)
 {
-    Seen seen(pairs);
-    const int32_t nx = grid.dims[0], ny = grid.dims[1], nz = grid.dims[2];
-    // The nine neighbours over faces and edges that come after a voxel: one in its row, three in each of two rows next
-    // to it, and one in each of two rows across.
-    constexpr int32_t kBeside[2][2] = {{1, 0}, {0, 1}}, kAcross[2][2] = {{-1, 1}, {1, 1}};
-    for (int32_t k = 0; k < nz; ++k) {
-        run.report(static_cast<double>(k) / nz);
-        for (int32_t j = 0; j < ny; ++j) {
-            const int64_t row = grid.index(0, j, k);
-            const auto add_beside = [&](const int32_t(&by)[2], int64_t reach) {
-                if (j + by[0] < 0 || j + by[0] >= ny || k + by[1] >= nz)
-                    return;
-                for (int64_t step = -reach; step <= reach; ++step)
-                    add_rows(components, row, grid.index(0, j + by[0], k + by[1]), nx, step, seen);
-            };
-            add_rows(components, row, row, nx, 1, seen);
-            for (size_t i = 0; i < 2; ++i) {
-                add_beside(kBeside[i], 1);
-                add_beside(kAcross[i], 0);
-            }
-        }
-    }
-    return seen.take();
+    constexpr int64_t kPlanesAtOnce = 4;
+    Array<uint8_t> touch(pairs.size(), 0);
+    parallel_for(run, grid.dims[2], kPlanesAtOnce, [&](int64_t begin, int64_t end) {
+        Seen seen(pairs, touch);
+        for (auto k = static_cast<int32_t>(begin); k < end; ++k)
+            for (int32_t j = 0; j < grid.dims[1]; ++j)
+                add_neighbours_of_row(grid, components, j, k, seen);
+    });
+    return touch;
 }
 
 }  // namespace cleft
