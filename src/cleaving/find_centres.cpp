@@ -1,9 +1,11 @@
 // Making the tables of centres: sample the vertices, list the cut edges, then the simplices above them.
 #include "cleaving/find_centres.hpp"
 
-#include "base/large_pages.hpp"
-#include "base/parallel.hpp"
+#include "base/collect.hpp"
+#include "base/counting_sort.hpp"
 #include "cleaving/split_tet.hpp"
+
+#include <numeric>
 
 namespace cleft
 {
@@ -12,9 +14,11 @@ namespace
 {
 
 // What a thread does at once.
-// Samples and cuts do not depend on one another, so these numbers change the time alone.
+// None of these depend on one another, so the numbers change the time alone.
 constexpr int64_t kVerticesSampled = 4096;
 constexpr int64_t kCutsPlaced = 512;
+constexpr int64_t kVerticesListed = 4096;
+constexpr int64_t kTetsListed = 1 << 14;
 
 struct SampledVertices {
     Array<MaterialSet> materials;
@@ -98,34 +102,27 @@ private:
         }
     }
 
-    // A counting sort by the lower end, then a sort of the few upper ends of each.
+    // By the lower end, then by the few upper ends of each.
     void list_edges()
     {
-        const size_t n = c_.points.size();
-        Array<int64_t> slot(n + 1, 0);
-        for (size_t t = 0; t < c_.tets.size(); ++t) {
-            run_.check_at(t);
-            for_each_cut(c_.tets[t], [&](size_t, int32_t lower, int32_t) { ++slot[int64_t{lower} + 1]; });
-        }
-        for (size_t v = 0; v < n; ++v)
-            slot[v + 1] += slot[v];
-        Array<int32_t> upper = large_array<int32_t>(slot[n]);
-        for (size_t t = 0; t < c_.tets.size(); ++t) {
-            run_.check_at(t);
-            for_each_cut(c_.tets[t], [&](size_t, int32_t lower, int32_t high) { upper[slot[lower]++] = high; });
-        }
-        // Each slot is now where the next one began.
-        first_edge_.resize(n + 1, 0);
-        int64_t begin = 0;
-        for (size_t v = 0; v < n; ++v) {
-            const auto from = upper.begin() + begin, to = upper.begin() + slot[v];
-            std::sort(from, to);
-            for (auto u = from; u != to; ++u)
-                if (u == from || *u != *(u - 1))
-                    c_.edges.push_back({static_cast<int32_t>(v), *u, 0.5, true});
-            begin = slot[v];
-            first_edge_[v + 1] = static_cast<int32_t>(c_.edges.size());
-        }
+        Groups<int64_t, int32_t> upper =
+            group_by_key<int64_t, int32_t>(run_, c_.tets.count(), c_.points.count(), [&](int64_t t, const auto& give) {
+                for_each_cut(c_.tets[t], [&](size_t, int32_t lower, int32_t high) { give(lower, high); });
+            });
+        first_edge_.resize(c_.points.size() + 1, 0);
+        c_.edges = collect<CutEdge>(run_, c_.points.count(), kVerticesListed,
+                                    [&](int64_t begin, int64_t end, Array<CutEdge>& edges) {
+                                        for (int64_t v = begin; v < end; ++v) {
+                                            const auto from = upper.values.begin() + upper.start[v],
+                                                       to = upper.values.begin() + upper.start[v + 1];
+                                            std::sort(from, to);
+                                            const auto last = std::unique(from, to);
+                                            for (auto u = from; u != last; ++u)
+                                                edges.push_back({static_cast<int32_t>(v), *u, 0.5, true});
+                                            first_edge_[v + 1] = static_cast<int32_t>(last - from);
+                                        }
+                                    });
+        std::partial_sum(first_edge_.begin(), first_edge_.end(), first_edge_.begin());
     }
 
     // A search through the few edges of one vertex; a hash table of all edges would be larger and slower.
@@ -138,24 +135,37 @@ private:
         return e;
     }
 
+    // Counted first, so that each thread knows where its own go.
     void list_mixed()
     {
-        c_.mixed_of = large_array(c_.tets.size(), -1);
-        reserve_large(c_.mixed, std::count_if(c_.tets.begin(), c_.tets.end(),
-                                              [&](const Tet& t) { return !has_one_material(t); }));
-        for (size_t t = 0; t < c_.tets.size(); ++t) {
-            run_.check_at(t);
-            MixedTet m{static_cast<int32_t>(t), {-1, -1, -1, -1, -1, -1}, {-1, -1, -1, -1}};
-            bool has_cut = false;
-            for_each_cut(c_.tets[t], [&](size_t e, int32_t lower, int32_t upper) {
-                m.edges[e] = edge_between(lower, upper);
-                has_cut = true;
-            });
-            if (has_cut) {
-                c_.mixed_of[t] = static_cast<int32_t>(c_.mixed.size());
-                c_.mixed.push_back(m);
+        const int64_t tets = c_.tets.count();
+        Array<int64_t> first(chunk_count(tets, kTetsListed));
+        parallel_chunks(run_, tets, kTetsListed, [&](int64_t chunk, int64_t begin, int64_t end) {
+            first[chunk] = std::count_if(c_.tets.begin() + begin, c_.tets.begin() + end,
+                                         [&](const Tet& t) { return !has_one_material(t); });
+        });
+        int64_t all = 0;
+        for (int64_t& of_chunk : first)
+            all += std::exchange(of_chunk, all);
+        c_.mixed_of = large_array<int32_t>(c_.tets.size());
+        c_.mixed = large_array<MixedTet>(all);
+        parallel_chunks(run_, tets, kTetsListed, [&](int64_t chunk, int64_t begin, int64_t end) {
+            auto next = static_cast<int32_t>(first[chunk]);
+            for (int64_t t = begin; t < end; ++t) {
+                const bool is_mixed = !has_one_material(c_.tets[t]);
+                c_.mixed_of[t] = is_mixed ? next : -1;
+                if (is_mixed)
+                    c_.mixed[next++] = mixed_tet(static_cast<int32_t>(t));
             }
-        }
+        });
+    }
+
+    MixedTet mixed_tet(int32_t t) const
+    {
+        MixedTet m{t, {-1, -1, -1, -1, -1, -1}, {-1, -1, -1, -1}};
+        for_each_cut(c_.tets[t],
+                     [&](size_t e, int32_t lower, int32_t upper) { m.edges[e] = edge_between(lower, upper); });
+        return m;
     }
 
     // A face is listed by the first of its two tetrahedra. The second one finds it in the chain of the faces that have

@@ -1,9 +1,11 @@
 // Mends pinched interfaces one point at a time, by the change that does the least harm.
 #include "cleaving/mend.hpp"
 
+#include "base/parallel.hpp"
 #include "cleaving/change.hpp"
 
 #include <algorithm>
+#include <memory>
 
 namespace cleft
 {
@@ -182,13 +184,20 @@ private:
 Array<int32_t> find_pinched(const LabelledMesh& mesh, const PointStars& stars, const Array<int32_t>& points,
                             const Run& run)
 {
-    Link link(mesh.points.size());
+    // A worker needs a table of all points: 32 pieces of work bound how many can have one.
+    const int64_t grain = std::max<int64_t>(512, points.count() / 32);
+    Array<std::unique_ptr<Link>> links(worker_count(run));  // by worker; made when it begins
+    Array<uint8_t> is_pinched(points.size());
+    parallel_chunks_by_worker(run, points.count(), grain, [&](int worker, int64_t, int64_t begin, int64_t end) {
+        if (!links[worker])
+            links[worker] = std::make_unique<Link>(mesh.points.size());
+        for (int64_t i = begin; i < end; ++i)
+            is_pinched[i] = count_defects(*links[worker], mesh, stars, points[i]) > 0;
+    });
     Array<int32_t> pinched;
-    for (size_t i = 0; i < points.size(); ++i) {
-        run.check_at(i, 4096);
-        if (count_defects(link, mesh, stars, points[i]) > 0)
+    for (size_t i = 0; i < points.size(); ++i)
+        if (is_pinched[i])
             pinched.push_back(points[i]);
-    }
     return pinched;
 }
 

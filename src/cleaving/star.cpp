@@ -1,7 +1,7 @@
 // Collects the star of a vertex, measures it, and saves and restores what a trial changes.
 #include "cleaving/star.hpp"
 
-#include "base/large_pages.hpp"
+#include "base/counting_sort.hpp"
 #include "cleaving/split_tet.hpp"
 #include "mesh/quality.hpp"
 
@@ -22,27 +22,20 @@ int64_t place_in(const Tet& corners, int32_t v)
 
 }  // namespace
 
-VertexTets::VertexTets(const Centres& c, const Run& run) : first_(large_array(c.points.size() + 1, int64_t{0}))
+VertexTets::VertexTets(const Centres& c, const Run& run)
 {
     // Only these vertices are ever visited. They are a small part, so the lists take little memory.
     Array<uint8_t> is_at_cut(c.points.size(), 0);
     for (const CutEdge& e : c.edges)
         is_at_cut[e.lower] = is_at_cut[e.upper] = 1;
-    for (size_t t = 0; t < c.tets.size(); ++t) {
-        run.check_at(t);
-        for (const int32_t v : c.tets[t])
-            first_[int64_t{v} + 1] += is_at_cut[v];
-    }
-    for (size_t v = 0; v + 1 < first_.size(); ++v)
-        first_[v + 1] += first_[v];
-    tets_ = large_array<int32_t>(first_.back());
-    Array<int64_t> next(first_.begin(), first_.end() - 1);
-    for (size_t t = 0; t < c.tets.size(); ++t) {
-        run.check_at(t);
-        for (const int32_t v : c.tets[t])
-            if (is_at_cut[v])
-                tets_[next[v]++] = static_cast<int32_t>(t);
-    }
+    Groups<int64_t, int32_t> tets =
+        group_by_key<int64_t, int32_t>(run, c.tets.count(), c.points.count(), [&](int64_t t, const auto& give) {
+            for (const int32_t v : c.tets[t])
+                if (is_at_cut[v])
+                    give(v, static_cast<int32_t>(t));
+        });
+    first_ = std::move(tets.start);
+    tets_ = std::move(tets.values);
 }
 
 void CutStar::gather(int32_t v)

@@ -52,6 +52,7 @@ bool fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, cons
     find_heights(mesh, volume, without_tie, triangles, of_heights);
     const Run of_volumes = stage.next();
     Array<FitPoint> points = find_points(mesh, without_tie, triangles);
+    const TrianglesAt at = triangles_at(triangles, points, of_volumes);
     const Array<SharedArea> shared = find_shared_areas(triangles);
     VolumeCorrector corrector(mesh, floor);
     VolumeDeficits deficits(mesh, volume, of_volumes);
@@ -64,8 +65,8 @@ bool fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, cons
             deficits.widen();
         // Exact fields say where the surface is. Only voxels give a volume to compare with.
         if (volume.is_label_map())
-            add_offsets(mesh, deficits, volume.grid().spacing, round == 0, shared, triangles);
-        held = corrector.apply(find_residuals(mesh, triangles, points), points, deficits, of_volumes);
+            add_offsets(mesh, deficits, volume.grid().spacing, round == 0, shared, triangles, of_volumes);
+        held = corrector.apply(find_residuals(mesh, triangles, at, points, of_volumes), points, deficits, of_volumes);
     }
     run.note("fitting.held", static_cast<double>(held));
     return !deficits.is_any_far_off();

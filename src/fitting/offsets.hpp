@@ -15,6 +15,6 @@ Array<SharedArea> find_shared_areas(const Array<InterfaceTriangle>& triangles);
 // Adds to the offsets of the triangles what the labels miss. The first round counts the heights as applied; later, what
 // has not been applied will hardly be.
 void add_offsets(const LocalMesh& mesh, const VolumeDeficits& deficits, const Vec3& spacing, bool first,
-                 Array<SharedArea> shared, Array<InterfaceTriangle>& triangles);
+                 Array<SharedArea> shared, Array<InterfaceTriangle>& triangles, const Run& run);
 
 }  // namespace cleft

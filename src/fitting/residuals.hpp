@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/array.hpp"
+#include "base/counting_sort.hpp"
 #include "fitting/interface_triangles.hpp"
 
 namespace cleft
@@ -27,7 +28,11 @@ struct Residual {
 Array<FitPoint> find_points(const LocalMesh& mesh, const Array<int32_t>& without_tie,
                             Array<InterfaceTriangle>& triangles);
 
-Array<Residual> find_residuals(const LocalMesh& mesh, const Array<InterfaceTriangle>& triangles,
-                               const Array<FitPoint>& points);
+// By point: its triangles, in their order.
+using TrianglesAt = Groups<int64_t, int32_t>;
+TrianglesAt triangles_at(const Array<InterfaceTriangle>& triangles, const Array<FitPoint>& points, const Run& run);
+
+Array<Residual> find_residuals(const LocalMesh& mesh, const Array<InterfaceTriangle>& triangles, const TrianglesAt& at,
+                               const Array<FitPoint>& points, const Run& run);
 
 }  // namespace cleft

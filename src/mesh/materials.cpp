@@ -136,9 +136,14 @@ Array<double> material_volumes(const Array<Vec3>& points, const Array<Tet>& tets
             for (int64_t i = begin; i < end; ++i)
                 of_tet[i] = tets[first + i][0] >= 0 ? tet_volume(points, tets[first + i]) : 0;
         });
-        // By one thread, in the order of the tetrahedra.
-        for (int64_t i = 0; i < held; ++i)
-            volumes[material[first + i]] += of_tet[i];
+        // By one thread, in the order of the tetrahedra. Mostly one follows another of the same material.
+        for (int64_t i = 0; i < held;) {
+            const Material m = material[first + i];
+            double sum = volumes[m];
+            for (; i < held && material[first + i] == m; ++i)
+                sum += of_tet[i];
+            volumes[m] = sum;
+        }
     }
     return volumes;
 }
