@@ -19,6 +19,7 @@ struct Search {
 };
 
 struct SearchCounts {
+    int64_t tried = 0;  // tetrahedra, each time that one was
     int64_t moved = 0, edges_removed = 0, faces_removed = 0, contracted = 0, split = 0, compound = 0;
 };
 

@@ -40,10 +40,12 @@ LocalMesh best_of_tries(const Volume& volume, const Cleaved& cleaved, const Pipe
     Steps steps(run, shares);
     Try best = try_with(volume, cleaved, options.improve, steps.next());
     int tries = 1;
+    int64_t tried = best.left.tried;
     for (const double margin : kHigherAims) {
         // A cleaved mesh is made anew for each try instead of being copied: most runs need no other try, and memory is
         // scarcest here.
-        if (best.left.tets == 0 || best.left.tets > kFew || best.mesh.slot_count() > kMostTets)
+        if (best.left.tets == 0 || best.left.tets > kFew || best.mesh.slot_count() > kMostTets ||
+            tried > most_tried(best.mesh))
             break;
         ++tries;
         ImproveOptions higher = options.improve;
@@ -54,6 +56,7 @@ LocalMesh best_of_tries(const Volume& volume, const Cleaved& cleaved, const Pipe
         quiet.on_warning = nullptr;
         quiet.metrics = &noted;
         Try other = try_with(volume, cleaved, higher, quiet);
+        tried += other.left.tried;
         // On equal terms the earlier try stays.
         if (other.left.least <= best.left.least)
             continue;

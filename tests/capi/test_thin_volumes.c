@@ -186,6 +186,30 @@ static void a_search_that_ends_badly_is_tried_again(void** state)
                     1);
 }
 
+/* Without snapping, pieces of tetrahedra are thin everywhere, and no search makes them good. */
+static void a_search_for_what_is_out_of_reach_ends(void** state)
+{
+    static box checkers = {{8, 8, 8}, {1, 1, 1}, {0}};
+    (void)state;
+    cleft_context* context = NULL;
+    cleft_options* options = NULL;
+    assert_int_equal(cleft_context_create(&context), CLEFT_OK);
+    assert_int_equal(cleft_options_create(&options), CLEFT_OK);
+    for (int v = 0; v < voxel_count(&checkers); ++v)
+        checkers.voxels[v] = (uint8_t)((v + v / 8 + v / 64) % 2);
+    cleft_volume* volume = volume_of(context, &checkers);
+    assert_int_equal(cleft_options_set_integer(options, CLEFT_OPTION_SNAP, CLEFT_SNAP_NONE), CLEFT_OK);
+    assert_int_equal(cleft_options_set_integer(options, CLEFT_OPTION_IMPROVE, CLEFT_IMPROVE_BEST), CLEFT_OK);
+    cleft_mesh* mesh = NULL;
+    assert_int_equal(cleft_mesh_volume(context, volume, NULL, NULL, options, &mesh), CLEFT_OK);
+    assert_true(metric(context, "improving.tets_missed") > 0.1 * (double)cleft_mesh_tet_count(mesh));
+    assert_true(metric(context, "improving.tried") < 1.5 * (double)cleft_mesh_tet_count(mesh));
+    cleft_mesh_destroy(mesh);
+    cleft_options_destroy(options);
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
 static void beyond_it_a_warning_tells_of_missed_angles(void** state)
 {
     static box b;
@@ -294,6 +318,7 @@ int main(void)
         cmocka_unit_test(thin_volumes_keep_the_angles_up_to_a_ratio_of_six),
         cmocka_unit_test(an_empty_plate_of_any_thickness_has_good_angles),
         cmocka_unit_test(a_search_that_ends_badly_is_tried_again),
+        cmocka_unit_test(a_search_for_what_is_out_of_reach_ends),
         cmocka_unit_test(beyond_it_a_warning_tells_of_missed_angles),
         cmocka_unit_test(one_voxel_shells_keep_their_volume),
         cmocka_unit_test(gaps_of_a_voxel_between_many_sheets_stay_open),
