@@ -42,7 +42,7 @@ public:
             counts.resize(keys + 1);
             for_items(run, begin, end, visit, [&](int64_t key, const Value&) { ++counts[key + 1]; });
         });
-        Array<Value> values = large_array<Value>(find_places(run, keys));
+        Array<Value> values = array_with_room<Value>(find_places(run, keys));
         parallel_chunks(run, items, grain, [&](int64_t part, int64_t begin, int64_t end) {
             Array<Number>& places = places_[part];
             for_items(run, begin, end, visit,

@@ -30,4 +30,32 @@ Array<T> large_array(Integer count, const T& value = T())
     return array;
 }
 
+// How many more items of so many local operations are expected to add. Memory that is reserved and not used costs
+// nothing.
+inline size_t room_beside(size_t count) { return count / 8; }
+
+// Makes room for `more` items at the end. A vector would double, and not stay in large pages: of a mesh that local
+// operations change a little, half of the memory would be for nothing.
+template <class T>
+void make_room(Array<T>& array, size_t more = 1)
+{
+    const size_t wanted = array.size() + more;
+    if (wanted <= array.capacity())
+        return;
+    Array<T> larger;
+    reserve_large(larger, wanted + room_beside(wanted));
+    larger.assign(array.begin(), array.end());
+    array.swap(larger);
+}
+
+// large_array() of so many, which may grow by some in its place.
+template <class T, class Integer>
+Array<T> array_with_room(Integer count, const T& value = T())
+{
+    Array<T> array;
+    reserve_large(array, to_size(count) + room_beside(to_size(count)));
+    array.assign(count, value);
+    return array;
+}
+
 }  // namespace cleft

@@ -180,8 +180,9 @@ LabelledMesh assemble(const Centres& c, const Run& run)
     note_points(numbering, run);
     LabelledMesh mesh;
     mesh.points = std::move(numbering.points);
-    mesh.tets = large_array<Tet>(plan.tets);
-    mesh.material = large_array<Material>(mesh.tets.size());
+    // Improving adds some.
+    mesh.tets = array_with_room<Tet>(plan.tets);
+    mesh.material = array_with_room<Material>(mesh.tets.size());
     parallel_chunks(run, c.tets.count(), kTetsWritten, [&](int64_t chunk, int64_t begin, int64_t end) {
         TetWriter writer(c, numbering, mesh);
         int64_t out = plan.begin[chunk];

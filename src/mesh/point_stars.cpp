@@ -47,7 +47,7 @@ void PointStars::fill(const Array<Tet>& tets, size_t point_count, const Run& run
                 give(v, static_cast<int32_t>(t));
         });
     pool_ = std::move(stars.values);
-    lists_ = large_array<List>(point_count);
+    lists_ = array_with_room<List>(point_count);
     parallel_for(run, points, kPointsListed, [&](int64_t begin, int64_t end) {
         for (int64_t v = begin; v < end; ++v) {
             const auto size = static_cast<uint32_t>(stars.start[v + 1] - stars.start[v]);
@@ -65,6 +65,7 @@ void PointStars::add(int32_t v, int32_t t)
         // Growing by half makes the cost of an addition constant on average. The old place stays unused, which costs
         // little: local operations touch a small part of a mesh.
         list.capacity += std::max<uint32_t>(8, list.capacity / 2);
+        make_room(pool_, list.capacity);
         pool_.resize(end + list.capacity);
         std::copy_n(pool_.begin() + static_cast<std::ptrdiff_t>(list.begin), list.size,
                     pool_.begin() + static_cast<std::ptrdiff_t>(end));

@@ -1,7 +1,7 @@
 // Which tetrahedra are at each point, in lists that may change.
 #pragma once
 
-#include "base/array.hpp"
+#include "base/large_pages.hpp"
 #include "base/run.hpp"
 #include "mesh/tet_mesh.hpp"
 
@@ -32,7 +32,11 @@ public:
     }
 
     // For a point with the next number, without tetrahedra.
-    void add_point() { lists_.push_back({pool_.size(), 0, 0}); }
+    void add_point()
+    {
+        make_room(lists_);
+        lists_.push_back({pool_.size(), 0, 0});
+    }
     // Either call ends the life of all ranges. `t` must not be in the list before add(), and must be before remove().
     void add(int32_t v, int32_t t);
     void remove(int32_t v, int32_t t);

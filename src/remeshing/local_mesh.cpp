@@ -42,7 +42,7 @@ LocalMesh::LocalMesh(Array<Vec3> points, Array<Tet> tets, Array<Material> materi
       tets_(std::move(tets)),
       materials_(std::move(material)),
       stars_(tets_, points_.size(), run),
-      quality_(large_array(tets_.size(), kUnknown))
+      quality_(array_with_room(tets_.size(), kUnknown))
 {
     CLEFT_ASSERT(materials_.empty() || materials_.size() == tets_.size());
     freeze_hull(run);
@@ -133,7 +133,9 @@ void LocalMesh::move(int32_t v, const Vec3& to)
 int32_t LocalMesh::add_point(const Vec3& x, uint8_t frozen)
 {
     CLEFT_ASSERT(x.allFinite());
+    make_room(points_);
     points_.push_back(x);
+    make_room(frozen_);
     frozen_.push_back(frozen);
     stars_.add_point();
     return point_count() - 1;
@@ -171,10 +173,14 @@ int32_t LocalMesh::take_slot()
         free_slots_.pop_back();
         return t;
     }
+    make_room(tets_);
     tets_.emplace_back();
+    make_room(quality_);
     quality_.push_back(kUnknown);
-    if (!materials_.empty())
+    if (!materials_.empty()) {
+        make_room(materials_);
         materials_.push_back(0);
+    }
     return slot_count() - 1;
 }
 

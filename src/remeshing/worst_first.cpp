@@ -20,9 +20,9 @@ void WorstFirst::collect_all(const LocalMesh& mesh, double target, const Run& ru
 {
     threads_.threads = run.threads;
     next_.clear();
-    tried_.assign(mesh.slot_count(), kNotListed);
+    tried_ = array_with_room(mesh.slot_count(), kNotListed);
     // Items start with `tried` 0, before this time, so each is worth a first try.
-    changed_.assign(mesh.point_count(), now_);
+    changed_ = array_with_room(mesh.point_count(), now_);
     mesh.find_qualities(run);
     list_ = collect<Item>(run, mesh.slot_count(), kTetsAtOnce, [&](int64_t begin, int64_t end, Array<Item>& list) {
         for (auto t = static_cast<int32_t>(begin); t < end; ++t)
@@ -59,8 +59,10 @@ void WorstFirst::collect_next(const LocalMesh& mesh, double target)
 // Of several times the last one counts.
 void WorstFirst::list_next(int32_t t, uint32_t tried)
 {
-    if (t >= tried_.count())
+    if (t >= tried_.count()) {
+        make_room(tried_, to_size(t + 1 - tried_.count()));
         tried_.resize(t + 1, kNotListed);
+    }
     if (tried_[t] == kNotListed)
         next_.push_back(t);
     if (tried_[t] == kNotListed || tried_[t] < tried)
@@ -88,6 +90,7 @@ bool WorstFirst::worth_trying(const LocalMesh& mesh, size_t i, double target) co
 void WorstFirst::changed(const LocalMesh& mesh, const Array<int32_t>& tets)
 {
     ++now_;
+    make_room(changed_, to_size(mesh.point_count() - changed_.count()));
     changed_.resize(mesh.point_count(), now_);
     for (const int32_t t : tets) {
         for (const int32_t v : mesh.tet(t))

@@ -95,12 +95,32 @@ void a_failed_assertion_ends_the_process(void**)
     assert_false(is_ended_by([&] { a[2] = 1; }));
 }
 
+// Values stay, and most additions find room where the array is.
+void arrays_grow_by_a_part(void**)
+{
+    constexpr int kItems = 1 << 21, kMore = kItems / 10;
+    Array<int> a = array_with_room(kItems, 3);
+    const int* const place = a.data();
+    for (int i = 0; i < kMore; ++i) {
+        make_room(a);
+        a.push_back(i);
+    }
+    assert_true(a.data() == place);
+    make_room(a, kItems);
+    assert_true(a.capacity() < 3 * kItems);
+    a.resize(2 * kItems + kMore, 4);
+    assert_int_equal(a[kItems - 1], 3);
+    assert_int_equal(a[kItems + 5], 5);
+    assert_int_equal(a[kItems + kMore], 4);
+}
+
 }  // namespace
 
 int main()
 {
     const CMUnitTest tests[] = {
         cmocka_unit_test(any_integer_is_an_index),
+        cmocka_unit_test(arrays_grow_by_a_part),
         cmocka_unit_test(arrays_and_vectors_move_into_each_other),
         cmocka_unit_test(fixed_arrays_are_plain_values),
         cmocka_unit_test(a_failed_assertion_ends_the_process),
