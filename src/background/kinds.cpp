@@ -61,7 +61,7 @@ static_assert(has_row_for_each_kind(), "the table needs a row for each Backgroun
 // The share of the voxels that are in kept materials.
 double kept_share_of_voxels(const Volume& volume, const KeptMaterials& kept)
 {
-    const Array<int64_t> voxels = volume.voxel_counts();
+    const Array<int64_t>& voxels = volume.voxel_counts();
     double in_kept = 0;
     for (size_t m = 0; m < voxels.size(); ++m)
         in_kept += kept.has(static_cast<Material>(m)) ? static_cast<double>(voxels[m]) : 0;

@@ -1,13 +1,13 @@
 // Numbering along a Hilbert curve.
 #include "mesh/order.hpp"
 
-#include "base/large_pages.hpp"
-#include "base/parallel.hpp"
+#include "base/collect.hpp"
+#include "base/counting_sort.hpp"
+#include "base/shared_access.hpp"
 #include "base/stage.hpp"
 #include "mesh/curve_order.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace cleft
 {
@@ -18,18 +18,19 @@ namespace
 // Items that a thread takes at a time. None of them affects another, so this number changes the time alone.
 constexpr int64_t kItemsOrdered = 8192;
 
-Array<int32_t> used_points(const LabelledMesh& mesh)
+Array<int32_t> used_points(const LabelledMesh& mesh, const Run& run)
 {
     Array<char> used(mesh.points.size(), 0);
-    for (const Tet& tet : mesh.tets)
-        for (const int32_t p : tet)
-            used[p] = 1;
-    Array<int32_t> points;
-    points.reserve(mesh.points.size());
-    for (size_t p = 0; p < mesh.points.size(); ++p)
-        if (used[p])
-            points.push_back(static_cast<int32_t>(p));
-    return points;
+    parallel_for(run, mesh.tets.count(), kItemsOrdered, [&](int64_t begin, int64_t end) {
+        for (int64_t t = begin; t < end; ++t)
+            for (const int32_t p : mesh.tets[t])
+                store_shared(used[p], char{1});
+    });
+    return collect<int32_t>(run, mesh.points.count(), kItemsOrdered, [&](int64_t begin, int64_t end, auto& points) {
+        for (int64_t p = begin; p < end; ++p)
+            if (used[p])
+                points.push_back(static_cast<int32_t>(p));
+    });
 }
 
 // The even permutation that puts the least corner first and the next one second.
@@ -48,34 +49,35 @@ Tet least_corners_first(Tet t)
     return t;
 }
 
+// The tetrahedra of each point, by their corners.
+void sort_each(const Array<Tet>& tets, const Array<uint32_t>& start, Array<int32_t>& order, const Run& run)
+{
+    const auto less = [&](int32_t a, int32_t b) { return tets[a] < tets[b]; };
+    parallel_for(run, start.count() - 1, kItemsOrdered, [&](int64_t begin, int64_t end) {
+        for (int64_t p = begin; p < end; ++p)
+            std::sort(order.begin() + start[p], order.begin() + start[p + 1], less);
+    });
+}
+
 // Points of a curve are near each other, so the order of the corners is a spatial order of tetrahedra too.
 void order_tets(LabelledMesh& mesh, const Run& run)
 {
     CLEFT_ASSERT(mesh.material.size() == mesh.tets.size());
-    // A counting sort by the first corner first, so that threads can sort the few tetrahedra of each point on their
-    // own.
-    Array<uint32_t> start(mesh.points.size() + 1, 0);
-    for (const Tet& tet : mesh.tets)
-        ++start[int64_t{tet[0]} + 1];
-    std::partial_sum(start.begin(), start.end(), start.begin());
-    Array<int32_t> order(mesh.tets.size());
-    {
-        Array<uint32_t> next(start.begin(), start.end() - 1);
-        for (size_t t = 0; t < mesh.tets.size(); ++t)
-            order[next[mesh.tets[t][0]]++] = static_cast<int32_t>(t);
-    }
-    const auto less = [&](int32_t a, int32_t b) { return mesh.tets[a] < mesh.tets[b]; };
-    parallel_for(run, mesh.points.count(), kItemsOrdered, [&](int64_t begin, int64_t end) {
-        for (int64_t p = begin; p < end; ++p)
-            std::sort(order.begin() + start[p], order.begin() + start[p + 1], less);
-    });
+    // By the first corner first, so that threads can sort the few tetrahedra of each point on their own.
+    auto [start, order] = group_by_key<uint32_t, int32_t>(
+        run, mesh.tets.count(), mesh.points.count(),
+        [&](int64_t t, const auto& give) { give(mesh.tets[t][0], static_cast<int32_t>(t)); });
+    sort_each(mesh.tets, start, order, run);
 
     Array<Tet> tets = large_array<Tet>(mesh.tets.size());
     Array<Material> material = large_array<Material>(mesh.material.size());
-    for (size_t t = 0; t < order.size(); ++t) {
-        tets[t] = mesh.tets[order[t]];
-        material[t] = mesh.material[order[t]];
-    }
+    const Array<int32_t>& from = order;
+    parallel_for(run, from.count(), kItemsOrdered, [&](int64_t begin, int64_t end) {
+        for (int64_t t = begin; t < end; ++t) {
+            tets[t] = mesh.tets[from[t]];
+            material[t] = mesh.material[from[t]];
+        }
+    });
     mesh.tets.swap(tets);
     mesh.material.swap(material);
 }
@@ -85,15 +87,17 @@ void order_tets(LabelledMesh& mesh, const Run& run)
 void order_spatially(LabelledMesh& mesh, const Run& run)
 {
     Steps steps(run, {{"ordering", 4}, {nullptr, 2}, {nullptr, 4}});
-    Array<int32_t> order = used_points(mesh);
-    order_along_curve(mesh.points, order, steps.next());
+    const Run of_points = steps.next();
+    Array<int32_t> order = used_points(mesh, of_points);
+    order_along_curve(mesh.points, order, of_points);
     Array<int32_t> new_number(mesh.points.size(), -1);
-    Array<Vec3> points;
-    reserve_large(points, order.size());
-    for (const int32_t p : order) {
-        new_number[p] = static_cast<int32_t>(points.size());
-        points.push_back(mesh.points[p]);
-    }
+    Array<Vec3> points = large_array<Vec3>(order.size(), Vec3::Zero());
+    parallel_for(of_points, order.count(), kItemsOrdered, [&](int64_t begin, int64_t end) {
+        for (int64_t i = begin; i < end; ++i) {
+            new_number[order[i]] = static_cast<int32_t>(i);
+            points[i] = mesh.points[order[i]];
+        }
+    });
     mesh.points.swap(points);
     parallel_for(steps.next(), mesh.tets.count(), kItemsOrdered, [&](int64_t begin, int64_t end) {
         for (int64_t t = begin; t < end; ++t) {

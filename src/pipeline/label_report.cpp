@@ -106,7 +106,7 @@ Array<LabelContact> new_contacts(const Volume& volume, const VoxelComponents& co
 // Labels, voxels and volumes; the counts of tetrahedra and pieces are not in them yet.
 Array<LabelRow> rows_of_labels(const Volume& volume, const LabelledMesh& mesh, const Run& run)
 {
-    const Array<int64_t> voxels = volume.voxel_counts();
+    const Array<int64_t>& voxels = volume.voxel_counts();
     const Array<double> volumes = material_volumes(mesh, volume.material_count(), run);
     Array<LabelRow> rows(volume.material_count());
     for (size_t m = 0; m < rows.size(); ++m) {

@@ -43,7 +43,7 @@ bool fills_box(const Volume& volume, const Array<double>& volumes)
 // Those that differ too much, the greatest difference first.
 Array<Difference> differences(const Volume& volume, const Array<double>& volumes, const KeptMaterials& kept)
 {
-    const Array<int64_t> voxels = volume.voxel_counts();
+    const Array<int64_t>& voxels = volume.voxel_counts();
     Array<Difference> all;
     for (size_t m = 0; m < voxels.size(); ++m) {
         if (voxels[m] < kLeastVoxels || !kept.has(static_cast<Material>(m)))

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <new>
 #include <numeric>
 #include <string>
@@ -26,6 +27,9 @@ namespace cleft
 struct Volume::Data {
     std::variant<LabelMap<uint8_t>, LabelMap<uint16_t>, IndicatorField> field;
     Array<UserLabel> labels;
+    // Several steps ask for them, each of which would pass over all voxels.
+    std::once_flag are_counted;
+    Array<int64_t> counts;
 };
 
 namespace
@@ -266,9 +270,12 @@ void Volume::voxel_materials(int64_t first, int64_t count, Material* out) const
         data_->field);
 }
 
-Array<int64_t> Volume::voxel_counts() const
+const Array<int64_t>& Volume::voxel_counts() const
 {
-    return std::visit([&](const auto& field) { return counts_of(field, labels().size()); }, data_->field);
+    std::call_once(data_->are_counted, [&] {
+        data_->counts = std::visit([&](const auto& field) { return counts_of(field, labels().size()); }, data_->field);
+    });
+    return data_->counts;
 }
 
 Material Volume::material_at(const Vec3& x) const

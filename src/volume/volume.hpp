@@ -84,8 +84,8 @@ public:
     Material voxel_material(int64_t voxel) const;
     // Those of the voxels first .. first + count - 1.
     void voxel_materials(int64_t first, int64_t count, Material* out) const;
-    // Number of voxels of each material.
-    Array<int64_t> voxel_counts() const;
+    // Number of voxels of each material. Counted when asked for first, by one of the threads that ask.
+    const Array<int64_t>& voxel_counts() const;
 
     // The material of the greatest indicator, as Samples::best() has it.
     Material material_at(const Vec3& x) const;
