@@ -249,7 +249,8 @@ SizingField compute_sizing(const Labelling& labelling, const SizingOptions& opti
     Sources from{labelling, options, {}};
     const Run of_features = stage.next();
     if (options.size <= 0 || options.interface_size > 0)
-        from.features = local_feature_sizes(labelling, of_features);
+        // No feature asks for more than the greatest size.
+        from.features = local_feature_sizes(labelling, limits.greatest / options.feature_scale, of_features);
     note_features(from.features, run);
     if (options.size > 0)  // only the places are wanted
         std::fill(from.features.size.begin(), from.features.size.end(), std::numeric_limits<float>::infinity());

@@ -15,10 +15,10 @@ namespace cleft
 struct FeatureSizes {
     Array<int32_t> voxel;
     Array<float> size;
-    int64_t medial_voxels = 0;
+    int64_t medial_voxels = 0;  // of those that were looked at: far ones matter to no interface
 };
 
-// In world units. Empty if all voxels are of one material.
-FeatureSizes local_feature_sizes(const Labelling& labelling, const Run& run);
+// In world units. Empty if all voxels are of one material. A size above `most` may be any other above it.
+FeatureSizes local_feature_sizes(const Labelling& labelling, double most, const Run& run);
 
 }  // namespace cleft

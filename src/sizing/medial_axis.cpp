@@ -2,6 +2,8 @@
 // distance transform from them (section 3, Sizing Field).
 #include "sizing/medial_axis.hpp"
 
+#include <cmath>
+
 namespace cleft
 {
 namespace
@@ -50,18 +52,25 @@ double equidistant_part(const Vec3& x, int axis, double length, const Vec3& p, c
 class MedialSearch
 {
 public:
-    MedialSearch(const Grid& grid, const InterfacePoints& points, const Array<int32_t>& nearest)
-        : grid_(grid), coordinates_(grid), points_(points), nearest_(nearest), stride_(grid.strides())
+    MedialSearch(const Grid& grid, const InterfacePoints& points, const NearestSites& nearest)
+        : grid_(grid),
+          coordinates_(grid),
+          points_(points),
+          nearest_(nearest.site),
+          within_(nearest.certain_beside(grid)),
+          stride_(grid.strides())
     {
     }
 
     void row(int32_t j, int32_t k, RowWindow& window, uint8_t* medial) const
     {
+        const int64_t start = grid_.index(0, j, k);
+        if (!has_differing(j, k))
+            return;
         // The rows that hold the next voxel along each axis.
         const Material* own = window.row(j, k);
         const FixedArray<const Material*, 3> next{own + 1, window.row(j + 1, k), window.row(j, k + 1)};
         const int across = (j + 1 < grid_.dims[1]) << 1 | (k + 1 < grid_.dims[2]) << 2;
-        const int64_t start = grid_.index(0, j, k);
         for (int32_t i = 0; i < grid_.dims[0]; ++i) {
             const int32_t* site = nearest_.data() + start + i;
             const int axes = across | (i + 1 < grid_.dims[0]);
@@ -69,7 +78,7 @@ public:
             for (int a = 0; a < 3; ++a)
                 if ((axes >> a & 1) && next[a][i] == own[i] && site[0] != site[stride_[a]])
                     differ |= 1 << a;
-            if (differ == 0)
+            if (differ == 0 || !is_within({i, j, k}, site[0]))
                 continue;
             // A crossing is known to a part of a step, a deepest voxel only to half a voxel: the crossing goes first.
             crossing({i, j, k}, site, differ, medial[i]);
@@ -79,6 +88,30 @@ public:
     }
 
 private:
+    // Whether some voxel of a row has another site than the next one along an axis.
+    bool has_differing(int32_t j, int32_t k) const
+    {
+        const int32_t n = grid_.dims[0];
+        const int32_t* own = nearest_.data() + grid_.index(0, j, k);
+        const int32_t* beside = j + 1 < grid_.dims[1] ? own + stride_[1] : own;
+        const int32_t* above = k + 1 < grid_.dims[2] ? own + stride_[2] : own;
+        int32_t differ = 0;
+        for (int32_t i = 0; i + 1 < n; ++i)
+            differ |= (own[i] ^ own[i + 1]) | (own[i] ^ beside[i]) | (own[i] ^ above[i]);
+        return (differ | (own[n - 1] ^ beside[n - 1]) | (own[n - 1] ^ above[n - 1])) != 0;
+    }
+
+    // Whether the nearest sites of a voxel and of all around it are known.
+    bool is_within(const FixedArray<int32_t, 3>& at, int32_t site) const
+    {
+        if (site < 0)
+            return false;
+        if (!std::isfinite(within_))
+            return true;
+        const auto other = coordinates_.of(site);
+        return (centre(at) - centre(other)).squaredNorm() <= within_ * within_;
+    }
+
     Vec3 centre(const FixedArray<int32_t, 3>& at) const { return grid_.centre(at[0], at[1], at[2]); }
 
     Vec3 point(int32_t site) const
@@ -205,12 +238,13 @@ private:
     VoxelCoordinates coordinates_;
     const InterfacePoints& points_;
     const Array<int32_t>& nearest_;
+    double within_;
     FixedArray<int64_t, 3> stride_;
 };
 
 }  // namespace
 
-void add_medial_places(const Labelling& labelling, const InterfacePoints& points, const Array<int32_t>& nearest,
+void add_medial_places(const Labelling& labelling, const InterfacePoints& points, const NearestSites& nearest,
                        Array<uint8_t>& medial, const Run& run)
 {
     const Grid& grid = labelling.grid;

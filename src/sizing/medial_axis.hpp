@@ -42,9 +42,19 @@ inline Vec3 medial_offset(uint8_t held, const Vec3& spacing)
     return offset;
 }
 
+// A feature transform and its reach.
+struct NearestSites {
+    Array<int32_t> site;
+    double reach;
+
+    // A voxel whose site is within this distance has neighbours, over faces, edges and corners, whose sites are known
+    // and exact. The share is more than the rounding of distances.
+    double certain_beside(const Grid& grid) const { return reach - 1.01 * grid.spacing.norm(); }
+};
+
 // Adds the places between neighbouring voxels whose nearest interface points differ, and the deepest voxels: `nearest`
-// is the feature transform of the interface voxels.
-void add_medial_places(const Labelling& labelling, const InterfacePoints& points, const Array<int32_t>& nearest,
+// is the feature transform of the interface voxels. Only those of voxels that have certain neighbours.
+void add_medial_places(const Labelling& labelling, const InterfacePoints& points, const NearestSites& nearest,
                        Array<uint8_t>& medial, const Run& run);
 
 }  // namespace cleft

@@ -14,7 +14,7 @@ FeatureSizes features_of(const Labels& labels, int threads = 1)
 {
     Run run;
     run.threads = threads;
-    return local_feature_sizes(labels.labelling(), run);
+    return local_feature_sizes(labels.labelling(), INFINITY, run);
 }
 
 // The size below which a share of the interface lies, for the interface voxels that `counts` picks.
@@ -190,12 +190,32 @@ void does_not_depend_on_threads(void**)
     }
 }
 
+// The part of a volume that is looked at holds all that matters: near parts, and others far from them.
+void up_to_the_greatest_are_the_same(void**)
+{
+    const Grid grid = grid_of(90, 80, 70, {1, 1.2, 0.7});
+    const Labels labels = labels_from(grid, [](const Vec3& x) {
+        return (x - Vec3(12, 12, 10)).norm() < 5   ? 1
+               : (x - Vec3(60, 60, 30)).norm() < 9 ? 2
+               : (x - Vec3(80, 12, 40)).norm() < 3 ? 3
+                                                   : 0;
+    });
+    const FeatureSizes all = features_of(labels);
+    for (const double most : {2.0, 6.0, 12.0, 30.0}) {
+        const FeatureSizes some = local_feature_sizes(labels.labelling(), most, Run());
+        assert_true(some.voxel == all.voxel);
+        for (size_t n = 0; n < all.size.size(); ++n)
+            assert_true(some.size[n] == all.size[n] || std::min(some.size[n], all.size[n]) > most);
+    }
+}
+
 }  // namespace
 
 int main()
 {
     const CMUnitTest tests[] = {
         cmocka_unit_test(of_a_ball_is_its_radius),
+        cmocka_unit_test(up_to_the_greatest_are_the_same),
         cmocka_unit_test(of_small_balls_is_never_missed),
         cmocka_unit_test(scales_with_the_spacing),
         cmocka_unit_test(of_a_ball_in_long_voxels),

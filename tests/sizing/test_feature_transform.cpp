@@ -23,7 +23,7 @@ Array<int32_t> transformed(const Grid& grid, Array<int32_t> sites, int threads)
 {
     Run run;
     run.threads = threads;
-    feature_transform(grid, sites, run);
+    feature_transform(grid, INFINITY, sites, run);
     return sites;
 }
 
@@ -109,14 +109,34 @@ void coordinates_match_numbers(void**)
     }
 }
 
+void finds_the_same_sites_within_a_reach(void**)
+{
+    for (const Grid& grid : {grid_of(40, 37, 33), grid_of(40, 37, 20, {0.5, 0.7, 3}), grid_of(50, 1, 70)})
+        for (const double share : {0.02, 0.0005})
+            for (const double reach : {0.4, 2.0, 5.3, 20.0, 100.0}) {
+                const Array<int32_t> sites = random_sites(grid, share, 7);
+                const Array<int32_t> all = transformed(grid, sites, 1);
+                Array<int32_t> near = sites;
+                Run run;
+                run.threads = 2;
+                feature_transform(grid, reach, near, run);
+                for (int32_t v = 0; v < near.count(); ++v) {
+                    const double distance =
+                        all[v] < 0 ? INFINITY : (centre_of(grid, v) - centre_of(grid, all[v])).norm();
+                    // At the very reach, rounding decides.
+                    if (std::abs(distance - reach) > 1e-9 * reach)
+                        assert_int_equal(near[v], distance < reach ? all[v] : -1);
+                }
+            }
+}
+
 }  // namespace
 
 int main()
 {
     const CMUnitTest tests[] = {
-        cmocka_unit_test(finds_the_nearest_site),
-        cmocka_unit_test(does_not_depend_on_threads),
-        cmocka_unit_test(without_sites_finds_none),
+        cmocka_unit_test(finds_the_nearest_site),    cmocka_unit_test(does_not_depend_on_threads),
+        cmocka_unit_test(without_sites_finds_none),  cmocka_unit_test(finds_the_same_sites_within_a_reach),
         cmocka_unit_test(coordinates_match_numbers),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
