@@ -26,9 +26,9 @@ using Triangulation = CGAL::Mesh_triangulation_3<Domain, CGAL::Default, CGAL::Pa
 using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 
-constexpr double kSliverBound = 10;  // degrees: what CGAL's manual suggests for perturbing and exuding
+constexpr double kSliverBound = 10;  // degrees, as in the example of optimization in CGAL's manual
 constexpr double kFacetAngle = 30;   // degrees: the greatest for which refinement is known to end
-constexpr double kRadiusEdge = 3;    // as in the manual's examples with labels; near 2 refinement need not end
+constexpr double kRadiusEdge = 3;    // as in the manual's examples with labels; below 2 refinement need not end
 
 struct Arguments {
     std::string file;

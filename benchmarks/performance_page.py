@@ -26,6 +26,11 @@ def cost(run):
     return run["cpu_seconds"] / run["tets"]
 
 
+def memory(run):
+    """Bytes of a tetrahedron."""
+    return run["peak_bytes"] / run["tets"]
+
+
 def times(number):
     return "%.2f" % number
 
@@ -42,15 +47,14 @@ def side_by_side(volume, threads):
         for count in sorted({1, threads}):
             run = runs.get(key(program, count))
             if run:
-                one = runs[key(program, 1)]
                 yield [
                     volume["name"],
                     program,
                     str(count),
                     times(cost(run) / cost(first)),
                     times((run["seconds"] / run["tets"]) / (first["seconds"] / first["tets"])),
-                    times(one["seconds"] / run["seconds"]),
-                    times((run["peak_bytes"] / run["tets"]) / (first["peak_bytes"] / first["tets"])),
+                    times(speed_up(runs, program, count)),
+                    times(memory(run) / memory(first)),
                     "%.1f" % run["min_dihedral"],
                     "{:,}".format(run["tets"]),
                     "%.1f" % run["seconds"],
@@ -201,6 +205,37 @@ def numbers_of_growth(data):
     return table(["program", *sides], rows)
 
 
+def speed_up(runs, program, threads):
+    return runs[key(program, 1)]["seconds"] / runs[key(program, threads)]["seconds"]
+
+
+def summary_text(data):
+    """The ratios that say most, of the largest volume."""
+    volume, threads = data["volumes"][-1], data["threads"]
+    runs = volume["runs"]
+    first = runs[key("particles", 1)]
+    said = []
+    if key(programs.REFINE, 1) in runs:
+        refined, optimised = (runs[key(program, 1)] for program in PROGRAMS[3:])
+        said.append(
+            "A tetrahedron of CGAL takes %.2f times the CPU time of one of `particles` after refining, and %.2f times "
+            "after perturbing and exuding. It takes %.1f times the memory."
+            % (cost(refined) / cost(first), cost(optimised) / cost(first), memory(optimised) / memory(first))
+        )
+    octree, lattice = (cost(runs[key(background, 1)]) / cost(first) for background in BACKGROUNDS[1:])
+    tetgen = delaunay_of(runs["particles, TetGen, 1"])["cpu_seconds"]
+    ups = ["%.2f (%s)" % (speed_up(runs, name, threads), name) for name in PROGRAMS if key(name, 1) in runs]
+    said += [
+        "One of `octree` takes %.2f times the CPU time of one of `particles`, and one of `lattice` %.2f times."
+        % (octree, lattice),
+        "Cleft's Delaunay tetrahedra take %.2f times the CPU time of TetGen's."
+        % (delaunay_of(first)["cpu_seconds"] / tetgen),
+        "The speed-up by all %d cores is %s." % (threads, ", ".join(ups)),
+    ]
+    head = "In %s, and on one thread unless said otherwise:\n\n" % volume["name"]
+    return head + "".join(textwrap.fill("- " + text, 120, subsequent_indent="  ") + "\n" for text in said)
+
+
 def delay(data):
     """How much longer the runs on one thread took than their CPU time: the middle one of all."""
     every = [volume["runs"] for volume in data["volumes"]] + list(data["growth"].values())
@@ -222,6 +257,7 @@ def machine_text(data):
 
 
 PARTS = {
+    "summary": summary_text,
     "machine": machine_text,
     "programs": programs_table,
     "delaunay": delaunay_table,
