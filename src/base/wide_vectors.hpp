@@ -9,3 +9,17 @@
 #else
 #define CLEFT_WIDE_VECTORS
 #endif
+
+// What such a function calls has to be part of it: a call would lead to code for the narrow vectors.
+#if defined(__GNUC__)
+#define CLEFT_ALWAYS_INLINE inline __attribute__((always_inline))
+#else
+#define CLEFT_ALWAYS_INLINE inline
+#endif
+
+// Two pointers that do not overlap.
+#if defined(_MSC_VER)
+#define CLEFT_RESTRICT __restrict
+#else
+#define CLEFT_RESTRICT __restrict__
+#endif

@@ -6,16 +6,12 @@
 
 #include "base/stage.hpp"
 #include "base/wide_vectors.hpp"
+#include "sizing/chamfer_scan.hpp"
+#include "sizing/raster_scan.hpp"
 #include "sizing/wavefront.hpp"
 
 #include <cmath>
 #include <limits>
-
-#if defined(_MSC_VER)
-#define CLEFT_RESTRICT __restrict
-#else
-#define CLEFT_RESTRICT __restrict__
-#endif
 
 namespace cleft
 {
@@ -23,16 +19,6 @@ namespace
 {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-// The direction of a scan along each axis; scanned coordinates count up from 0 in that direction.
-struct Scan {
-    FixedArray<int32_t, 3> sign;
-
-    int32_t at(int axis, int32_t step, const Grid& grid) const
-    {
-        return sign[axis] > 0 ? step : grid.dims[axis] - 1 - step;
-    }
-};
 
 // The cones that the voxels of a row carry: apex (in voxels) and the value there. One unused voxel at either end.
 struct ConeRow {
@@ -55,8 +41,8 @@ struct ConeRow {
 class ConeScan
 {
 public:
-    ConeScan(const Grid& grid, double gradation, Array<float>& value, Array<int32_t>& apex, const Scan& scan)
-        : grid_(grid), value_(value), apex_(apex), scan_(scan), coordinates_(grid)
+    ConeScan(const Grid& grid, double gradation, Array<float>& value, Array<int32_t>& apex, const RasterScan& scan)
+        : grid_(grid), value_(value), apex_(apex), scan_(scan)
     {
         // Lengths in units of the greatest spacing: their squares stay within the range of float.
         const double unit = grid.spacing.maxCoeff();
@@ -98,14 +84,13 @@ private:
     const Grid& grid_;
     Array<float>& value_;  // at the apex
     Array<int32_t>& apex_;
-    Scan scan_;
-    VoxelCoordinates coordinates_;
+    RasterScan scan_;
     FixedArray<float, 3> spacing_{};
     float slope_ = 0;
     Array<Scratch> scratch_;  // by plane, of those under way
 };
 
-void ConeScan::load(int32_t j, int32_t k, ConeRow& out) const
+CLEFT_WIDE_VECTORS void ConeScan::load(int32_t j, int32_t k, ConeRow& out) const
 {
     const int64_t start = grid_.index(0, j, k);
     const int32_t n = grid_.dims[0];
@@ -115,11 +100,16 @@ void ConeScan::load(int32_t j, int32_t k, ConeRow& out) const
     float* CLEFT_RESTRICT x = out.x.data() + 1;
     float* CLEFT_RESTRICT y = out.y.data() + 1;
     float* CLEFT_RESTRICT z = out.z.data() + 1;
+    // As VoxelCoordinates, but with numbers of 32 bits alone: the loop is to be vectorized.
+    const int32_t per_row = n, per_plane = n * grid_.dims[1];
+    const double rows = 1.0 / per_row, planes = 1.0 / per_plane;
     for (int32_t i = 0; i < n; ++i) {
-        const auto at = coordinates_.of(apex[i]);
-        x[i] = static_cast<float>(at[0]);
-        y[i] = static_cast<float>(at[1]);
-        z[i] = static_cast<float>(at[2]);
+        const auto plane = static_cast<int32_t>((apex[i] + 0.5) * planes);
+        const int32_t in_plane = apex[i] - plane * per_plane;
+        const auto row = static_cast<int32_t>((in_plane + 0.5) * rows);
+        x[i] = static_cast<float>(in_plane - row * per_row);
+        y[i] = static_cast<float>(row);
+        z[i] = static_cast<float>(plane);
     }
 }
 
@@ -265,64 +255,6 @@ void ConeScan::finish(const Run& run)
     });
 }
 
-// One scan of the chamfer transform: h(x) <= h(y) + gradation |x - y| for the neighbours y that the scan has passed.
-class ChamferScan
-{
-public:
-    ChamferScan(const Grid& grid, double gradation, Array<float>& h, const Scan& scan) : grid_(grid), h_(h), scan_(scan)
-    {
-        for (int dk = 0; dk < 2; ++dk)
-            for (int dj = 0; dj < 2; ++dj)
-                for (int di = 0; di < 2; ++di) {
-                    const double length = Vec3(di, dj, dk).cwiseProduct(grid.spacing).norm();
-                    step_[4 * dk + 2 * dj + di] = static_cast<float>(gradation * length);
-                }
-    }
-
-    void row(int32_t plane, int32_t row)
-    {
-        const int32_t n = grid_.dims[0];
-        float* h = at(plane, row);
-        for (int32_t d = -1; d <= 1; ++d)
-            if (plane > 0 && row + d >= 0 && row + d < grid_.dims[1])
-                from_row(at(plane - 1, row + d), d == 0 ? 4 : 6, h);
-        if (row > 0)
-            from_row(at(plane, row - 1), 2, h);
-        for (int32_t t = 1; t < n; ++t) {
-            const int32_t i = scan_.at(0, t, grid_);
-            h[i] = std::min(h[i], h[i - scan_.sign[0]] + step_[1]);
-        }
-    }
-
-private:
-    float* at(int32_t plane, int32_t row)
-    {
-        return h_.data() + grid_.index(0, scan_.at(1, row, grid_), scan_.at(2, plane, grid_));
-    }
-
-    CLEFT_WIDE_VECTORS void from_row(const float* CLEFT_RESTRICT other, int offset, float* CLEFT_RESTRICT h) const
-    {
-        const int32_t n = grid_.dims[0];
-        const float straight = step_[offset], aslant = step_[offset + 1];
-        if (n == 1) {
-            h[0] = std::min(h[0], other[0] + straight);
-            return;
-        }
-        h[0] = std::min(h[0], std::min(other[0] + straight, other[1] + aslant));
-        for (int32_t i = 1; i + 1 < n; ++i) {
-            const float side = std::min(other[i - 1], other[i + 1]) + aslant;
-            const float here = std::min(other[i] + straight, side);
-            h[i] = here < h[i] ? here : h[i];
-        }
-        h[n - 1] = std::min(h[n - 1], std::min(other[n - 1] + straight, other[n - 2] + aslant));
-    }
-
-    const Grid& grid_;
-    Array<float>& h_;
-    Scan scan_;
-    FixedArray<float, 8> step_{};  // by 4 dk + 2 dj + di
-};
-
 }  // namespace
 
 void limit_gradient(const Grid& grid, double gradation, Array<float>& h, const Run& run)
@@ -330,18 +262,18 @@ void limit_gradient(const Grid& grid, double gradation, Array<float>& h, const R
     CLEFT_ASSERT(h.count() == grid.size() && gradation > 0);
     // Two opposite scans pass every neighbour once. Two more along another diagonal reach most voxels that these leave
     // with a worse cone.
-    constexpr std::array<Scan, 4> kScans{{{{1, 1, 1}}, {{-1, -1, -1}}, {{1, -1, 1}}, {{-1, 1, -1}}}};
+    constexpr std::array<RasterScan, 4> kScans{{{{1, 1, 1}}, {{-1, -1, -1}}, {{1, -1, 1}}, {{-1, 1, -1}}}};
     Steps steps(run, Array<Step>(kScans.size() + 3, {"sizing: gradation", 1}));
     Array<int32_t> apex(h.size());
     for (size_t v = 0; v < apex.size(); ++v)
         apex[v] = static_cast<int32_t>(v);
-    for (const Scan& scan : kScans) {
+    for (const RasterScan& scan : kScans) {
         ConeScan cones(grid, gradation, h, apex, scan);
         wavefront(steps.next(), grid.dims[2], grid.dims[1], [&](int32_t plane, int32_t row) { cones.row(plane, row); });
     }
     ConeScan(grid, gradation, h, apex, kScans[0]).finish(steps.next());
     // For plain distances two opposite scans are exact, since their steps add up along any path.
-    for (const Scan& scan : {kScans[0], kScans[1]}) {
+    for (const RasterScan& scan : {kScans[0], kScans[1]}) {
         ChamferScan chamfer(grid, gradation, h, scan);
         wavefront(steps.next(), grid.dims[2], grid.dims[1],
                   [&](int32_t plane, int32_t row) { chamfer.row(plane, row); });
