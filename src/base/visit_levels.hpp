@@ -14,19 +14,17 @@ class VisitLevels
 public:
     explicit VisitLevels(int64_t places) : level_of_place_(places, 0) {}
 
-    // The next visit in the order, which may change what is at `changed`, and look at what is at `seen` and what is at
-    // `changed`. Where one visit changes what another sees, the other must see what the one changes as well, as
-    // neighbours do: a visit then waits for all that changed what it sees, and none changes what an earlier one has yet
-    // to see. `least`: the level that it has at least.
-    template <class Seen, class Changed>
-    int32_t add(const Seen& seen, const Changed& changed, int32_t least = 0)
+    // The next visit in the order. Those that share a place come one after the other. `least`: the level that it has at
+    // least. Returns its level.
+    // Where visits change points and see the points next to these, tetrahedra are the places: those at the points that
+    // a visit changes. Two points are next to each other if they are in one tetrahedron.
+    template <class Places>
+    int32_t add(const Places& places, int32_t least = 0)
     {
         int32_t level = least;
-        for (const int32_t place : seen)
+        for (const int32_t place : places)
             level = std::max(level, level_of_place_[place]);
-        for (const int32_t place : changed)
-            level = std::max(level, level_of_place_[place]);
-        for (const int32_t place : changed)
+        for (const int32_t place : places)
             level_of_place_[place] = level + 1;
         level_.push_back(level);
         return level;
@@ -66,7 +64,7 @@ private:
     }
 
     Array<int32_t> level_;           // by visit
-    Array<int32_t> level_of_place_;  // after all that changed it so far; 0: none did
+    Array<int32_t> level_of_place_;  // above those of all visits to it so far
 };
 
 }  // namespace cleft

@@ -32,22 +32,17 @@ Array<uint8_t> last_of_their_material(const SnapState& state, const Array<int32_
     return is_last;
 }
 
-// A visit sees the vertices next to its own, and changes what is at its own.
+// A visit changes what is at its vertex, and sees the vertices next to it.
 VisitLevels levels_of(const SnapState& state, const Array<int32_t>& order, const Run& run)
 {
     const Array<uint8_t> is_last = last_of_their_material(state, order);
     Array<int32_t> level_of_material(state.vertices_of.size(), 0);
-    VisitLevels levels(state.c.points.count());
-    Array<int32_t> seen;
+    VisitLevels levels(state.c.tets.count());
     for (size_t i = 0; i < order.size(); ++i) {
         run.check_at(i, 1 << 12);
         const int32_t v = order[i];
-        seen.clear();
-        for (const int32_t* tet = state.tets_of.begin(v); tet != state.tets_of.end(v); ++tet)
-            for (const int32_t w : state.c.corners(*tet))
-                seen.push_back(w);
         int32_t& of_material = level_of_material[state.c.materials_of(v)[0]];
-        const int32_t level = levels.add(seen, std::array<int32_t, 1>{v}, is_last[i] ? of_material : 0);
+        const int32_t level = levels.add(state.tets_of.at(v), is_last[i] ? of_material : 0);
         of_material = std::max(of_material, level + 1);
     }
     return levels;

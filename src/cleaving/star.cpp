@@ -46,10 +46,10 @@ void CutStar::gather(int32_t v)
     edges_.clear();
     const Vec3& x = c_.point(v);
     double shortest = std::numeric_limits<double>::infinity();
-    for (const int32_t* tet = tets_of_.begin(v); tet != tets_of_.end(v); ++tet) {
-        const Tet& corners = c_.corners(*tet);
-        const int32_t mixed = c_.mixed_of[*tet];
-        parts_.push_back({*tet, mixed});
+    for (const int32_t tet : tets_of_.at(v)) {
+        const Tet& corners = c_.corners(tet);
+        const int32_t mixed = c_.mixed_of[tet];
+        parts_.push_back({tet, mixed});
         for (size_t i = 0; i < 4; ++i) {
             const int32_t w = corners[i];
             if (w == v || seen_[w] == v)

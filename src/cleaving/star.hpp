@@ -13,8 +13,12 @@ class VertexTets
 public:
     VertexTets(const Centres& c, const Run& run);
 
-    const int32_t* begin(int32_t v) const { return tets_.data() + first_[v]; }
-    const int32_t* end(int32_t v) const { return tets_.data() + first_[int64_t{v} + 1]; }
+    struct Range {
+        const int32_t *first, *last;
+        const int32_t* begin() const { return first; }
+        const int32_t* end() const { return last; }
+    };
+    Range at(int32_t v) const { return {tets_.data() + first_[v], tets_.data() + first_[int64_t{v} + 1]}; }
 
 private:
     Array<int64_t> first_;
