@@ -54,7 +54,7 @@ bool fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, cons
     Array<FitPoint> points = find_points(mesh, without_tie, triangles);
     const TrianglesAt at = triangles_at(triangles, points, of_volumes);
     const Array<SharedArea> shared = find_shared_areas(triangles);
-    VolumeCorrector corrector(mesh, floor);
+    VolumeCorrector corrector(mesh, floor, points, of_volumes);
     VolumeDeficits deficits(mesh, volume, of_volumes);
     int64_t held = 0;  // in the last round
     for (int round = 0; round < kMostRounds; ++round) {

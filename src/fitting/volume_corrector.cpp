@@ -41,55 +41,98 @@ FitMove move_of(const Residual& residual, uint8_t frozen)
     return move;
 }
 
+// A move changes the tetrahedra at its point, and looks at no others.
+VisitLevels levels_of(const LocalMesh& mesh, const Array<FitPoint>& points, const Run& run)
+{
+    VisitLevels levels(mesh.slot_count());
+    for (size_t i = 0; i < points.size(); ++i) {
+        run.check_at(i, 1 << 12);
+        levels.add(mesh.star(points[i].number));
+    }
+    return levels;
+}
+
 }  // namespace
+
+VolumeCorrector::VolumeCorrector(LocalMesh& mesh, double floor, const Array<FitPoint>& points, const Run& run)
+    : mesh_(mesh), floor_(floor), levels_(levels_of(mesh, points, run))
+{
+}
 
 int64_t VolumeCorrector::apply(const Array<Residual>& residuals, Array<FitPoint>& points, VolumeDeficits& deficits,
                                const Run& run)
 {
     CLEFT_ASSERT(residuals.size() == points.size());
+    // In a fixed order: each move changes the shapes that limit the next.
+    Array<Scratch> scratch(worker_count(run));
+    levels_.visit_all(
+        run, [&](int worker, int32_t i) { visit(i, residuals[i], points[i], !deficits.empty(), scratch[worker]); });
+    Array<Gain> gains;
     int64_t held = 0;
-    // One after the other in a fixed order: each move changes the shapes that limit the next.
-    for (size_t i = 0; i < points.size(); ++i) {
-        run.check_at(i, 1 << 12);
-        if (points[i].is_fixed)
-            continue;
-        const int32_t v = points[i].number;
-        const FitMove move = move_of(residuals[i], mesh_.frozen(v));
-        if (move.shift.isZero(0))
-            continue;
-        const Applied applied = place_for(v, move);
-        if (applied.share > 0) {
-            if (!deficits.empty())
-                count_gains(applied.x - mesh_.point(v), deficits);
-            mesh_.move(v, applied.x);
-            points[i].moved += applied.share * move.shift;
-        } else
-            ++held;
+    for (const Scratch& one : scratch) {
+        gains.insert(gains.end(), one.gains.begin(), one.gains.end());
+        held += one.held;
     }
+    // Sums depend on their order.
+    std::sort(gains.begin(), gains.end(), [](const Gain& a, const Gain& b) {
+        return a.point != b.point ? a.point < b.point : a.material < b.material;
+    });
+    for (const Gain& gain : gains)
+        deficits.gain(gain.material, gain.volume);
     return held;
 }
 
-// star_ has the star of the point.
-void VolumeCorrector::count_gains(const Vec3& shift, VolumeDeficits& deficits) const
+void VolumeCorrector::visit(int32_t i, const Residual& residual, FitPoint& point, bool with_gains, Scratch& scratch)
 {
-    for (size_t i = 0; i < star_.tets().size(); ++i)
-        deficits.gain(mesh_.material(star_.tets()[i]), star_.volume_change(i, shift));
+    if (point.is_fixed)
+        return;
+    const int32_t v = point.number;
+    const FitMove move = move_of(residual, mesh_.frozen(v));
+    if (move.shift.isZero(0))
+        return;
+    const Applied applied = place_for(v, move, scratch);
+    if (!(applied.share > 0)) {
+        ++scratch.held;
+        return;
+    }
+    if (with_gains)
+        count_gains(i, applied.x - mesh_.point(v), scratch);
+    mesh_.move(v, applied.x);
+    point.moved += applied.share * move.shift;
+}
+
+// The star that is loaded is that of the point.
+void VolumeCorrector::count_gains(int32_t i, const Vec3& shift, Scratch& scratch) const
+{
+    Array<Gain>& gains = scratch.gains;
+    const int64_t first = gains.count();
+    for (size_t k = 0; k < scratch.star.tets().size(); ++k) {
+        const Material material = mesh_.material(scratch.star.tets()[k]);
+        const double volume = scratch.star.volume_change(k, shift);
+        const auto found =
+            std::find_if(gains.begin() + first, gains.end(), [&](const Gain& g) { return g.material == material; });
+        if (found != gains.end())
+            found->volume += volume;
+        else
+            gains.push_back({i, material, volume});
+    }
 }
 
 // All of the move, or a half, a quarter ...; where the place itself is bad, there may be a good one beside it along the
 // interface.
-VolumeCorrector::Applied VolumeCorrector::place_for(int32_t v, const FitMove& move)
+VolumeCorrector::Applied VolumeCorrector::place_for(int32_t v, const FitMove& move, Scratch& scratch) const
 {
-    star_.load(mesh_, v);
+    TetStar& star = scratch.star;
+    star.load(mesh_, v);
     const Vec3 from = mesh_.point(v);
     // Straight moves are tried first, since climbing takes many times as long.
-    if (star_.worst_at(from + move.shift, floor_) > floor_)
+    if (star.worst_at(from + move.shift, floor_) > floor_)
         return {from + move.shift, 1};
-    const double least = std::min(floor_, star_.worst_at(from, -1));
+    const double least = std::min(floor_, star.worst_at(from, -1));
     for (double share = 1; least > 0 && share > kLeastApplied; share *= 0.5) {
-        if (share < 1 && star_.worst_at(from + share * move.shift, least) > least)
+        if (share < 1 && star.worst_at(from + share * move.shift, least) > least)
             return {from + share * move.shift, share};
-        const Place place = smoother_.climb(star_, from + share * move.shift, least, move.along, {});
+        const Place place = scratch.smoother.climb(star, from + share * move.shift, least, move.along, {});
         if (place.worst >= least)
             return {place.x, share};
     }

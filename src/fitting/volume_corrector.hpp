@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/array.hpp"
+#include "base/visit_levels.hpp"
 #include "fitting/residuals.hpp"
 #include "fitting/volume_deficits.hpp"
 #include "remeshing/smoothing.hpp"
@@ -18,7 +19,8 @@ struct FitMove {
 class VolumeCorrector
 {
 public:
-    VolumeCorrector(LocalMesh& mesh, double floor) : mesh_(mesh), floor_(floor) {}
+    // The points are those that all calls of apply() are about, since fitting changes no connections.
+    VolumeCorrector(LocalMesh& mesh, double floor, const Array<FitPoint>& points, const Run& run);
 
     // Moves points one after the other, as far as the shapes around allow. Returns the number that could not move.
     // What materials gain is taken off their deficits, if there are any.
@@ -30,14 +32,28 @@ private:
         Vec3 x;
         double share;
     };
+    // What a material gains by the move of a point.
+    struct Gain {
+        int32_t point;
+        Material material;
+        double volume;
+    };
 
-    Applied place_for(int32_t v, const FitMove& move);
-    void count_gains(const Vec3& shift, VolumeDeficits& deficits) const;
+    // What one thread needs.
+    struct Scratch {
+        TetStar star;
+        Smoother smoother;
+        Array<Gain> gains;
+        int64_t held = 0;
+    };
+
+    void visit(int32_t i, const Residual& residual, FitPoint& point, bool with_gains, Scratch& scratch);
+    Applied place_for(int32_t v, const FitMove& move, Scratch& scratch) const;
+    void count_gains(int32_t i, const Vec3& shift, Scratch& scratch) const;
 
     LocalMesh& mesh_;
     const double floor_;
-    TetStar star_;
-    Smoother smoother_;
+    const VisitLevels levels_;
 };
 
 }  // namespace cleft
