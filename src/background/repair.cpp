@@ -6,6 +6,7 @@
 #include "mesh/adjacency.hpp"
 #include "remeshing/angle_notes.hpp"
 #include "remeshing/flips.hpp"
+#include "remeshing/point_visits.hpp"
 #include "remeshing/smoothing.hpp"
 #include "remeshing/worst_first.hpp"
 
@@ -59,7 +60,7 @@ private:
     bool flip(int32_t t);
     bool smooth_corners(int32_t t, double target);
     void smooth_poor(const Run& run);
-    void move_to_centroid(int32_t v, const Mat3& tangent);
+    void move_to_centroid(int32_t v, const Mat3& tangent, TetStar& star);
 
     const Run& run_;
     const RepairOptions& options_;
@@ -128,34 +129,36 @@ bool Repair::smooth_corners(int32_t t, double target)
 void Repair::smooth_poor(const Run& run)
 {
     const double good = sine_of(kGoodAngle);
-    run.for_each(mesh_.point_count(), [&](int64_t point) {
-        const auto v = static_cast<int32_t>(point);
+    mesh_.find_qualities(run);
+    Array<TetStar> stars(worker_count(run));
+    const auto is_poor = [&](int32_t v) {
         const auto star = mesh_.star(v);
-        if (std::all_of(star.begin(), star.end(), [&](int32_t t) { return mesh_.quality(t) >= good; }))
-            return;
+        return std::any_of(star.begin(), star.end(), [&](int32_t t) { return mesh_.quality(t) < good; });
+    };
+    PointVisits(mesh_, run).visit(is_poor, [&](int worker, int32_t v) {
         const Mat3 tangent = free_axes(mesh_.frozen(v));
         if (!tangent.isZero())
-            move_to_centroid(v, tangent);
+            move_to_centroid(v, tangent, stars[worker]);
     });
 }
 
 // The whole way or half of it, if that leaves nothing worse than the guard or the worst that was there.
-void Repair::move_to_centroid(int32_t v, const Mat3& tangent)
+void Repair::move_to_centroid(int32_t v, const Mat3& tangent, TetStar& star)
 {
-    star_.load(mesh_, v);
-    if (star_.empty())
+    star.load(mesh_, v);
+    if (star.empty())
         return;
     const Vec3 from = mesh_.point(v);
-    const Vec3 shift = tangent * (star_.centroid(from) - from);
+    const Vec3 shift = tangent * (star.centroid(from) - from);
     double floor = sine_of(kSweepAngle);
-    if (star_.worst_at(from + shift, floor) > floor) {
+    if (star.worst_at(from + shift, floor) > floor) {
         mesh_.move(v, from + shift);
         return;
     }
     // A star that is already worse than the guard may still get better, but never flat.
-    floor = std::max(std::min(floor, star_.worst_at(from, 0)), kLeastSine);
+    floor = std::max(std::min(floor, star.worst_at(from, 0)), kLeastSine);
     for (const double part : {1.0, 0.5})
-        if (star_.worst_at(from + part * shift, floor) > floor) {
+        if (star.worst_at(from + part * shift, floor) > floor) {
             mesh_.move(v, from + part * shift);
             return;
         }
