@@ -8,8 +8,8 @@
 namespace cleft
 {
 
-ConstrainedSmoother::ConstrainedSmoother(LocalMesh& mesh, const Volume& volume)
-    : mesh_(mesh), voxel_(volume.grid().spacing.minCoeff()), home_(mesh.points()), constraint_(volume)
+ConstrainedSmoother::ConstrainedSmoother(LocalMesh& mesh, const Volume& volume, Array<Vec3>& home)
+    : mesh_(mesh), voxel_(volume.grid().spacing.minCoeff()), home_(home), constraint_(volume)
 {
 }
 

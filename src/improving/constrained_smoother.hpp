@@ -11,7 +11,8 @@ namespace cleft
 class ConstrainedSmoother
 {
 public:
-    ConstrainedSmoother(LocalMesh& mesh, const Volume& volume);
+    // `home`: of each point, see TieConstraint.
+    ConstrainedSmoother(LocalMesh& mesh, const Volume& volume, Array<Vec3>& home);
 
     // Places of quality `target` (of angle_quality) are good enough. For `tolerance` see Search.
     void aim_at(double target, double tolerance);
@@ -36,8 +37,7 @@ private:
     // The least spacing: tolerances are in it, as it is what users see of the accuracy of a label map.
     const double voxel_;
     double target_ = 0, tolerance_ = 0;
-    // Kept from the start, so that points without a tie cannot wander off over many passes.
-    Array<Vec3> home_;  // of each point: where cleaving, or the split that made it, put it
+    Array<Vec3>& home_;
     TieConstraint constraint_;
     Smoother smoother_;
     TetStar star_;

@@ -1,6 +1,7 @@
 // Passes over the bad tetrahedra: cheap operations for all, expensive ones for the worst.
 #include "improving/improver.hpp"
 
+#include "improving/smooth_bad.hpp"
 #include "mesh/adjacency.hpp"
 #include "remeshing/edge_split.hpp"
 #include "remeshing/flips.hpp"
@@ -30,6 +31,11 @@ constexpr size_t kWideOneIn = 100000, kWideAtLeast = 5;
 constexpr double kStalled = 0.98;
 constexpr int kStalledPasses = 2;
 
+// So many bad tetrahedra are worth a start on all threads, which a search of one thread then takes up. In small meshes
+// the whole search takes less time than that saves, and goes a better way: one tetrahedron after the other is done
+// with.
+constexpr size_t kWorthThreads = 5000;
+
 // The tetrahedra at the corners of some, these included, ascending.
 void add_around(const LocalMesh& mesh, Array<int32_t>& tets)
 {
@@ -52,7 +58,12 @@ size_t attempts_in_pass(const Search& search, size_t tets)
 }  // namespace
 
 Improver::Improver(LocalMesh& mesh, const Volume& volume, double target, const Run& run)
-    : target_(target), mesh_(mesh), smoother_(mesh, volume), compound_(mesh, smoother_, bad_)
+    : target_(target),
+      mesh_(mesh),
+      volume_(volume),
+      home_(mesh.points()),
+      smoother_(mesh, volume, home_),
+      compound_(mesh, smoother_, bad_)
 {
     // Once for all tetrahedra, by several threads; the search itself runs on one.
     mesh_.find_qualities(run);
@@ -66,6 +77,8 @@ void Improver::work(const Search& search, const Run& run)
         bad_.collect_left(mesh_, target_);
     else
         bad_.collect_all(mesh_, target_, run);
+    if (!started_ && bad_.size() > kWorthThreads)
+        smooth_all(run);
     started_ = true;
     const size_t tets = to_size(mesh_.slot_count());
     const size_t many = tets / kThoroughOneIn + kThoroughAtLeast;
@@ -89,6 +102,24 @@ void Improver::work(const Search& search, const Run& run)
         const bool is_stalled = bad_.size() > many && double(bad_.size()) > kStalled * double(before);
         stalled = is_stalled ? stalled + 1 : 0;
     }
+}
+
+// Most bad tetrahedra need no more than better places for their corners. A second round over all helped few, and cost
+// more than it saved.
+void Improver::smooth_all(const Run& run)
+{
+    const Array<MovedCorners> moved = smooth_bad({mesh_, volume_, home_, target_, search_.tolerance}, bad_, run);
+    counts_.tried += static_cast<int64_t>(bad_.size());
+    for (size_t i = 0; i < bad_.size(); ++i) {
+        for (size_t corner = 0; corner < 4; ++corner)
+            if (moved[i] >> corner & 1u) {
+                ++counts_.moved;
+                const auto star = mesh_.star(mesh_.tet(bad_[i])[corner]);
+                bad_.changed(mesh_, Array<int32_t>(star.begin(), star.end()));
+            }
+        bad_.give_back(i, false);
+    }
+    bad_.collect_next(mesh_, target_);
 }
 
 void Improver::aim_higher(double target)

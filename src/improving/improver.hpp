@@ -25,6 +25,7 @@ public:
     const SearchCounts& counts() const { return counts_; }
 
 private:
+    void smooth_all(const Run& run);
     bool improve_tet(int32_t t);
     bool smooth_corners(int32_t t);
     bool change_connections(int32_t t);
@@ -32,6 +33,9 @@ private:
 
     double target_;
     LocalMesh& mesh_;
+    const Volume& volume_;
+    // Kept from the start, so that points without a tie cannot wander off over many passes.
+    Array<Vec3> home_;  // of each point: where cleaving, or the split that made it, put it
     ConstrainedSmoother smoother_;
     WorstFirst bad_;
     CompoundOperations compound_;
