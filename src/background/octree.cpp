@@ -12,6 +12,8 @@
 #include "background/octree.hpp"
 
 #include "background/octree_tree.hpp"
+#include "base/parallel.hpp"
+#include "base/sorted_set.hpp"
 #include "base/stage.hpp"
 
 #include <algorithm>
@@ -22,22 +24,26 @@ namespace cleft
 namespace
 {
 
+// Cells that a thread meshes at a time. The number changes the time alone.
+constexpr int64_t kCellsMeshed = 4096;
+
 // Corners live on the grid of half the deepest side, so that middles of sides are whole numbers too.
 class Points
 {
 public:
-    Points(const Octree& tree, const Vec3& extent) : tree_(tree), extent_(extent)
+    Points(const Octree& tree, const Vec3& extent, const Run& run) : tree_(tree), extent_(extent)
     {
         for (int axis = 0; axis < 3; ++axis)
             fine_[axis] = int64_t{tree.roots[axis]} << (tree.levels + 1);
-        for (const OctreeCell& cell : tree.cells)
-            if (cell.first_child < 0)
-                for (int c = 0; c < 8; ++c)
-                    keys_.push_back(key(corner(cell, c)));
         // A sorted list instead of a hash: the order of the points is that of their places, and a search needs no more
         // memory.
-        std::sort(keys_.begin(), keys_.end());
-        keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
+        const auto list = [&](int64_t begin, int64_t end, Array<uint64_t>& keys) {
+            for (int64_t i = begin; i < end; ++i)
+                if (tree.cells[i].first_child < 0)
+                    for (int c = 0; c < 8; ++c)
+                        keys.push_back(key(corner(tree.cells[i], c)));
+        };
+        keys_ = sorted_set<uint64_t>(run, tree.cells.count(), kCellsMeshed, list);
     }
 
     FixedArray<int64_t, 3> corner(const OctreeCell& cell, int c) const
@@ -108,11 +114,17 @@ struct Facet {
     FixedArray<int32_t, 4> middle{};  // middle[i] lies between corner[i] and corner[i + 1]
 };
 
+// What some leaves become. The corner ~i of a tetrahedron is the i-th of the hubs.
+struct Part {
+    Array<Tet> tets;
+    Array<Vec3> hubs;  // in the middle of faces at walls
+};
+
 class Mesher
 {
 public:
-    Mesher(const Octree& tree, const Points& points, const Array<int32_t>& centre, TetMesh& mesh)
-        : tree_(tree), points_(points), centre_(centre), mesh_points_(mesh.points), tets_(mesh.tets)
+    Mesher(const Octree& tree, const Points& points, const Array<int32_t>& centre, Part& part)
+        : tree_(tree), points_(points), centre_(centre), hubs_(part.hubs), tets_(part.tets)
     {
     }
 
@@ -213,8 +225,8 @@ private:
             tets_.push_back({own, f.corner[0], f.corner[2], f.corner[3]});
             return;
         }
-        const auto hub = static_cast<int32_t>(mesh_points_.size());
-        mesh_points_.push_back(wall_middle(f));
+        const auto hub = ~static_cast<int32_t>(hubs_.size());
+        hubs_.push_back(wall_middle(f));
         for (size_t c = 0; c < 4; ++c) {
             const int32_t a = f.corner[c], b = f.corner[(c + 1) % 4];
             if (f.middle[c] >= 0) {
@@ -236,22 +248,13 @@ private:
     const Octree& tree_;
     const Points& points_;
     const Array<int32_t>& centre_;
-    Array<Vec3>& mesh_points_;
+    Array<Vec3>& hubs_;
     Array<Tet>& tets_;
 };
 
-}  // namespace
-
-TetMesh octree_background(const SizingField& field, const Run& run)
+// By cell: the number of the point in the centre of a leaf, which goes to `mesh`.
+Array<int32_t> add_centres(const Octree& tree, const Points& points, TetMesh& mesh)
 {
-    Steps steps(run, {{nullptr, 1}, {"background: cells", 1}});
-    const Octree tree = build_octree(field, steps.next());
-    const Run of_cells = steps.next();
-    const Points points(tree, field.grid.extent());
-    if (!points.fits())
-        throw Error(CLEFT_ERROR_TOO_LARGE, "the sizing field spans too many octree levels for a box of this shape");
-    TetMesh mesh;
-    mesh.points = points.positions();
     Array<int32_t> centre(tree.cells.size(), -1);
     for (size_t c = 0; c < tree.cells.size(); ++c)
         if (tree.cells[c].first_child < 0) {
@@ -262,13 +265,49 @@ TetMesh octree_background(const SizingField& field, const Run& run)
             mesh.points.push_back(
                 points.position({(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2}));
         }
-    Mesher mesher(tree, points, centre, mesh);
-    for (size_t c = 0; c < tree.cells.size(); ++c) {
-        if (c % 4096 == 0)
-            of_cells.report(static_cast<double>(c) / static_cast<double>(tree.cells.size()));
-        if (tree.cells[c].first_child < 0)
-            mesher.mesh_leaf(static_cast<int32_t>(c));
+    return centre;
+}
+
+// Part after part, so that the number of threads does not show. Each part is freed at once.
+void add_parts(Array<Part>& parts, TetMesh& mesh)
+{
+    size_t tets = 0;
+    for (const Part& part : parts)
+        tets += part.tets.size();
+    mesh.tets.reserve(tets);
+    for (Part& part : parts) {
+        const auto first_hub = static_cast<int32_t>(mesh.points.size());
+        mesh.points.insert(mesh.points.end(), part.hubs.begin(), part.hubs.end());
+        for (Tet tet : part.tets) {
+            for (int32_t& v : tet)
+                v = v < 0 ? first_hub + ~v : v;
+            mesh.tets.push_back(tet);
+        }
+        part = Part();
     }
+}
+
+}  // namespace
+
+TetMesh octree_background(const SizingField& field, const Run& run)
+{
+    Steps steps(run, {{nullptr, 1}, {"background: cells", 1}});
+    const Octree tree = build_octree(field, steps.next());
+    const Run of_cells = steps.next();
+    const Points points(tree, field.grid.extent(), of_cells);
+    if (!points.fits())
+        throw Error(CLEFT_ERROR_TOO_LARGE, "the sizing field spans too many octree levels for a box of this shape");
+    TetMesh mesh;
+    mesh.points = points.positions();
+    const Array<int32_t> centre = add_centres(tree, points, mesh);
+    Array<Part> parts(chunk_count(tree.cells.count(), kCellsMeshed));
+    parallel_chunks(of_cells, tree.cells.count(), kCellsMeshed, [&](int64_t chunk, int64_t begin, int64_t end) {
+        Mesher mesher(tree, points, centre, parts[chunk]);
+        for (int64_t c = begin; c < end; ++c)
+            if (tree.cells[c].first_child < 0)
+                mesher.mesh_leaf(static_cast<int32_t>(c));
+    });
+    add_parts(parts, mesh);
     return mesh;
 }
 
