@@ -12,15 +12,22 @@ namespace cleft
 class VisitLevels
 {
 public:
-    explicit VisitLevels(int64_t places) : level_of_place_(places, 0) {}
+    VisitLevels(int64_t places, const Run& run)
+        : has_one_thread_(worker_count(run) == 1), level_of_place_(has_one_thread_ ? 0 : places, 0)
+    {
+    }
 
     // The next visit in the order. Those that share a place come one after the other. `least`: the level that it has at
-    // least. Returns its level.
+    // least. Returns its level. One thread keeps the order as it is, and all levels are 0.
     // Where visits change points and see the points next to these, tetrahedra are the places: those at the points that
     // a visit changes. Two points are next to each other if they are in one tetrahedron.
     template <class Places>
     int32_t add(const Places& places, int32_t least = 0)
     {
+        if (has_one_thread_) {
+            level_.push_back(0);
+            return 0;
+        }
         int32_t level = least;
         for (const int32_t place : places)
             level = std::max(level, level_of_place_[place]);
@@ -30,10 +37,16 @@ public:
         return level;
     }
 
-    // do_visit(worker, i) for all i, level by level.
+    // do_visit(worker, i) for all i, level by level. The run has as many threads as that of the constructor.
     template <class Visit>
     void visit_all(const Run& run, const Visit& do_visit) const
     {
+        CLEFT_ASSERT(has_one_thread_ == (worker_count(run) == 1));
+        if (has_one_thread_) {
+            const LoopTimer timer(run, level_.count());
+            run.for_each(level_.count(), [&](int64_t i) { do_visit(0, static_cast<int32_t>(i)); });
+            return;
+        }
         const Array<Array<int32_t>> levels = by_level();
         int64_t done = 0;
         for (const Array<int32_t>& level : levels) {
@@ -63,6 +76,7 @@ private:
         return levels;
     }
 
+    const bool has_one_thread_;
     Array<int32_t> level_;           // by visit
     Array<int32_t> level_of_place_;  // above those of all visits to it so far
 };

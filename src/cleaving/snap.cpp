@@ -37,7 +37,7 @@ VisitLevels levels_of(const SnapState& state, const Array<int32_t>& order, const
 {
     const Array<uint8_t> is_last = last_of_their_material(state, order);
     Array<int32_t> level_of_material(state.vertices_of.size(), 0);
-    VisitLevels levels(state.c.tets.count());
+    VisitLevels levels(state.c.tets.count(), run);
     for (size_t i = 0; i < order.size(); ++i) {
         run.check_at(i, 1 << 12);
         const int32_t v = order[i];

@@ -44,7 +44,7 @@ FitMove move_of(const Residual& residual, uint8_t frozen)
 // A move changes the tetrahedra at its point, and looks at no others.
 VisitLevels levels_of(const LocalMesh& mesh, const Array<FitPoint>& points, const Run& run)
 {
-    VisitLevels levels(mesh.slot_count());
+    VisitLevels levels(mesh.slot_count(), run);
     for (size_t i = 0; i < points.size(); ++i) {
         run.check_at(i, 1 << 12);
         levels.add(mesh.star(points[i].number));

@@ -14,7 +14,7 @@ namespace
 // Moving a corner changes the tetrahedra at it, which is all that the smoothing of a point next to it looks at.
 VisitLevels levels_of(const LocalMesh& mesh, const WorstFirst& bad, const Run& run)
 {
-    VisitLevels levels(mesh.slot_count());
+    VisitLevels levels(mesh.slot_count(), run);
     Array<int32_t> around;
     for (size_t i = 0; i < bad.size(); ++i) {
         run.check_at(i, 1 << 12);

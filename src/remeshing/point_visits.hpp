@@ -39,7 +39,7 @@ public:
                     if (place[v] == Place::at_border)
                         list.push_back(v);
             });
-        VisitLevels levels(mesh_.slot_count());
+        VisitLevels levels(mesh_.slot_count(), run_);
         for (const int32_t v : border)
             levels.add(mesh_.star(v));
         levels.visit_all(run_, [&](int worker, int32_t i) { do_visit(worker, border[i]); });
