@@ -165,12 +165,13 @@ void DelaunayKernel::find_cavity(const Seen& p, int32_t first)
     ++insertion_;
     const uint32_t outside = 2 * insertion_, inside = outside + 1;
     cells_[first].mark = inside;
-    make_room(4);
+    make_room(1);
     cavity_[0] = first;
     size_t in_cavity = 1, in_border = 0;
     for (size_t k = 0; k < in_cavity; ++k) {
+        // Four faces add four entries to either list at most. Doubling makes calls few.
         if (in_cavity + 4 > cavity_.size() || in_border + 4 > border_.size())
-            make_room(2 * (in_cavity + in_border));
+            make_room(2 * (in_cavity + in_border) + 4);
         const int32_t at = cavity_[k];
         const Cell& in = cells_[at];
         int32_t* const cavity = cavity_.data();
