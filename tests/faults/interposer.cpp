@@ -43,20 +43,42 @@ bool is_due()
 struct Range {
     uintptr_t begin, end;
 };
-constexpr int most_ranges = 64;
-Range ours[most_ranges];
-int range_count = 0;
+// Where code lies in memory.
+struct Ranges {
+    static constexpr int most = 64;
+    Range at[most];
+    int count;
+
+    void add(const dl_phdr_info& info)
+    {
+        for (int i = 0; i < info.dlpi_phnum && count < most; ++i)
+            if (info.dlpi_phdr[i].p_type == PT_LOAD && (info.dlpi_phdr[i].p_flags & PF_X)) {
+                const uintptr_t begin = info.dlpi_addr + info.dlpi_phdr[i].p_vaddr;
+                at[count++] = {begin, begin + info.dlpi_phdr[i].p_memsz};
+            }
+    }
+    bool has(const void* caller) const
+    {
+        const auto address = reinterpret_cast<uintptr_t>(caller);
+        for (int i = 0; i < count; ++i)
+            if (address >= at[i].begin && address < at[i].end)
+                return true;
+        return false;
+    }
+};
+Ranges ours;
+// The dynamic loader makes the thread-local memory of each new thread, and the C library keeps it with the stack for
+// the next one: how many there are depends on how many threads ran at once. So none of its blocks is called lost.
+Ranges loader;
 
 int note_ranges(dl_phdr_info* info, size_t, void*)
 {
     const char* slash = std::strrchr(info->dlpi_name, '/');
     const char* name = slash ? slash + 1 : info->dlpi_name;
-    const bool is_ours = std::strncmp(name, "libcleft", 8) == 0 || std::strncmp(name, "_native", 7) == 0;
-    for (int i = 0; is_ours && i < info->dlpi_phnum && range_count < most_ranges; ++i)
-        if (info->dlpi_phdr[i].p_type == PT_LOAD && (info->dlpi_phdr[i].p_flags & PF_X)) {
-            const uintptr_t begin = info->dlpi_addr + info->dlpi_phdr[i].p_vaddr;
-            ours[range_count++] = {begin, begin + info->dlpi_phdr[i].p_memsz};
-        }
+    if (std::strncmp(name, "libcleft", 8) == 0 || std::strncmp(name, "_native", 7) == 0)
+        ours.add(*info);
+    if (std::strncmp(name, "ld-linux", 8) == 0)
+        loader.add(*info);
     return 0;
 }
 
@@ -65,11 +87,7 @@ bool counts(const void* caller)
     const int32_t kind = armed.load(std::memory_order_relaxed);
     if (kind != FAULTS_ALLOCATIONS_OF_OURS)
         return kind == FAULTS_ALLOCATIONS;
-    const auto at = reinterpret_cast<uintptr_t>(caller);
-    for (int i = 0; i < range_count; ++i)
-        if (at >= ours[i].begin && at < ours[i].end)
-            return true;
-    return false;
+    return ours.has(caller);
 }
 
 // --------------------------------------------------------------------------------------------- live blocks --
@@ -101,7 +119,7 @@ size_t steps(size_t from, size_t to) { return (to + place_count - from) % place_
 
 void* noted(void* block, const void* caller)
 {
-    if (!block)
+    if (!block || loader.has(caller))
         return block;
     const Locked lock;
     if (++live > static_cast<int64_t>(place_count / 2))
@@ -363,7 +381,8 @@ int mkdir(const char* path, mode_t mode)
 
 void faults_arm(int32_t kind, int64_t at, int32_t on, int32_t error)
 {
-    range_count = 0;
+    ours.count = 0;
+    loader.count = 0;
     dl_iterate_phdr(note_ranges, nullptr);
     std::memset(places, 0, sizeof places);
     live = 0;
