@@ -92,6 +92,7 @@ cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volum
     return guarded_create(context, out, "cleaving", [&](const Run& run) {
         const auto v = held(volume, "volume");
         const auto from = held(background, "background");
+        const auto held_options = held_if_any(options, "options");
         const cleft::PipelineOptions p = pipeline_options(options);
         warn_of_unused_smooth(v->volume, options, run);
         GivenBackground given = given_background(*from, v->frame, run);
@@ -108,6 +109,7 @@ cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volu
     return guarded_create(context, out, "improving", [&](const Run& run) {
         const auto v = held(volume, "volume");
         const auto from = held(mesh, "mesh");
+        const auto held_options = held_if_any(options, "options");
         const cleft::PipelineOptions p = pipeline_options(options, *v);
         warn_of_unused_smooth(v->volume, options, run);
         // A mesh of a file, or one that the caller has changed, is checked as a whole: improving relies on all of it.

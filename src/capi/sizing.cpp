@@ -43,6 +43,7 @@ cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* vol
 {
     return guarded_create(context, out, "sizing", [&](const Run& run) {
         const auto v = held(volume, "volume");
+        const auto held_options = held_if_any(options, "options");
         const cleft::PipelineOptions p = pipeline_options(options, *v);
         warn_of_unknown_labels(v->volume.labels(), options, "volume", run);
         warn_of_unknown_sizes(v->volume, options, run);
@@ -71,6 +72,7 @@ cleft_status cleft_sizing_create_values(cleft_context* context, const cleft_volu
     return guarded_create(context, out, "sizing", [&](const Run& run) {
         const auto v = held(volume, "volume");
         required(values, "values");
+        const auto held_options = held_if_any(options, "options");
         const cleft::PipelineOptions p = pipeline_options(options, *v);
         if (combine)
             warn_of_unknown_sizes(v->volume, options, run);
