@@ -38,9 +38,10 @@ Array<MovedCorners> smooth_bad(const CornerSmoothing& smoothing, const WorstFirs
     }
     Array<MovedCorners> moved(bad.size(), 0);
     levels_of(mesh, bad, run).visit_all(run, [&](int worker, int32_t i) {
-        const Tet& corners = mesh.tet(bad[i]);
+        const int32_t t = bad[to_size(i)];
+        const Tet& corners = mesh.tet(t);
         for (size_t corner = 0; corner < 4; ++corner)
-            if (mesh.quality(bad[i]) < smoothing.target && smoothers[to_size(worker)].smooth(corners[corner], false))
+            if (mesh.quality(t) < smoothing.target && smoothers[to_size(worker)].smooth(corners[corner], false))
                 moved[i] = static_cast<MovedCorners>(moved[i] | 1u << corner);
     });
     return moved;

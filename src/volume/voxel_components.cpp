@@ -26,7 +26,7 @@ VoxelComponents find_runs(const Volume& volume, const Run& run)
         for (int32_t begin = 0, end = 0; begin < n; begin = end) {
             while (end < n && materials[end] == materials[begin])
                 ++end;
-            runs.of_voxel.insert(runs.of_voxel.end(), end - begin, static_cast<int32_t>(runs.material.size()));
+            runs.of_voxel.insert(runs.of_voxel.end(), to_size(end - begin), static_cast<int32_t>(runs.material.size()));
             runs.material.push_back(materials[begin]);
             runs.voxels.push_back(end - begin);
         }
