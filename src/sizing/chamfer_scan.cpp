@@ -50,13 +50,13 @@ void take_ends(const FixedArray<PassedRow, 4>& passed, int32_t n, float* h)
 }
 
 // Voxels of a row that are looked at together.
-constexpr int32_t kTogether = 32;
+constexpr int32_t kRowsTogether = 32;
 
 // Whether one of the voxels is above the one before it by more than a step.
 CLEFT_ALWAYS_INLINE bool some_exceed(const float* h, int32_t sign, float step)
 {
     int32_t some = 0;
-    for (int32_t i = 0; i < kTogether; ++i)
+    for (int32_t i = 0; i < kRowsTogether; ++i)
         some |= static_cast<int32_t>(h[i - sign] + step < h[i]);
     return some != 0;
 }
@@ -66,11 +66,11 @@ CLEFT_WIDE_VECTORS void take_along(int32_t n, int32_t sign, float step, float* h
 {
     for (int32_t t = 1; t < n;) {
         const int32_t i = sign > 0 ? t : n - 1 - t;
-        if (t + kTogether <= n && !some_exceed(sign > 0 ? h + i : h + i - (kTogether - 1), sign, step)) {
-            t += kTogether;
+        if (t + kRowsTogether <= n && !some_exceed(sign > 0 ? h + i : h + i - (kRowsTogether - 1), sign, step)) {
+            t += kRowsTogether;
             continue;
         }
-        const int32_t end = std::min(n, t + kTogether);
+        const int32_t end = std::min(n, t + kRowsTogether);
         for (; t < end; ++t) {
             const int32_t v = sign > 0 ? t : n - 1 - t;
             h[v] = std::min(h[v], h[v - sign] + step);

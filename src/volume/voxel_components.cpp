@@ -35,12 +35,12 @@ VoxelComponents find_runs(const Volume& volume, const Run& run)
 }
 
 // Long runs are passed by so many voxels at a time.
-constexpr int64_t kTogether = 16;
+constexpr int64_t kVoxelsTogether = 16;
 
 bool all_equal(const int32_t* voxels, int32_t value)
 {
     int32_t different = 0;
-    for (int64_t i = 0; i < kTogether; ++i)
+    for (int64_t i = 0; i < kVoxelsTogether; ++i)
         different |= voxels[i] ^ value;
     return different == 0;
 }
@@ -52,9 +52,9 @@ void join_rows(const VoxelComponents& runs, int64_t first, int64_t count, int64_
     const int32_t* const of_voxel = runs.of_voxel.data();
     int32_t last_here = -1, last_there = -1;
     for (int64_t v = first; v < first + count; ++v) {
-        while (v + kTogether < first + count && all_equal(of_voxel + v, last_here) &&
+        while (v + kVoxelsTogether < first + count && all_equal(of_voxel + v, last_here) &&
                all_equal(of_voxel + v - step, last_there))
-            v += kTogether;
+            v += kVoxelsTogether;
         const int32_t here = of_voxel[v], there = of_voxel[v - step];
         if (here == last_here && there == last_there)
             continue;

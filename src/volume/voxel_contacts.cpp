@@ -45,12 +45,12 @@ private:
 };
 
 // Most rows run side by side within one component: so many voxels are looked at together.
-constexpr int64_t kTogether = 16;
+constexpr int64_t kContactsTogether = 16;
 
 bool all_equal(const int32_t* here, const int32_t* there)
 {
     int32_t different = 0;
-    for (int64_t i = 0; i < kTogether; ++i)
+    for (int64_t i = 0; i < kContactsTogether; ++i)
         different |= here[i] ^ there[i];
     return different == 0;
 }
@@ -63,8 +63,8 @@ void add_rows(const VoxelComponents& components, int64_t row, int64_t other, int
     int32_t last_here = -1, last_there = -1;
     const int64_t end = std::min(count, count - step);
     for (int64_t i = std::max<int64_t>(0, -step); i < end; ++i) {
-        while (i + kTogether < end && all_equal(here + i, there + i))
-            i += kTogether;
+        while (i + kContactsTogether < end && all_equal(here + i, there + i))
+            i += kContactsTogether;
         if (here[i] == there[i] || (here[i] == last_here && there[i] == last_there))
             continue;
         last_here = here[i];
