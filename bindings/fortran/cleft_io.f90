@@ -10,13 +10,15 @@ module cleft_io
   implicit none
   private
   public :: cleft_read_volume, cleft_read_raw, cleft_read_field, cleft_write_mesh, cleft_read_mesh, &
-    cleft_write_sizing, cleft_read_sizing, cleft_guess
+    cleft_write_sizing, cleft_read_sizing, cleft_guess, cleft_write_picture
   ! <numbers> made by tools/generate.py from include/cleft/cleft_io.h
   public :: CLEFT_TYPE_UINT8, CLEFT_TYPE_UINT16, CLEFT_TYPE_INT16, CLEFT_TYPE_UINT32, CLEFT_TYPE_INT32, &
     CLEFT_TYPE_FLOAT32, CLEFT_TYPE_FLOAT64, CLEFT_FORMAT_BY_NAME, CLEFT_FORMAT_VTU, CLEFT_FORMAT_VTP, &
     CLEFT_FORMAT_VTK, CLEFT_FORMAT_MEDIT, CLEFT_FORMAT_MSH41, CLEFT_FORMAT_MSH22, CLEFT_FORMAT_ABAQUS, &
     CLEFT_FORMAT_TETGEN, CLEFT_FORMAT_STL, CLEFT_FORMAT_PLY, CLEFT_IO_UNKNOWN, CLEFT_IO_VOLUME, CLEFT_IO_MESH, &
-    CLEFT_IO_WORLD_LPS, CLEFT_IO_WORLD_RAS, CLEFT_IO_KIND_AUTO, CLEFT_IO_KIND_LABELS, CLEFT_IO_KIND_INDICATORS
+    CLEFT_IO_WORLD_LPS, CLEFT_IO_WORLD_RAS, CLEFT_IO_KIND_AUTO, CLEFT_IO_KIND_LABELS, CLEFT_IO_KIND_INDICATORS, &
+    CLEFT_IO_BY_LABEL, CLEFT_IO_BY_ANGLE, CLEFT_IO_BY_RATIO, CLEFT_IO_BY_SIZE, CLEFT_IO_BACKDROP_LIGHT, &
+    CLEFT_IO_BACKDROP_DARK, CLEFT_IO_BACKDROP_NONE
   ! </numbers>
 
   ! One path, or several: a mask or an indicator function each, in the order of the materials.
@@ -234,6 +236,64 @@ contains
     call sizing%adopt(made)
     call context%conclude(status, stat, errmsg)
   end subroutine
+
+  ! Draws a mesh as PNG, without a screen. `by`: CLEFT_IO_BY_... `cut`: shares of the box along x, y and z, 0 for no
+  ! cut. `strip`: labels that are not drawn. `whole`: labels that are not cut. `size`: width and height in pixels. What
+  ! is not given is as cleft_io.h says.
+  subroutine cleft_write_picture(context, mesh, path, by, size, backdrop, edges, legend, cut, strip, whole, view, up, &
+    zoom, line_width, range, stat, errmsg)
+    type(cleft_context), intent(inout) :: context
+    type(cleft_mesh), intent(in) :: mesh
+    character(len=*), intent(in) :: path
+    integer(c_int32_t), intent(in), optional :: by, backdrop
+    integer, intent(in), optional :: size(2)
+    logical, intent(in), optional :: edges, legend
+    integer(c_int32_t), intent(in), optional :: strip(:), whole(:)
+    real(c_double), intent(in), optional :: cut(3), view(3), up(3), zoom, line_width, range(2)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    type(cleft_io_picture), target :: picture
+    integer(c_int32_t), allocatable, target :: stripped(:), uncut(:)
+
+    picture = default_picture()
+    if (present(by)) picture%by = by
+    if (present(size)) picture%width = size(1)
+    if (present(size)) picture%height = size(2)
+    if (present(backdrop)) picture%backdrop = backdrop
+    if (present(edges)) picture%no_edges = merge(0_c_int32_t, 1_c_int32_t, edges)
+    if (present(legend)) picture%legend = merge(1_c_int32_t, 0_c_int32_t, legend)
+    if (present(cut)) picture%cut = cut
+    if (present(view)) picture%view = view
+    if (present(up)) picture%up = up
+    if (present(zoom)) picture%zoom = zoom
+    if (present(line_width)) picture%line_width = line_width
+    if (present(range)) picture%range = range
+    allocate (stripped(0), uncut(0))
+    if (present(strip)) stripped = strip
+    if (present(whole)) uncut = whole
+    call context%conclude(cleft_io_write_picture(context%c_handle(), mesh%c_handle(), c_loc(stripped), &
+      int(ubound(stripped, 1), c_int64_t), c_loc(uncut), int(ubound(uncut, 1), c_int64_t), c_loc(picture), &
+      c_text(path)), stat, errmsg)
+  end subroutine
+
+  pure function default_picture() result(picture)
+    type(cleft_io_picture) :: picture
+
+    picture%struct_size = int(c_sizeof(picture), c_int32_t)
+    picture%by = CLEFT_IO_BY_LABEL
+    picture%width = 0
+    picture%height = 0
+    picture%backdrop = CLEFT_IO_BACKDROP_LIGHT
+    picture%no_edges = 0
+    picture%legend = 0
+    picture%reserved = 0
+    picture%cut = 0
+    picture%view = 0
+    picture%up = 0
+    picture%zoom = 0
+    picture%line_width = 0
+    picture%range = 0
+  end function
 
   ! Paths as C wants them, one a column.
   pure function c_texts(paths) result(chars)

@@ -39,6 +39,17 @@ module cleft_io_c
     CLEFT_IO_KIND_LABELS = 1, &
     CLEFT_IO_KIND_INDICATORS = 2
 
+  integer(c_int32_t), parameter :: &
+    CLEFT_IO_BY_LABEL = 0, &
+    CLEFT_IO_BY_ANGLE = 1, &
+    CLEFT_IO_BY_RATIO = 2, &
+    CLEFT_IO_BY_SIZE = 3
+
+  integer(c_int32_t), parameter :: &
+    CLEFT_IO_BACKDROP_LIGHT = 0, &
+    CLEFT_IO_BACKDROP_DARK = 1, &
+    CLEFT_IO_BACKDROP_NONE = 2
+
   type, bind(C) :: cleft_io_format_description
     integer(c_int32_t) :: struct_size
     integer(c_int32_t) :: format
@@ -66,6 +77,23 @@ module cleft_io_c
     integer(c_int64_t) :: skip
     integer(c_int64_t) :: dims(3)
     real(c_double) :: spacing(3)
+  end type
+
+  type, bind(C) :: cleft_io_picture
+    integer(c_int32_t) :: struct_size
+    integer(c_int32_t) :: by
+    integer(c_int32_t) :: width
+    integer(c_int32_t) :: height
+    integer(c_int32_t) :: backdrop
+    integer(c_int32_t) :: no_edges
+    integer(c_int32_t) :: legend
+    integer(c_int32_t) :: reserved
+    real(c_double) :: cut(3)
+    real(c_double) :: view(3)
+    real(c_double) :: up(3)
+    real(c_double) :: zoom
+    real(c_double) :: line_width
+    real(c_double) :: range(2)
   end type
 
   interface
@@ -162,6 +190,20 @@ module cleft_io_c
       type(c_ptr), value :: context
       character(kind=c_char), intent(in) :: path(*)
       type(c_ptr), intent(out) :: out
+      integer(c_int32_t) :: answer
+    end function
+
+    ! -------------------------------------------------------------------------------------------------------- pictures
+
+    function cleft_io_write_picture(context, mesh, strip, strip_count, whole, whole_count, picture, path) bind(C) &
+      result(answer)
+      import
+      type(c_ptr), value :: context, mesh, strip
+      integer(c_int64_t), value :: strip_count
+      type(c_ptr), value :: whole
+      integer(c_int64_t), value :: whole_count
+      type(c_ptr), value :: picture
+      character(kind=c_char), intent(in) :: path(*)
       integer(c_int32_t) :: answer
     end function
 

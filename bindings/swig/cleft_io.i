@@ -38,6 +38,18 @@ CLEFT_STRUCT(cleft_io_raw, NativeRaw)
     }
 }
 
+CLEFT_STRUCT(cleft_io_picture, NativePicture)
+%ignore cleft_io_picture::cut;
+%ignore cleft_io_picture::view;
+%ignore cleft_io_picture::up;
+%ignore cleft_io_picture::range;
+%extend cleft_io_picture {
+    void set_cut(int32_t axis, double share) { $self->cut[axis] = share; }
+    void set_view(int32_t axis, double part) { $self->view[axis] = part; }
+    void set_up(int32_t axis, double part) { $self->up[axis] = part; }
+    void set_range(int32_t end, double measure) { $self->range[end] = measure; }
+}
+
 // cleft_io.h includes cleft.h, which SWIG does not follow. What it takes from there is repeated
 // here.
 #define CLEFT_NOEXCEPT

@@ -92,7 +92,9 @@ CLEFT_HANDLE(cleft_report)
 %apply const void* ARRAY_IN { const void* voxels, const void* values };
 %apply const int64_t* ARRAY_IN { const int64_t dims[3] };
 %apply const double* ARRAY_IN { const double affine[12], const double point[3], const double* points };
-%apply const int32_t* ARRAY_IN { const int32_t* labels, const int32_t* tets };
+%apply const int32_t* ARRAY_IN {
+    const int32_t* labels, const int32_t* tets, const int32_t* strip, const int32_t* whole
+};
 #if !defined(SWIGCSHARP)  // where an array and its number are two arguments
 %apply (const void* const* FIELDS, int64_t COUNT) { (const void* const* fields, int64_t count) };
 %apply (const char* const* PATHS, int64_t COUNT) { (const char* const* paths, int64_t count) };

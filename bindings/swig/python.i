@@ -28,6 +28,7 @@
 %thread cleft_io_read_sizing;
 %thread cleft_io_write_mesh;
 %thread cleft_io_read_mesh;
+%thread cleft_io_write_picture;
 
 %{
 #define CLEFT_NO_MEMORY \

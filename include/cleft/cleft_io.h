@@ -226,6 +226,60 @@ CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_write_mesh(cleft_context* con
 CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_read_mesh(cleft_context* context, const char* path,
                                                              cleft_mesh** out) CLEFT_NOEXCEPT;
 
+/* ------------------------------------------------------------------------------------------------ pictures -- */
+
+/** What gives a tetrahedron its colour. \since 0.1 */
+typedef int32_t cleft_io_colouring;
+enum {
+    CLEFT_IO_BY_LABEL = 0, /**< its label, which has the same colour in every mesh */
+    CLEFT_IO_BY_ANGLE = 1, /**< its least dihedral angle, from 0 to 70 degrees */
+    CLEFT_IO_BY_RATIO = 2, /**< its radius ratio, from 1 (the regular tetrahedron) to 4 */
+    CLEFT_IO_BY_SIZE = 3   /**< its mean edge, from the least to the greatest that are drawn, by factors */
+};
+
+/** What is behind the mesh. \since 0.1 */
+typedef int32_t cleft_io_backdrop;
+enum {
+    CLEFT_IO_BACKDROP_LIGHT = 0, /**< white */
+    CLEFT_IO_BACKDROP_DARK = 1,  /**< nearly black */
+    CLEFT_IO_BACKDROP_NONE = 2   /**< nothing: the picture is transparent there */
+};
+
+/** How a picture shows a mesh. The caller sets struct_size to sizeof(cleft_io_picture) and the rest to 0 for the
+ *  defaults. Any other value is CLEFT_ERROR_ARGUMENT. \since 0.1 */
+typedef struct cleft_io_picture {
+    uint32_t struct_size;
+    cleft_io_colouring by;
+    int32_t width;  /**< pixels, 1 to 8192; 0: 1200 */
+    int32_t height; /**< pixels, 1 to 8192; 0: 900 */
+    cleft_io_backdrop backdrop;
+    int32_t no_edges;  /**< nonzero: the edges of the tetrahedra are not drawn */
+    int32_t legend;    /**< nonzero: the labels or the measure are explained at the right */
+    int32_t reserved;  /**< 0 */
+    double cut[3];     /**< 0 to 1: where the mesh is cut across x, y and z, as a share of its box; 0: not. Whole
+                        *   tetrahedra are taken away on the side of the eye, those in front of all cuts */
+    double view[3];    /**< the direction from the mesh to the eye; (0, 0, 0): (-0.5, -1, 0.6) */
+    double up[3];      /**< the direction that is upwards; (0, 0, 0): z, or y where the eye looks along z */
+    double zoom;       /**< 1 to fill the picture, up to 50; 0: 1 */
+    double line_width; /**< of edges in pixels, up to 100; 0: 1. Lines of small triangles are paler */
+    double range[2];   /**< the measures at the ends of the colours; both 0: those of cleft_io_colouring */
+} cleft_io_picture;
+
+/** Draws a mesh and writes the picture as PNG, without a screen. `strip` lists labels that are not drawn, and `whole`
+ *  labels that are not cut. Both may be NULL if their number is 0. `picture` may be NULL for the defaults. A warning
+ *  names listed labels that the mesh does not have.
+ *
+ *  The pixels are the same on every machine and for any number of threads. The bytes of the file are the same for the
+ *  same version of libdeflate, which compresses them.
+ *
+ *  CLEFT_ERROR_ARGUMENT if the extension of the path is not .png, or if nothing would be drawn. CLEFT_ERROR_FILE if
+ *  the file cannot be written. \since 0.1 */
+CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_write_picture(cleft_context* context, const cleft_mesh* mesh,
+                                                                 const int32_t* strip, int64_t strip_count,
+                                                                 const int32_t* whole, int64_t whole_count,
+                                                                 const cleft_io_picture* picture,
+                                                                 const char* path) CLEFT_NOEXCEPT;
+
 #ifdef __cplusplus
 }
 #endif

@@ -62,6 +62,23 @@ inline void write_mesh(const Context& context, const Mesh& mesh, const std::stri
     context.check(cleft_io_write_mesh(context.get(), mesh.get(), path.c_str(), format));
 }
 
+/** Returns the default cleft_io_picture. */
+inline cleft_io_picture default_picture()
+{
+    cleft_io_picture picture{};
+    picture.struct_size = sizeof picture;
+    return picture;
+}
+
+/** Draws a mesh as PNG: cleft_io_write_picture(). The labels of `strip` are not drawn, those of `whole` not cut. */
+inline void write_picture(const Context& context, const Mesh& mesh, const std::string& path,
+                          const cleft_io_picture& picture = default_picture(), const std::vector<int32_t>& strip = {},
+                          const std::vector<int32_t>& whole = {})
+{
+    context.check(cleft_io_write_picture(context.get(), mesh.get(), strip.data(), static_cast<int64_t>(strip.size()),
+                                         whole.data(), static_cast<int64_t>(whole.size()), &picture, path.c_str()));
+}
+
 }  // namespace cpp
 }  // namespace cleft
 

@@ -24,5 +24,6 @@ Command add_info_command(CLI::App& app);
 Command add_check_command(CLI::App& app);
 Command add_convert_command(CLI::App& app);
 Command add_sizing_command(CLI::App& app);
+Command add_render_command(CLI::App& app);
 
 }  // namespace cleft_cli

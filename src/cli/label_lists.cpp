@@ -24,7 +24,7 @@ void join_label_lists(std::vector<std::string>& arguments)
 {
     std::vector<std::string> joined;
     bool in_list = false;  // is the last word a list that may go on?
-    bool begins = false;   // is the last word --strip or --only?
+    bool begins = false;   // is the last word --strip, --only or --whole?
     for (const std::string& word : arguments) {
         // Only the words right behind the option are joined. CLI11 would take all words up to the
         // next option, inputs too.
@@ -33,7 +33,7 @@ void join_label_lists(std::vector<std::string>& arguments)
             continue;
         }
         in_list = begins && is_label(word);
-        begins = word == "--strip" || word == "--only";
+        begins = word == "--strip" || word == "--only" || word == "--whole";
         joined.push_back(word);
     }
     arguments = std::move(joined);

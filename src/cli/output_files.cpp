@@ -115,6 +115,13 @@ void check_sizing_output(const std::string& path)
     check_place(path);
 }
 
+void check_picture_output(const std::string& path)
+{
+    if (!ends_with_nocase(path, ".png"))
+        throw cannot_write("'" + path + "': a picture is written as .png");
+    check_place(path);
+}
+
 void check_json_output(const std::string& path)
 {
     struct stat status = {};

@@ -19,6 +19,8 @@ struct OutputFile {
 OutputFile checked_mesh_output(const std::string& path, const std::string& msh_version);
 // Likewise for a sizing field.
 void check_sizing_output(const std::string& path);
+// Likewise for a picture.
+void check_picture_output(const std::string& path);
 // Nothing to check for "" and "-".
 void check_json_output(const std::string& path);
 

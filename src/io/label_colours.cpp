@@ -17,7 +17,7 @@ constexpr uint32_t kHueCount = sizeof kHues / sizeof *kHues;
 
 // So much lighter and darker that a face in shade is not taken for the next variant.
 constexpr int kLighter = kWhole * 45 / 100;
-constexpr int kDarker = kWhole * 35 / 100;
+constexpr int kDarker = kWhole * 25 / 100;
 
 }  // namespace
 

@@ -109,4 +109,21 @@ typedef struct first_io_raw {
     double spacing[3];
 } first_io_raw;
 
+typedef struct first_io_picture {
+    uint32_t struct_size;
+    int32_t by;
+    int32_t width;
+    int32_t height;
+    int32_t backdrop;
+    int32_t no_edges;
+    int32_t legend;
+    int32_t reserved;
+    double cut[3];
+    double view[3];
+    double up[3];
+    double zoom;
+    double line_width;
+    double range[2];
+} first_io_picture;
+
 #endif

@@ -131,8 +131,27 @@ PLACE(cleft_io_raw, kind, 12);
 PLACE(cleft_io_raw, skip, 16);
 PLACE(cleft_io_raw, dims, 24);
 PLACE(cleft_io_raw, spacing, 48);
+
+HOLDS(sizeof(cleft_io_picture) >= 136);
+ENDS_WITH(cleft_io_picture, range);
+PLACE(cleft_io_picture, struct_size, 0);
+PLACE(cleft_io_picture, by, 4);
+PLACE(cleft_io_picture, width, 8);
+PLACE(cleft_io_picture, height, 12);
+PLACE(cleft_io_picture, backdrop, 16);
+PLACE(cleft_io_picture, no_edges, 20);
+PLACE(cleft_io_picture, legend, 24);
+PLACE(cleft_io_picture, reserved, 28);
+PLACE(cleft_io_picture, cut, 32);
+PLACE(cleft_io_picture, view, 56);
+PLACE(cleft_io_picture, up, 80);
+PLACE(cleft_io_picture, zoom, 104);
+PLACE(cleft_io_picture, line_width, 112);
+PLACE(cleft_io_picture, range, 120);
 #endif
 
+HOLDS(sizeof(cleft_io_backdrop) == 4);
+HOLDS(sizeof(cleft_io_colouring) == 4);
 HOLDS(sizeof(cleft_io_format) == 4);
 HOLDS(sizeof(cleft_io_kind) == 4);
 HOLDS(sizeof(cleft_io_world) == 4);
@@ -245,3 +264,12 @@ HOLDS(CLEFT_IO_WORLD_RAS == 1);
 HOLDS(CLEFT_IO_KIND_AUTO == 0);
 HOLDS(CLEFT_IO_KIND_LABELS == 1);
 HOLDS(CLEFT_IO_KIND_INDICATORS == 2);
+
+HOLDS(CLEFT_IO_BY_LABEL == 0);
+HOLDS(CLEFT_IO_BY_ANGLE == 1);
+HOLDS(CLEFT_IO_BY_RATIO == 2);
+HOLDS(CLEFT_IO_BY_SIZE == 3);
+
+HOLDS(CLEFT_IO_BACKDROP_LIGHT == 0);
+HOLDS(CLEFT_IO_BACKDROP_DARK == 1);
+HOLDS(CLEFT_IO_BACKDROP_NONE == 2);

@@ -55,7 +55,8 @@ def words_about(struct, language):
     about = "".join(part for part in parts if re.search(rf"\bNative{name}\b|\bclass {name}\b", part))
     words = set(re.findall(r"\w+", about))
     words |= {word[3:4].lower() + word[4:] for word in words if word.startswith(("get", "set"))}
-    words |= {"dims", "spacing"} if "set_axis" in words else {"spacing"} if "set_spacing" in words else set()
+    words |= {word[4:] for word in words if word.startswith("set_")}
+    words |= {"dims", "spacing"} if "axis" in words else set()
     return words | ({"dihedral_histogram"} if "histogram_bin" in words else set())
 
 

@@ -126,6 +126,31 @@ sealed class FilesTest
         });
     }
 
+    void TestPictures()
+    {
+        InFolder(path => {
+            Mesh mesh = Checks.BallMesh(mesher);
+            MeshFiles.WritePicture(mesher, mesh, path("a.png"));
+            MeshFiles.WritePicture(mesher, mesh, path("a.png"), new Picture {
+                Width = 64, Height = 48, Cut = new[] { 0.5, 0, 0.5 }, By = Colouring.Angle, Range = new[] { 0.0, 90 },
+                Backdrop = Backdrop.None, View = new[] { 0.0, 0, 1 }, Up = new[] { 1.0, 0, 0 }, Zoom = 2, Edges = false,
+                LineWidth = 2, Legend = true, Whole = new[] { 1 }
+            });
+            byte[] bytes = File.ReadAllBytes(path("a.png"));
+            Checks.Equal(64, (int)bytes[19]);
+            Checks.Equal(48, (int)bytes[23]);
+            Checks.Equal(6, (int)bytes[25]);
+            Checks.Thrown<InvalidArgumentException>(() => MeshFiles.WritePicture(
+                mesher, mesh, path("a.png"), new Picture { Cut = new[] { 0, 1.5, 0 } }));
+            Checks.Thrown<InvalidArgumentException>(() => MeshFiles.WritePicture(
+                mesher, mesh, path("a.png"), new Picture { Strip = mesh.Labels.ToArray() }));
+            Checks.Thrown<ArgumentException>(() => MeshFiles.WritePicture(
+                mesher, mesh, path("a.png"), new Picture { View = new double[2] }));
+            Checks.Thrown<ArgumentException>(() => MeshFiles.WritePicture(
+                mesher, mesh, path("a.png"), new Picture { Width = 0 }));
+        });
+    }
+
     void TestFormats()
     {
         Checks.Check(MeshFiles.Formats().Any(row => row.Name == "vtu" && row.ReadsMesh && row.WritesMesh

@@ -111,6 +111,23 @@ Work writes_sizing(const fs::path& folder, const std::string& name)
             {name}};
 }
 
+Work writes_picture(const fs::path& folder)
+{
+    const std::string path = (folder / "a.png").string();
+    return {"writes a picture",
+            [path](Bench& bench) {
+                cleft_io_picture picture{};
+                picture.struct_size = sizeof picture;
+                picture.width = picture.height = 64;
+                picture.by = CLEFT_IO_BY_SIZE;
+                picture.legend = 1;
+                picture.cut[0] = 0.5;
+                return cleft_io_write_picture(bench.context, bench.mesh, nullptr, 0, nullptr, 0, &picture,
+                                              path.c_str());
+            },
+            {"a.png"}};
+}
+
 }  // namespace
 
 std::vector<Work> file_works(const fs::path& inputs, const fs::path& outputs)
@@ -130,6 +147,7 @@ std::vector<Work> file_works(const fs::path& inputs, const fs::path& outputs)
     const Bench bench(1);  // for the files that are read below
     for (const char* name : {"a.nrrd", "a.nii", "a.nii.gz", "a.mha", "a.vtk"})
         works.push_back(writes_sizing(outputs, name));
+    works.push_back(writes_picture(outputs));
     const std::string sizing = (inputs / "sizing.nrrd").string();
     if (cleft_io_write_sizing(bench.context, bench.sizing, sizing.c_str(), CLEFT_IO_WORLD_LPS) == CLEFT_OK)
         works.push_back(reads_sizing(sizing));

@@ -27,9 +27,28 @@ program test_files
   call raw_voxels_are_read()
   call fields_are_read()
   call files_are_told_apart()
+  call pictures_are_drawn()
   call finish()
 
 contains
+
+  subroutine pictures_are_drawn()
+    character(len=*), parameter :: picture_file = 'fortran_picture.png'
+    integer :: unit
+    integer(c_int8_t) :: head(26)
+    character(len=200) :: message
+
+    call cleft_write_picture(context, mesh, picture_file, by=CLEFT_IO_BY_ANGLE, size=[64, 48], edges=.false., &
+      legend=.true., cut=[0.5d0, 0d0, 0.5d0], strip=[0_c_int32_t], whole=[9_c_int32_t], zoom=1.5d0)
+    open (newunit=unit, file=picture_file, access='stream', form='unformatted', status='old')
+    read (unit) head
+    close (unit, status='delete')
+    call check(head(20) == 64 .and. head(24) == 48, 'a picture has the size that was asked for')
+    call cleft_write_picture(context, mesh, picture_file, cut=[1.5d0, 0d0, 0d0], stat=stat, errmsg=message)
+    call check(stat == CLEFT_ERROR_ARGUMENT .and. index(message, 'cut along x') > 0, 'a wrong cut is named')
+    call cleft_write_picture(context, mesh, picture_file, strip=[0_c_int32_t, 5_c_int32_t, 9_c_int32_t], stat=stat)
+    call check(stat == CLEFT_ERROR_ARGUMENT, 'a picture of nothing is refused')
+  end subroutine
 
   subroutine write_nrrd()
     integer :: unit

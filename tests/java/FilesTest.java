@@ -156,6 +156,29 @@ final class FilesTest {
         });
     }
 
+    void testPictures() throws Exception {
+        inFolder(folder -> {
+            Path path = folder.resolve("a.png");
+            Mesh mesh = Checks.ballMesh(mesher);
+            Picture picture = new Picture().size(64, 48).cut(0, 0.5).cut(2, 0.5).legend(true);
+            MeshFiles.writePicture(mesher, mesh, picture, path);
+            ByteBuffer start = ByteBuffer.wrap(Files.readAllBytes(path));
+            Checks.equal(64, start.getInt(16));
+            Checks.equal(48, start.getInt(20));
+            MeshFiles.writePicture(mesher, mesh, picture.by(MeshFiles.Colouring.ANGLE).range(0, 90)
+                    .backdrop(MeshFiles.Backdrop.NONE).view(0, 0, 1).up(1, 0, 0).zoom(2).edges(false).lineWidth(2)
+                    .whole(1), path);
+            Checks.equal(6, (int) Files.readAllBytes(path)[25]);
+            Checks.thrown(CleftException.InvalidArgument.class,
+                    () -> MeshFiles.writePicture(mesher, mesh, picture.cut(1, 1.5), path));
+            Checks.thrown(CleftException.InvalidArgument.class,
+                    () -> MeshFiles.writePicture(mesher, mesh, picture.strip(mesh.labels()), path));
+            Checks.thrown(IllegalArgumentException.class, () -> picture.cut(3, 0.5));
+            Checks.thrown(IllegalArgumentException.class, () -> picture.zoom(0));
+            Checks.thrown(NullPointerException.class, () -> MeshFiles.writePicture(mesher, mesh, null, path));
+        });
+    }
+
     void testFormats() {
         Checks.check(MeshFiles.formats().stream().anyMatch(row -> row.name().equals("vtu") && row.readsMesh()
                 && row.writesMesh() && row.extensions().contains(".vtu")), "no vtu");

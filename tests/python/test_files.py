@@ -214,6 +214,37 @@ class Files(unittest.TestCase):
                 cleft.read_raw(path, shape, "uint8", skip=skip)
         self.assertEqual(cleft.read_raw(path, np.array([3, 3, 3]), "uint8").shape, (3, 3, 3))
 
+    def test_pictures(self):
+        mesh = ball_mesh()
+        path = self.folder / "a.png"
+        mesh.render(path, size=(64, 48), cut={"x": 0.5, "z": 0.5}, by="angle", legend=True, background="none")
+        start = path.read_bytes()[:26]
+        self.assertEqual(start[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(start[16:], bytes([0, 0, 0, 64, 0, 0, 0, 48, 8, 6]))
+        cleft.write_picture(mesh, path, size=np.array([8, 8]), view=(0, 0, 1), up=(1, 0, 0), range=(0, 90), by="ratio")
+        self.assertEqual(path.read_bytes()[16:26], bytes([0, 0, 0, 8, 0, 0, 0, 8, 8, 2]))
+        mesh.render(path, strip=mesh.different_labels[:1], whole=[mesh.different_labels[1]], zoom=2, line_width=2)
+        for wrong in (
+            {"by": "colour"},
+            {"background": "red"},
+            {"cut": {"w": 0.5}},
+            {"cut": {"x": 1.5}},
+            {"size": (3,)},
+            {"range": (1, 2, 3)},
+            {"range": (2, 1)},
+            {"zoom": 51},
+            {"strip": mesh.different_labels},
+        ):
+            with self.assertRaises(cleft.InvalidArgument, msg=str(wrong)):
+                mesh.render(path, **wrong)
+        for wrong in ({"legend": "yes"}, {"strip": [0.5]}, {"zoom": "2"}, {"size": (3.5, 2)}):
+            with self.assertRaises(TypeError, msg=str(wrong)):
+                mesh.render(path, **wrong)
+        with self.assertRaises(cleft.InvalidArgument):
+            mesh.render(self.folder / "a.jpg")
+        with self.assertRaises(FileNotFoundError):
+            mesh.render(self.folder / "none" / "a.png")
+
     def test_files_are_loaded_late(self):
         script = (
             "import sys, cleft; assert 'cleft.native_io' not in sys.modules; cleft.formats(); "

@@ -34,6 +34,9 @@ MAY_BE_NULL = {
     "cleft_io_read_sizing.reading",
     "cleft_io_read_field.dims",
     "cleft_io_read_field.affine",
+    "cleft_io_write_picture.strip",
+    "cleft_io_write_picture.whole",
+    "cleft_io_write_picture.picture",
 }
 # These pointers are to one number, not to an array.
 ONE_NUMBER = {"value", "size", "point_count"}
@@ -165,6 +168,8 @@ _PUBLIC = {
         "CLEFT_FORMAT_",
         "CLEFT_IO_WORLD_",
         "CLEFT_IO_KIND_",
+        "CLEFT_IO_BY_",
+        "CLEFT_IO_BACKDROP_",
         "CLEFT_TYPE_",
         "CLEFT_IO_UNKNOWN",
         "CLEFT_IO_VOLUME",

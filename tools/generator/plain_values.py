@@ -15,7 +15,13 @@ RECORDS = {
 # How the lowest level of the bindings gives one element of an array, by its index.
 ELEMENTS = {"dihedral_histogram": "histogram_bin"}
 # The enumerations of cleft_io.h: class, prefix, first constant.
-IN_FILES = (("World", "CLEFT_IO_WORLD_", ""), ("VoxelKind", "CLEFT_IO_KIND_", ""), ("Content", "CLEFT_IO_", "UNKNOWN"))
+IN_FILES = (
+    ("World", "CLEFT_IO_WORLD_", ""),
+    ("VoxelKind", "CLEFT_IO_KIND_", ""),
+    ("Content", "CLEFT_IO_", "UNKNOWN"),
+    ("Colouring", "CLEFT_IO_BY_", ""),
+    ("Backdrop", "CLEFT_IO_BACKDROP_", ""),
+)
 
 
 @dataclass(frozen=True)

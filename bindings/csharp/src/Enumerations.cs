@@ -139,4 +139,28 @@ namespace Cleft
         /// <summary>A mesh.</summary>
         Mesh = CleftIoNative.CLEFT_IO_MESH
     }
+
+    /// <summary>What gives a tetrahedron its colour.</summary>
+    public enum Colouring
+    {
+        /// <summary>Its label, which has the same colour in every mesh.</summary>
+        Label = CleftIoNative.CLEFT_IO_BY_LABEL,
+        /// <summary>Its least dihedral angle, from 0 to 70 degrees.</summary>
+        Angle = CleftIoNative.CLEFT_IO_BY_ANGLE,
+        /// <summary>Its radius ratio, from 1 (the regular tetrahedron) to 4.</summary>
+        Ratio = CleftIoNative.CLEFT_IO_BY_RATIO,
+        /// <summary>Its mean edge, from the least to the greatest that are drawn, by factors.</summary>
+        Size = CleftIoNative.CLEFT_IO_BY_SIZE
+    }
+
+    /// <summary>What is behind the mesh.</summary>
+    public enum Backdrop
+    {
+        /// <summary>White.</summary>
+        Light = CleftIoNative.CLEFT_IO_BACKDROP_LIGHT,
+        /// <summary>Nearly black.</summary>
+        Dark = CleftIoNative.CLEFT_IO_BACKDROP_DARK,
+        /// <summary>Nothing: the picture is transparent there.</summary>
+        None = CleftIoNative.CLEFT_IO_BACKDROP_NONE
+    }
 }

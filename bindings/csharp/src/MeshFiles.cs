@@ -233,6 +233,21 @@ namespace Cleft
             mesher.Run(context => CleftIoNative.cleft_io_write_mesh(context, of, name, number));
         }
 
+        /// <summary>Draws a mesh as PNG, without a screen.</summary>
+        public static void WritePicture(Mesher mesher, Mesh mesh, string path, Picture picture = null)
+        {
+            Arguments.NotNull(mesher, nameof(mesher));
+            byte[] name = Utf8.Write(path, nameof(path));
+            NativeModules.Files();
+            NativeHandle of = NativeObject.Required(mesh, nameof(mesh));
+            Picture wanted = picture ?? new Picture();
+            int[] strip = Arguments.NotNull(wanted.Strip, nameof(picture.Strip));
+            int[] whole = Arguments.NotNull(wanted.Whole, nameof(picture.Whole));
+            using (NativePicture look = wanted.ToNative())
+                mesher.Run(context => CleftIoNative.cleft_io_write_picture(
+                    context, of, strip, strip.Length, whole, whole.Length, look, name));
+        }
+
         private static int NumberOf(string format)
         {
             var names = new List<string>();

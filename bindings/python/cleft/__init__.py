@@ -43,6 +43,7 @@ from .files import (
     read_sizing,
     read_volume,
     write_mesh,
+    write_picture,
     write_sizing,
 )
 from .meshes import Mesh, cleave, estimate, improve, make_background, mesh, strip_labels
@@ -106,5 +107,6 @@ __all__ = [
     "read_volume",
     "strip_labels",
     "write_mesh",
+    "write_picture",
     "write_sizing",
 ]

@@ -2,13 +2,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Sequence, Unpack
+from typing import TYPE_CHECKING, Any, Mapping, Sequence, Unpack
 
 import numpy as np
 import numpy.typing as npt
 
 from . import native
-from ._arrays import affine_from, real_number, triple, true_or_false, type_named, whole_number
+from ._arrays import affine_from, int32_array, real_number, triple, true_or_false, type_named, whole_number
 from ._handle import Handle, required, view
 from ._paths import Path, path_bytes, path_list, reading, writing
 from .errors import InvalidArgument, Unsupported, raise_for
@@ -234,6 +234,84 @@ def write_mesh(mesh: Mesh, path: Path, format: str | None = None, *, mesher: Mes
         number = numbers[format]
     with writing(path):
         mesher_or_plain(mesher)._call(io.cleft_io_write_mesh, required(mesh, Mesh, "mesh"), path_bytes(path), number)
+
+
+def write_picture(
+    mesh: Mesh,
+    path: Path,
+    *,
+    by: str = "label",
+    size: tuple[int, int] = (1200, 900),
+    cut: Mapping[str, float] | None = None,
+    strip: Sequence[int] = (),
+    whole: Sequence[int] = (),
+    view: Sequence[float] | None = None,
+    up: Sequence[float] | None = None,
+    zoom: float = 1,
+    edges: bool = True,
+    line_width: float = 1,
+    legend: bool = False,
+    background: str = "light",
+    range: tuple[float, float] | None = None,
+    mesher: Mesher | None = None,
+) -> None:
+    """Draws a mesh as PNG, without a screen.
+
+    `by`: "label", "angle", "ratio" or "size" gives the colour; `range` has the measures at its ends. `cut`: shares of
+    the box, {"x": 0.5}; whole tetrahedra are taken away on the side of the eye, those in front of all cuts. `strip`:
+    labels that are not drawn. `whole`: labels that are not cut. `view`: the direction to the eye. `background`:
+    "light", "dark" or "none".
+    """
+    from .meshes import Mesh
+
+    io = _io()
+    look = io.NativePicture()
+    look.by = _choice(
+        by,
+        "by",
+        {
+            "label": io.CLEFT_IO_BY_LABEL,
+            "angle": io.CLEFT_IO_BY_ANGLE,
+            "ratio": io.CLEFT_IO_BY_RATIO,
+            "size": io.CLEFT_IO_BY_SIZE,
+        },
+    )
+    look.backdrop = _choice(
+        background,
+        "background",
+        {
+            "light": io.CLEFT_IO_BACKDROP_LIGHT,
+            "dark": io.CLEFT_IO_BACKDROP_DARK,
+            "none": io.CLEFT_IO_BACKDROP_NONE,
+        },
+    )
+    for name, pair in (("size", size), ("range", range)):
+        if pair is not None and np.shape(pair) != (2,):
+            raise InvalidArgument(f"{name} is {pair!r}; it must be two numbers")
+    look.width, look.height = (whole_number(side, "size", 1, 2**31 - 1) for side in size)
+    look.zoom = real_number(zoom, "zoom")
+    look.line_width = real_number(line_width, "line_width")
+    look.no_edges = int(not true_or_false(edges, "edges"))
+    look.legend = int(true_or_false(legend, "legend"))
+    for axis, share in (cut or {}).items():
+        look.set_cut(_choice(axis, "an axis of cut", {"x": 0, "y": 1, "z": 2}), real_number(share, "cut"))
+    for name, values, put in (("view", view, look.set_view), ("up", up, look.set_up)):
+        for axis, part in enumerate(() if values is None else triple(values, name)):
+            put(axis, float(part))
+    for end, measure in enumerate(range or ()):
+        look.set_range(end, real_number(measure, "range"))
+    lists = int32_array(strip, "strip"), int32_array(whole, "whole")
+    with writing(path):
+        mesher_or_plain(mesher)._call(
+            io.cleft_io_write_picture,
+            required(mesh, Mesh, "mesh"),
+            lists[0],
+            len(lists[0]),
+            lists[1],
+            len(lists[1]),
+            look,
+            path_bytes(path),
+        )
 
 
 def _world(name: str) -> int:

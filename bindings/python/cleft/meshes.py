@@ -148,6 +148,12 @@ class Mesh(Named):
 
         files.write_mesh(self, path, format, mesher=mesher)
 
+    def render(self, path: str | os.PathLike[str], **keywords: Any) -> None:
+        """Draws the mesh as PNG, without a screen; the keywords are those of `cleft.write_picture()`."""
+        from . import files
+
+        files.write_picture(self, path, **keywords)
+
     def to_meshio(self) -> meshio.Mesh:
         """A meshio.Mesh with the labels as the cell data "material"; needs meshio."""
         import meshio

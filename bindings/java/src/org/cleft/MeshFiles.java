@@ -51,6 +51,32 @@ public final class MeshFiles {
         // </Content>
     }
 
+    /** What gives a tetrahedron its colour on a picture. */
+    public enum Colouring {
+        // <Colouring> made by tools/generate.py from include/cleft/cleft_io.h
+        /** Its label, which has the same colour in every mesh. */
+        LABEL,
+        /** Its least dihedral angle, from 0 to 70 degrees. */
+        ANGLE,
+        /** Its radius ratio, from 1 (the regular tetrahedron) to 4. */
+        RATIO,
+        /** Its mean edge, from the least to the greatest that are drawn, by factors. */
+        SIZE
+        // </Colouring>
+    }
+
+    /** What is behind a mesh on a picture. */
+    public enum Backdrop {
+        // <Backdrop> made by tools/generate.py from include/cleft/cleft_io.h
+        /** White. */
+        LIGHT,
+        /** Nearly black. */
+        DARK,
+        /** Nothing: the picture is transparent there. */
+        NONE
+        // </Backdrop>
+    }
+
     /**
      * How to read a volume.
      *
@@ -328,6 +354,31 @@ public final class MeshFiles {
         byte[] name = bytes("path", path);
         mesher.run((context, arguments, out) ->
                 CleftIoNative.cleft_io_write_mesh(context, arguments[0], name, format), mesh);
+    }
+
+    /**
+     * Draws a mesh as PNG, without a screen.
+     *
+     * @param mesher who draws
+     * @param mesh the mesh
+     * @param picture how it looks
+     * @param path the file, whose name ends with .png
+     */
+    public static void writePicture(Mesher mesher, Mesh mesh, Picture picture, Path path) {
+        Objects.requireNonNull(mesher, "mesher");
+        Objects.requireNonNull(mesh, "mesh");
+        Objects.requireNonNull(picture, "picture");
+        byte[] name = bytes("path", path);
+        NativeLibrary.files();
+        int[] strip = picture.stripped();
+        int[] whole = picture.uncut();
+        NativePicture look = picture.toNative();
+        try {
+            mesher.run((context, arguments, out) -> CleftIoNative.cleft_io_write_picture(
+                    context, arguments[0], strip, strip.length, whole, whole.length, look, name), mesh);
+        } finally {
+            look.delete();
+        }
     }
 
     private static void eachFormat(java.util.function.Consumer<NativeFormatDescription> use) {

@@ -1,0 +1,103 @@
+// Draws a mesh: what is shown, where it lies, in which colours, and what is behind and beside it.
+#include "io/render/picture.hpp"
+
+#include "base/error.hpp"
+#include "io/label_colours.hpp"
+#include "io/render/camera.hpp"
+#include "io/render/creases.hpp"
+#include "io/render/drawn_faces.hpp"
+#include "io/render/legend.hpp"
+#include "io/render/outer_faces.hpp"
+#include "io/render/rasteriser.hpp"
+#include "io/render/shown_tets.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace cleft::io
+{
+
+namespace
+{
+
+constexpr Colour kLight{255, 255, 255};
+constexpr Colour kDark{20, 22, 27};
+constexpr Colour kTextOnLight{38, 42, 50};
+constexpr Colour kTextOnDark{222, 225, 230};
+
+// The least and greatest of the measures that are numbers.
+std::array<double, 2> range_of(const Array<double>& measures)
+{
+    std::array<double, 2> range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (const double value : measures)
+        if (std::isfinite(value))
+            range = {std::min(range[0], value), std::max(range[1], value)};
+    return range[0] <= range[1] ? range : std::array<double, 2>{0, 0};
+}
+
+// The labels of the tetrahedra for which `has` says so; tet_of(i) for i in [0, count) are those to ask for.
+template <class Tet, class Has>
+std::vector<LegendEntry> label_entries(const MeshView& mesh, int64_t count, const Tet& tet_of, const Has& has)
+{
+    Array<char> is_there(mesh.labels.size());
+    for (int64_t i = 0; i < count; ++i)
+        if (has(i))
+            is_there[mesh.label_index(mesh.tet_labels[tet_of(i)])] = 1;
+    std::vector<LegendEntry> entries;
+    for (size_t i = 0; i < mesh.labels.size(); ++i)
+        if (is_there[i])
+            entries.push_back({colour_of_label(mesh.labels[i]),
+                               std::to_string(mesh.labels[i]) + (mesh.names[i].empty() ? "" : "  " + mesh.names[i])});
+    return entries;
+}
+
+PixelArea area_for_mesh(const PictureRequest& request, int beside)
+{
+    constexpr int kMarginShare = 24;  // of the shorter side
+    const int margin = std::min(request.width, request.height) / kMarginShare;
+    return {margin, margin, std::max(1, request.width - margin - std::max(margin, beside)),
+            std::max(1, request.height - 2 * margin)};
+}
+
+void put_behind(cleft_io_backdrop backdrop, Canvas& canvas)
+{
+    if (backdrop == CLEFT_IO_BACKDROP_NONE)
+        return;
+    const Colour behind = backdrop == CLEFT_IO_BACKDROP_DARK ? kDark : kLight;
+    for (Pixel& pixel : canvas.pixels)
+        pixel = {mixed(behind, pixel.colour, (pixel.cover * kWhole + 127) / 255), 255};
+}
+
+}  // namespace
+
+Canvas draw_picture(const MeshView& mesh, const PictureRequest& request, const Run& run)
+{
+    const Array<OuterFace> faces = outer_faces(mesh, shown_tets(mesh, request, run), run);
+    if (faces.empty())
+        throw Error(CLEFT_ERROR_ARGUMENT, "the picture would be empty: strip and cut leave no tetrahedron");
+    const bool names_labels = request.has_legend && request.by == CLEFT_IO_BY_LABEL;
+    Legend legend;
+    // The legend has the labels that are seen. Its width is that for all, as it decides what is seen.
+    if (names_labels)
+        legend.entries = label_entries(
+            mesh, faces.count(), [&](int64_t f) { return faces[f].tet; }, [](int64_t) { return true; });
+    const int beside = request.has_legend ? legend_width(legend, request.width, request.height) : 0;
+    const Camera camera(mesh, faces, request, area_for_mesh(request, beside), run);
+    const Array<double> measures = face_measures(mesh, faces, camera, request, run);
+    if (request.by != CLEFT_IO_BY_LABEL)
+        legend.scale.emplace(request.by, request.range, range_of(measures));
+
+    Canvas canvas(request.width, request.height);
+    const Array<DrawnFace> drawn = drawn_faces(mesh, faces, measures, legend.scale, camera, request, run);
+    const AtomicFlags is_seen = rasterise(mesh, drawn, camera, request.line_width, run, canvas);
+    darken_creases(camera.pixels_per_unit(), run, canvas);
+    put_behind(request.backdrop, canvas);
+    if (names_labels)
+        legend.entries = label_entries(
+            mesh, drawn.count(), [&](int64_t f) { return drawn[f].tet; }, [&](int64_t f) { return is_seen[f]; });
+    if (request.has_legend)
+        draw_legend(legend, beside, request.backdrop == CLEFT_IO_BACKDROP_DARK ? kTextOnDark : kTextOnLight, canvas);
+    return canvas;
+}
+
+}  // namespace cleft::io
