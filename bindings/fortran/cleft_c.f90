@@ -193,6 +193,23 @@ module cleft_c
     integer(c_int64_t) :: triangles
   end type
 
+  type, bind(C) :: cleft_distance
+    integer(c_int32_t) :: struct_size
+    integer(c_int32_t) :: first
+    integer(c_int32_t) :: second
+    integer(c_int32_t) :: third
+    integer(c_int32_t) :: is_line
+    integer(c_int32_t) :: reserved
+    integer(c_int64_t) :: elements
+    integer(c_int64_t) :: points
+    real(c_double) :: mesh_mean
+    real(c_double) :: mesh_99
+    real(c_double) :: mesh_greatest
+    real(c_double) :: volume_mean
+    real(c_double) :: volume_99
+    real(c_double) :: volume_greatest
+  end type
+
   abstract interface
 
     function cleft_progress_callback(fraction, stage, user) bind(C) result(answer)
@@ -861,6 +878,27 @@ module cleft_c
       type(c_ptr), value :: report
       integer(c_int64_t), value :: index
       type(cleft_contact), intent(inout) :: out
+      integer(c_int32_t) :: answer
+    end function
+
+    function cleft_report_create_with_distances(context, volume, mesh, out) bind(C) result(answer)
+      import
+      type(c_ptr), value :: context, volume, mesh
+      type(c_ptr), intent(out) :: out
+      integer(c_int32_t) :: answer
+    end function
+
+    function cleft_report_distance_count(report) bind(C) result(answer)
+      import
+      type(c_ptr), value :: report
+      integer(c_int64_t) :: answer
+    end function
+
+    function cleft_report_distance(report, index, out) bind(C) result(answer)
+      import
+      type(c_ptr), value :: report
+      integer(c_int64_t), value :: index
+      type(cleft_distance), intent(inout) :: out
       integer(c_int32_t) :: answer
     end function
 

@@ -23,6 +23,7 @@ CLEFT_STRUCT(cleft_quality, NativeQuality)
 CLEFT_STRUCT(cleft_validation, NativeValidation)
 CLEFT_STRUCT(cleft_label_report, NativeLabelReport)
 CLEFT_STRUCT(cleft_contact, NativeContact)
+CLEFT_STRUCT(cleft_distance, NativeDistance)
 CLEFT_STRUCT(cleft_estimate, NativeEstimate)
 // SWIG would wrap the array as a bare pointer, of which no language knows the length. Single bins
 // cost a call each, and there are 36.

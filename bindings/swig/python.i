@@ -21,6 +21,7 @@
 %thread cleft_mesh_validate;
 %thread cleft_surface_create;
 %thread cleft_report_create;
+%thread cleft_report_create_with_distances;
 %thread cleft_io_read_volume;
 %thread cleft_io_read_raw;
 %thread cleft_io_write_sizing;

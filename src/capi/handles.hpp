@@ -9,6 +9,7 @@
 #include "capi/label_names.hpp"
 #include "capi/occupancy.hpp"
 #include "capi/option_table.hpp"
+#include "checking/surface_distances.hpp"
 #include "mesh/interfaces.hpp"
 #include "mesh/tet_mesh.hpp"
 #include "mesh/user_label.hpp"
@@ -119,5 +120,6 @@ struct cleft_surface : cleft::capi::Handle<cleft::capi::Mark::surface> {
 
 struct cleft_report : cleft::capi::Handle<cleft::capi::Mark::report> {
     cleft::LabelReport report;
-    cleft::Array<cleft::Material> listed;  // the material of each row that users see
+    cleft::Array<cleft::SurfaceDistances> distances;  // in the order in which users see them
+    cleft::Array<cleft::Material> listed;             // the material of each row that users see
 };

@@ -1,27 +1,21 @@
-// Quality, validation, surfaces and the per-label report of a mesh.
+// Quality, validation and surfaces of a mesh.
 #include "base/struct_size.hpp"
 #include "capi/firewall.hpp"
 #include "capi/mesh_frame.hpp"
 #include "checking/validate.hpp"
 #include "mesh/bounding_box.hpp"
 #include "mesh/quality.hpp"
-#include "pipeline/label_report.hpp"
 
 #include <algorithm>
 
 using namespace cleft::capi;
 using cleft::Error;
-using cleft::LabelledMesh;
 using cleft::Run;
 
 template <>
 inline constexpr size_t cleft::kFirstSize<cleft_quality> = CLEFT_END_OF(cleft_quality, dihedral_histogram);
 template <>
 inline constexpr size_t cleft::kFirstSize<cleft_validation> = CLEFT_END_OF(cleft_validation, box_area);
-template <>
-inline constexpr size_t cleft::kFirstSize<cleft_label_report> = CLEFT_END_OF(cleft_label_report, reserved);
-template <>
-inline constexpr size_t cleft::kFirstSize<cleft_contact> = CLEFT_END_OF(cleft_contact, triangles);
 
 namespace
 {
@@ -56,17 +50,6 @@ cleft::Placement placement_of(const cleft_mesh& mesh)
     return mesh.frame ? cleft::Placement(*mesh.frame) : cleft::Placement();
 }
 
-// A report whose volumes are those of the voxel frame, in the world.
-// Callers compare them with volumes of their own, which are in the units of the affine.
-cleft::LabelReport in_world(cleft::LabelReport report, const cleft::Placement& world)
-{
-    for (cleft::LabelRow& row : report.rows) {
-        row.voxel_volume = world.volume(row.voxel_volume);
-        row.mesh_volume = world.volume(row.mesh_volume);
-    }
-    return report;
-}
-
 // The box that the mesh was made for; of a mesh without a volume that of its points.
 cleft::BoundingBox box_of(const cleft_mesh& mesh, const cleft::UserMesh& local)
 {
@@ -79,12 +62,6 @@ cleft::BoundingBox box_of(const cleft_mesh& mesh, const cleft::UserMesh& local)
     }
     box.add(local.points);
     return box;
-}
-
-// Rows are kept by material. Callers see them in the order of cleft_volume_labels().
-const cleft::LabelRow& row_at(const cleft_report& report, int64_t index)
-{
-    return report.report.rows[report.listed[index]];
 }
 
 }  // namespace
@@ -210,71 +187,4 @@ const int32_t* cleft_surface_hull_sides(const cleft_surface* surface) noexcept
 {
     return cleft_surface_hull_count(surface) ? reinterpret_cast<const int32_t*>(surface->interfaces.hull_side.data())
                                              : nullptr;
-}
-
-cleft_status cleft_report_create(cleft_context* context, const cleft_volume* volume, const cleft_mesh* mesh,
-                                 cleft_report** out) noexcept
-{
-    return guarded_create(context, out, "report", [&](const Run& run) {
-        const auto v = held(volume, "volume");
-        // A copy before the first callback, so the mesh need not be held.
-        const LabelledMesh m = to_stage(checked(mesh, "mesh"), *v);
-        return cleft_report{{}, in_world(cleft::label_report(v->volume, m, run), v->frame), v->listed};
-    });
-}
-
-void cleft_report_destroy(cleft_report* report) noexcept { destroy(report); }
-
-int64_t cleft_report_count(const cleft_report* report) noexcept
-{
-    return is_sound(report) ? static_cast<int64_t>(report->report.rows.size()) : 0;
-}
-
-cleft_status cleft_report_label(const cleft_report* report, int64_t index, cleft_label_report* out) noexcept
-{
-    return guarded(nullptr, [&] {
-        cleft::check_struct_size(*required(out, "out"), "cleft_label_report");
-        if (index < 0 || index >= static_cast<int64_t>(checked(report, "report").report.rows.size()))
-            throw Error(CLEFT_ERROR_ARGUMENT, "there is no such row");
-        const cleft::LabelRow& from = row_at(*report, index);
-        cleft_label_report row{};
-        row.label = number_of(from.label);
-        row.voxels = from.voxels;
-        row.voxel_volume = from.voxel_volume;
-        row.mesh_volume = from.mesh_volume;
-        row.tets = from.tets;
-        row.voxel_components = from.voxel_components;
-        row.mesh_components = from.mesh_components;
-        row.large_components = from.large_components;
-        row.large_components_lost = from.large_components_lost;
-        // A function may win at no voxel centre. Its material had nothing to lose.
-        row.lost = from.voxels > 0 && row.tets == 0;
-        // Programs built before the 64-bit field existed read the number here.
-        row.reserved = static_cast<int32_t>(std::min<int64_t>(from.large_components_broken, INT32_MAX));
-        row.large_components_broken = from.large_components_broken;
-        row.large_components_joined = from.large_components_joined;
-        cleft::copy_out(row, *out);
-    });
-}
-
-int64_t cleft_report_contact_count(const cleft_report* report) noexcept
-{
-    return is_sound(report) ? static_cast<int64_t>(report->report.contacts.size()) : 0;
-}
-
-cleft_status cleft_report_contact(const cleft_report* report, int64_t index, cleft_contact* out) noexcept
-{
-    return guarded(nullptr, [&] {
-        cleft::check_struct_size(*required(out, "out"), "cleft_contact");
-        checked(report, "report");
-        if (index < 0 || index >= cleft_report_contact_count(report))
-            throw Error(CLEFT_ERROR_ARGUMENT, "there is no such contact");
-        const cleft::LabelContact& from = report->report.contacts[index];
-        const auto label = [&](cleft::Material m) { return number_of(report->report.rows[m].label); };
-        cleft_contact contact{};
-        contact.first = label(from.first);
-        contact.second = label(from.second);
-        contact.triangles = from.triangles;
-        cleft::copy_out(contact, *out);
-    });
 }

@@ -146,11 +146,27 @@ VolumeFindings look_at_volume(const Session& session, const cleft_volume* volume
     return found;
 }
 
-ReportFindings look_at_labels(const Session& session, const cleft_volume* volume, const cleft_mesh* mesh)
+namespace
 {
-    const auto report = session.make<Report>(EXIT_MESHING_FAILED, [&](cleft_report** out) {
-        return cleft_report_create(session.context(), volume, mesh, out);
-    });
+
+std::vector<cleft_distance> distances_of(const Session& session, const cleft_report* report)
+{
+    std::vector<cleft_distance> distances(static_cast<std::size_t>(cleft_report_distance_count(report)));
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        distances[i].struct_size = sizeof(cleft_distance);
+        session.check(cleft_report_distance(report, static_cast<int64_t>(i), &distances[i]), EXIT_MESHING_FAILED);
+    }
+    return distances;
+}
+
+}  // namespace
+
+ReportFindings look_at_labels(const Session& session, const cleft_volume* volume, const cleft_mesh* mesh,
+                              bool with_distances)
+{
+    const auto create = with_distances ? cleft_report_create_with_distances : cleft_report_create;
+    const auto report = session.make<Report>(
+        EXIT_MESHING_FAILED, [&](cleft_report** out) { return create(session.context(), volume, mesh, out); });
     ReportFindings found;
     found.labels.resize(static_cast<std::size_t>(cleft_report_count(report.get())));
     for (std::size_t i = 0; i < found.labels.size(); ++i) {
@@ -166,6 +182,7 @@ ReportFindings look_at_labels(const Session& session, const cleft_volume* volume
         session.check(cleft_report_contact(report.get(), static_cast<int64_t>(i), &found.contacts[i]),
                       EXIT_MESHING_FAILED);
     }
+    found.distances = distances_of(session, report.get());
     return found;
 }
 

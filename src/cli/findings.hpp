@@ -55,10 +55,12 @@ struct LabelFindings : cleft_label_report {
 };
 struct ReportFindings {
     std::vector<LabelFindings> labels;
-    std::vector<cleft_contact> contacts;  // that the voxels do not have
+    std::vector<cleft_contact> contacts;    // that the voxels do not have
+    std::vector<cleft_distance> distances;  // if they were asked for
 };
-// Compares the mesh with the volume that it was made of, label by label.
-ReportFindings look_at_labels(const Session& session, const cleft_volume* volume, const cleft_mesh* mesh);
+// Compares the mesh with the volume that it was made of, label by label; with distances, also interface by interface.
+ReportFindings look_at_labels(const Session& session, const cleft_volume* volume, const cleft_mesh* mesh,
+                              bool with_distances);
 // How much more volume the label has in the mesh than in the voxels, in percent of the latter.
 double difference_percent(const cleft_label_report& row);
 

@@ -143,6 +143,22 @@ Json contacts_json(const std::vector<cleft_contact>& contacts)
     return all;
 }
 
+Json distances_json(const std::vector<cleft_distance>& distances)
+{
+    Json all = Json::array();
+    for (const cleft_distance& d : distances) {
+        Json labels{d.first, d.second};
+        if (d.is_line != 0)
+            labels.push_back(d.third);
+        all.push_back({{"labels", labels},
+                       {d.is_line != 0 ? "edges" : "triangles", d.elements},
+                       {"mesh", {{"mean", d.mesh_mean}, {"99", d.mesh_99}, {"greatest", d.mesh_greatest}}},
+                       {"points", d.points},
+                       {"volume", {{"mean", d.volume_mean}, {"99", d.volume_99}, {"greatest", d.volume_greatest}}}});
+    }
+    return all;
+}
+
 void add_run(Json& report, const Session& session)
 {
     // An array, as the order of the stages matters and a name may come twice.

@@ -25,6 +25,7 @@ nlohmann::ordered_json validation_json(const cleft_validation& validation, const
 nlohmann::ordered_json label_reports_json(const std::vector<LabelFindings>& rows,
                                           const std::function<bool(int32_t label)>& left_out);
 nlohmann::ordered_json contacts_json(const std::vector<cleft_contact>& contacts);
+nlohmann::ordered_json distances_json(const std::vector<cleft_distance>& distances);
 
 // Adds what the run cost and reported: stages, metrics, warnings.
 void add_run(nlohmann::ordered_json& report, const Session& session);

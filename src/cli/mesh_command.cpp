@@ -37,6 +37,7 @@ struct MeshArguments {
     bool combine = false;
     bool check = false;
     bool estimate = false;
+    bool distances = false;
 
     bool left_out(int32_t label) const { return options.leaves_out(label); }
 };
@@ -182,7 +183,8 @@ void print_summary(const Session& session, const MeshArguments& arguments, const
     const std::size_t limit = arguments.run.verbose ? result.report.labels.size() : kLabelsShown;
     std::string text = volume_line(result.volume) + mesh_lines(result.mesh) + "\n" +
                        dihedral_histogram(result.mesh.quality) + "\n" +
-                       label_report_table(result.report.labels, left_out, limit) + "\n";
+                       label_report_table(result.report.labels, left_out, limit) +
+                       distances_table(result.report.distances, result.volume, limit) + "\n";
     if (arguments.run.verbose)
         text += stages_table(session) + "\n";
     text += time_line(session, result.mesh.tets);
@@ -212,6 +214,8 @@ void write_report(const Session& session, const MeshArguments& arguments, const 
     report["labels"] =
         label_reports_json(result.report.labels, [&](int32_t label) { return arguments.left_out(label); });
     report["contacts"] = contacts_json(result.report.contacts);
+    if (arguments.distances)
+        report["distances"] = distances_json(result.report.distances);
     add_run(report, session);
     write_json(report, arguments.run.json, staged);
 }
@@ -223,7 +227,7 @@ void look_at_result(Session& session, const MeshArguments& arguments, const clef
         result.volume = look_at_volume(session, volume);
         if (!arguments.check)
             result.mesh = look_at_mesh(session, mesh);
-        result.report = kept_contacts(arguments, look_at_labels(session, volume, mesh));
+        result.report = kept_contacts(arguments, look_at_labels(session, volume, mesh, arguments.distances));
     });
     warn_of_labels(session, result.report, [&](int32_t label) { return arguments.left_out(label); });
 }
@@ -295,6 +299,9 @@ void add_results_to(CLI::App& parser, MeshArguments& arguments)
         ->type_name("OUTPUT");
     add_msh_version_to(parser, arguments.msh_version);
     parser.add_flag("--check", arguments.check, "Validate the mesh before it is written; exit code 1 if it fails");
+    parser.add_flag("--distances", arguments.distances,
+                    "Measure how far the interfaces of the mesh are from those of the\n"
+                    "volume. It takes about half as long as meshing");
     parser.add_flag("--estimate", arguments.estimate,
                     "Tell the expected number of tetrahedra and the memory needed,\n"
                     "and stop there");

@@ -194,6 +194,38 @@ std::string label_report_table(const std::vector<LabelFindings>& rows, const std
     return text + pieces_of_all;
 }
 
+std::string distances_table(std::vector<cleft_distance> rows, const VolumeFindings& volume, std::size_t limit)
+{
+    if (rows.empty())
+        return "";
+    const std::size_t all = rows.size();
+    const double voxel = *std::min_element(volume.spacing.begin(), volume.spacing.end());
+    const auto greatest = [](const cleft_distance& d) { return std::max(d.mesh_greatest, d.volume_greatest); };
+    std::string text = "Distances between interfaces of mesh and volume, in voxels";
+    if (all > limit) {
+        // Equal ones stay in the order of their labels.
+        std::stable_sort(rows.begin(), rows.end(),
+                         [&](const auto& a, const auto& b) { return greatest(a) > greatest(b); });
+        rows.resize(limit);
+        text += ", the " + std::to_string(limit) + " of " + std::to_string(all) +
+                " with the greatest (all of them: --verbose, --json)";
+    }
+    const std::vector<std::size_t> widths = {20, 12, 10, 8, 10, 10, 8, 10};
+    text += "\n" +
+            row_of({"labels", "triangles", "from mesh", "99 %", "greatest", "from voxels", "99 %", "greatest"}, widths);
+    const auto in_voxels = [&](double length) { return decimals(length / voxel, 2); };
+    for (const cleft_distance& d : rows) {
+        std::string labels = std::to_string(d.first) + " " + std::to_string(d.second);
+        if (d.is_line != 0)
+            labels += " " + std::to_string(d.third);
+        text += row_of(
+            {labels, grouped(d.elements), in_voxels(d.mesh_mean), in_voxels(d.mesh_99), in_voxels(d.mesh_greatest),
+             in_voxels(d.volume_mean), in_voxels(d.volume_99), in_voxels(d.volume_greatest)},
+            widths);
+    }
+    return text;
+}
+
 std::string time_line(const Session& session, int64_t tets)
 {
     const StageFigures process = process_figures();

@@ -27,6 +27,9 @@ std::string dihedral_histogram(const cleft_quality& quality);
 std::string label_report_table(const std::vector<LabelFindings>& rows,
                                const std::function<bool(int32_t label)>& left_out, std::size_t limit);
 
+// The interfaces and lines, and how far the mesh is from them. Above `limit` those that are farthest off.
+std::string distances_table(std::vector<cleft_distance> rows, const VolumeFindings& volume, std::size_t limit);
+
 // Seconds by the clock and of all threads, and the peak of memory of the process.
 std::string time_line(const Session& session, int64_t tets);
 // Seconds by the clock and of all threads, and the peak of memory up to the end of each stage.

@@ -42,4 +42,10 @@ std::optional<Vec3> project_to_tie(const Volume& volume, const Vec3& x, const Ve
 std::optional<Vec3> step_to_tie(const Volume& volume, const Vec3& x, const MaterialSet& set, unsigned frozen,
                                 Samples& scratch);
 
+// The point of the tie nearest to x, as nearly as some steps from `start` find it, a point of the tie in whose
+// neighbourhood it lies: each takes the point nearest to x of the tie as it is linearised at the last one. None where
+// that does not converge, as at a place further from the tie than its radius of curvature.
+std::optional<Vec3> nearest_on_tie(const Volume& volume, const Vec3& x, const Vec3& start, const MaterialSet& set,
+                                   Samples& scratch);
+
 }  // namespace cleft

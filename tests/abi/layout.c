@@ -103,6 +103,23 @@ PLACE(cleft_contact, second, 8);
 PLACE(cleft_contact, reserved, 12);
 PLACE(cleft_contact, triangles, 16);
 
+HOLDS(sizeof(cleft_distance) >= 88);
+ENDS_WITH(cleft_distance, volume_greatest);
+PLACE(cleft_distance, struct_size, 0);
+PLACE(cleft_distance, first, 4);
+PLACE(cleft_distance, second, 8);
+PLACE(cleft_distance, third, 12);
+PLACE(cleft_distance, is_line, 16);
+PLACE(cleft_distance, reserved, 20);
+PLACE(cleft_distance, elements, 24);
+PLACE(cleft_distance, points, 32);
+PLACE(cleft_distance, mesh_mean, 40);
+PLACE(cleft_distance, mesh_99, 48);
+PLACE(cleft_distance, mesh_greatest, 56);
+PLACE(cleft_distance, volume_mean, 64);
+PLACE(cleft_distance, volume_99, 72);
+PLACE(cleft_distance, volume_greatest, 80);
+
 HOLDS(sizeof(cleft_io_format_description) >= 40);
 ENDS_WITH(cleft_io_format_description, text);
 PLACE(cleft_io_format_description, struct_size, 0);

@@ -56,6 +56,22 @@ class Summary(CommandTest):
         self.assert_rows(rows, [label for label in report["labels"] if label["label"] > 4])
         self.assertEqual([label["left_out"] for label in report["labels"]], 4 * [True] + 20 * [False])
 
+    def test_distances_are_shown_when_asked_for(self):
+        lines, report = self.summary()
+        self.assertNotIn("distances", report)
+        self.assertFalse([line for line in lines if line.startswith("Distances")])
+        lines, report = self.summary("--distances")
+        heading, (columns, *rows) = self.part(lines, "Distances")
+        self.assertIn(f"the 20 of {len(report['distances'])} with the greatest", heading)
+        self.assertEqual(len(rows), 20)
+        most = sorted(report["distances"], key=lambda d: -max(d["mesh"]["greatest"], d["volume"]["greatest"]))
+        for row, wanted in zip(rows, most):
+            figures = row.split()[len(wanted["labels"]) :]
+            self.assertEqual([int(label) for label in row.split()[: len(wanted["labels"])]], wanted["labels"])
+            self.assertEqual(int(figures[0]), wanted["triangles" if len(wanted["labels"]) == 2 else "edges"])
+            self.assertAlmostEqual(float(figures[3]), wanted["mesh"]["greatest"], delta=0.005001)
+            self.assertAlmostEqual(float(figures[6]), wanted["volume"]["greatest"], delta=0.005001)
+
     def test_verbose_shows_all_labels_and_the_stages(self):
         lines, report = self.summary("--verbose")
         heading, (_, *rows) = self.part(lines, "Labels")

@@ -301,6 +301,10 @@ sealed class MeshingTest
             Checks.Check(
                 contact.First == names[0] && contact.Second == names[2] && contact.Triangles == triangles,
                 contact.ToString());
+            Checks.Equal(0, report.Distances.Count);
+            Distance distance = mesher.Report(volume, coarse, true).Distances
+                .Single(d => !d.IsLine && d.First == names[0] && d.Second == names[2]);
+            Checks.Check(distance.Elements == triangles && distance.MeshGreatest > 0, distance.ToString());
             Mesh fine = mesher.Mesh(volume, new Options { Background = Background.Lattice, Size = 1 });
             Checks.Equal(0, mesher.Report(volume, fine).Contacts.Count);
         }

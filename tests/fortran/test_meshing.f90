@@ -242,6 +242,7 @@ contains
     type(cleft_mesh) :: made
     type(cleft_report) :: report
     type(cleft_contact) :: pair
+    type(cleft_distance) :: distance
     integer(c_int32_t) :: voxels(24, 24, 24)
     real(c_double) :: r
     integer :: i, j, k, stat
@@ -266,6 +267,13 @@ contains
     call check(pair%first == -1 .and. pair%second == 7 .and. pair%triangles > 0, 'both are named')
     pair = report%contact(2, stat)
     call check(stat == CLEFT_ERROR_ARGUMENT, 'there is no second contact')
+    call check(report%distance_count() == 0, 'distances were not asked for')
+    call report%create(context, joint, made, distances=.true.)
+    call check(report%distance_count() >= 3, 'any two of three labels touch')
+    distance = report%distance(1)
+    call check(distance%first == -1 .and. distance%second == 0 .and. distance%mesh_greatest > 0, 'they ascend')
+    distance = report%distance(report%distance_count() + 1, stat)
+    call check(stat == CLEFT_ERROR_ARGUMENT, 'there is no further distance')
     call report%create(context, volume, mesh)
     call check(report%contact_count() == 0, 'a fine mesh has none')
   end subroutine

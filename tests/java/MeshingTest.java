@@ -307,6 +307,10 @@ final class MeshingTest {
             Report report = mesher.report(volume, coarse);
             Checks.equal(List.of(new Contact(names[0], names[2], triangles)), report.contacts());
             Checks.equal(3, report.size());
+            Checks.equal(List.of(), report.distances());
+            List<Distance> distances = mesher.reportWithDistances(volume, coarse).distances();
+            Checks.check(distances.stream().anyMatch(d -> d.first() == names[0] && d.second() == names[2]
+                    && !d.isLine() && d.elements() > 0 && d.meshGreatest() > 0), "a distance of the two labels");
             Mesh fine = mesher.mesh(volume, new Options().background(Background.LATTICE).size(1));
             Checks.equal(List.of(), mesher.report(volume, fine).contacts());
         }

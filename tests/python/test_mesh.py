@@ -104,6 +104,19 @@ class Meshes(unittest.TestCase):
         self.assertEqual(contact.triangles, (both == (-1, 7)).all(1).sum())
         self.assertEqual(fine.report(volume).contacts, [])
 
+    def test_distances(self):
+        volume = ball_volume()
+        mesh = cleft.mesh(volume, **QUICK)
+        self.assertEqual(mesh.report(volume).distances, [])
+        report = mesh.report(volume, distances=True)
+        self.assertEqual([row.label for row in report], [0, 1, 7])
+        surface = mesh.surface()
+        for row in report.distances:
+            self.assertLess(row.mesh_mean, row.mesh_greatest)
+            if not row.is_line:
+                pair = (row.first, row.second)
+                self.assertEqual(row.elements, (surface.interface_labels == pair).all(1).sum())
+
     def test_labels_of_any_value(self):
         labels, wanted = ball_labels(kind=np.int64), ball_mesh()
         for values in ((-1, 0, 1), (-(2**31), -1, 2**31 - 1), (-3, -2, -1), (5, -1, 2**31 - 1)):

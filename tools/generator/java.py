@@ -124,6 +124,8 @@ _RECORDS = {
     "LabelReport": "What became of one label. Volumes are in cubic world units.",
     "Contact": "Two labels that share triangles in the mesh, although no two of their voxels share a face or an edge. "
     "The gap between them is narrower than the tetrahedra there, and a smaller size opens it.",
+    "Distance": "How far an interface of the mesh is from that of the volume, in world units, or a line where three "
+    "labels meet.",
 }
 
 

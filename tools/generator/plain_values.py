@@ -10,6 +10,7 @@ RECORDS = {
     "cleft_validation": "Validation",
     "cleft_label_report": "LabelReport",
     "cleft_contact": "Contact",
+    "cleft_distance": "Distance",
     "cleft_estimate": "Estimate",
 }
 # How the lowest level of the bindings gives one element of an array, by its index.

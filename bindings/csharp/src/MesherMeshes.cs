@@ -121,11 +121,15 @@ namespace Cleft
         /// What became of each label, for a mesh that was not stripped, in the order of Volume.Labels; and which labels
         /// touch in the mesh alone.
         /// </summary>
-        public Report Report(Volume volume, Mesh mesh)
+        public Report Report(Volume volume, Mesh mesh) { return Report(volume, mesh, false); }
+
+        /// <summary>The same, with distances between interfaces if <paramref name="withDistances"/>.</summary>
+        public Report Report(Volume volume, Mesh mesh, bool withDistances)
         {
             NativeHandle before = Required(volume, nameof(volume)), after = Required(mesh, nameof(mesh));
-            IntPtr address = Make((NativeHandle context, out IntPtr made) =>
-                CleftNative.cleft_report_create(context, before, after, out made));
+            IntPtr address = Make((NativeHandle context, out IntPtr made) => withDistances
+                ? CleftNative.cleft_report_create_with_distances(context, before, after, out made)
+                : CleftNative.cleft_report_create(context, before, after, out made));
             using (var report = new NativeHandle(address, CleftNative.cleft_report_destroy))
                 return new Report(report);
         }

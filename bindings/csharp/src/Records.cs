@@ -194,6 +194,50 @@ namespace Cleft
         public long Triangles { get; }
     }
 
+    public sealed partial class Distance
+    {
+        internal Distance(NativeDistance row)
+        {
+            First = row.first;
+            Second = row.second;
+            Third = row.third;
+            IsLine = row.is_line != 0;
+            Elements = row.elements;
+            Points = row.points;
+            MeshMean = row.mesh_mean;
+            Mesh99 = row.mesh_99;
+            MeshGreatest = row.mesh_greatest;
+            VolumeMean = row.volume_mean;
+            Volume99 = row.volume_99;
+            VolumeGreatest = row.volume_greatest;
+        }
+
+        /// <summary>The lowest of the labels.</summary>
+        public int First { get; }
+        /// <summary>The next one.</summary>
+        public int Second { get; }
+        /// <summary>The highest of the labels of a line; for an interface the same as `second`.</summary>
+        public int Third { get; }
+        /// <summary>True if it is a line where three labels meet.</summary>
+        public bool IsLine { get; }
+        /// <summary>Number of triangles of the interface, or of edges of the line, in the mesh.</summary>
+        public long Elements { get; }
+        /// <summary>Number of points of the volume's interface or line that were looked at.</summary>
+        public long Points { get; }
+        /// <summary>Mean distance from the mesh to the volume.</summary>
+        public double MeshMean { get; }
+        /// <summary>99 % of the mesh are no farther from the volume.</summary>
+        public double Mesh99 { get; }
+        /// <summary>Greatest distance from the mesh to the volume.</summary>
+        public double MeshGreatest { get; }
+        /// <summary>Mean distance from the volume to the mesh.</summary>
+        public double VolumeMean { get; }
+        /// <summary>99 % of the points are no farther from the mesh.</summary>
+        public double Volume99 { get; }
+        /// <summary>Greatest distance from the volume to the mesh.</summary>
+        public double VolumeGreatest { get; }
+    }
+
     public sealed partial class Estimate
     {
         internal Estimate(NativeEstimate row)

@@ -23,12 +23,25 @@ namespace Cleft
                     contacts.Add(new Contact(row));
                 }
             Contacts = contacts;
+            var distances = new List<Distance>();
+            for (long index = 0; index < CleftNative.cleft_report_distance_count(report); ++index)
+                using (var row = new NativeDistance()) {
+                    CleftException.Check(CleftNative.cleft_report_distance(report, index, row));
+                    distances.Add(new Distance(row));
+                }
+            Distances = distances;
         }
 
         /// <summary>
         /// Pairs of labels that touch in the mesh, but not in the volume, ascending; empty if all is well.
         /// </summary>
         public IReadOnlyList<Contact> Contacts { get; }
+
+        /// <summary>
+        /// How far the interfaces of the mesh are from those of the volume, by their labels, then its lines; empty
+        /// if that was not asked for.
+        /// </summary>
+        public IReadOnlyList<Distance> Distances { get; }
 
         /// <summary>Row <paramref name="index"/>.</summary>
         public LabelReport this[int index] => rows[index];
@@ -55,6 +68,18 @@ namespace Cleft
         public override string ToString()
         {
             return FormattableString.Invariant($"Contact of {First} and {Second}: {Triangles} triangles");
+        }
+    }
+
+    /// <summary>
+    /// How far an interface of the mesh is from that of the volume, in world units, or a line where three labels meet.
+    /// </summary>
+    public sealed partial class Distance
+    {
+        /// <summary>What this is, in a few words.</summary>
+        public override string ToString()
+        {
+            return FormattableString.Invariant($"Distance of {First} and {Second}: at most {MeshGreatest}");
         }
     }
 }

@@ -49,7 +49,7 @@ from .files import (
 from .meshes import Mesh, cleave, estimate, improve, make_background, mesh, strip_labels
 from .mesher import Mesher
 from .options import OptionDescription, OptionKeywords, Options, option_table
-from .results import Contact, Estimate, LabelReport, Quality, Report, Validation
+from .results import Contact, Distance, Estimate, LabelReport, Quality, Report, Validation
 from .sizing import Sizing
 from .surface import SIDES, Surface
 from .volume import Volume
@@ -66,6 +66,7 @@ __all__ = [
     "CleftWarning",
     "Closed",
     "Contact",
+    "Distance",
     "Estimate",
     "FileError",
     "Format",

@@ -14,7 +14,7 @@ from ._label_names import Named
 from .errors import InvalidArgument, raise_for
 from .mesher import Mesher, mesher_or_plain
 from .options import OptionKeywords, Options, lists_options, options_of
-from .results import Contact, Estimate, LabelReport, Quality, Report, Validation, from_struct
+from .results import Contact, Distance, Estimate, LabelReport, Quality, Report, Validation, from_struct
 from .sizing import Sizing
 from .surface import Surface
 from .volume import Volume
@@ -125,11 +125,14 @@ class Mesh(Named):
         """The triangles between labels, and those of the hull."""
         return Surface(self._native, mesher_or_plain(mesher))
 
-    def report(self, volume: Volume, *, mesher: Mesher | None = None) -> Report:
-        """What became of each label of the volume, and `contacts`; for a mesh that was not stripped."""
-        address = mesher_or_plain(mesher)._call(
-            native.cleft_report_create, required(volume, Volume, "volume"), self._native
-        )
+    def report(self, volume: Volume, *, distances: bool = False, mesher: Mesher | None = None) -> Report:
+        """What became of each label of the volume, and `contacts`; for a mesh that was not stripped.
+
+        With `distances`, also how far each interface is from that of the volume.
+        """
+        with_distances = true_or_false(distances, "distances")
+        create = native.cleft_report_create_with_distances if with_distances else native.cleft_report_create
+        address = mesher_or_plain(mesher)._call(create, required(volume, Volume, "volume"), self._native)
         handle = Handle(address, native.cleft_report_destroy)
         report = Report()
         for index in range(native.cleft_report_count(handle)):
@@ -140,6 +143,10 @@ class Mesh(Named):
             struct = native.NativeContact()
             raise_for(native.cleft_report_contact(handle, index, struct), "no such contact")
             report.contacts.append(from_struct(Contact, struct))
+        for index in range(native.cleft_report_distance_count(handle)):
+            struct = native.NativeDistance()
+            raise_for(native.cleft_report_distance(handle, index, struct), "no such distance")
+            report.distances.append(from_struct(Distance, struct))
         return report
 
     def write(self, path: str | os.PathLike[str], format: str | None = None, *, mesher: Mesher | None = None) -> None:

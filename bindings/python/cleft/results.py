@@ -116,12 +116,39 @@ class Contact:
     # </Contact>
 
 
+@dataclass(frozen=True)
+class Distance:
+    """How far an interface of the mesh is from that of the volume, in world units, or a line where three labels meet.
+
+    `mesh_` stands for distances from the mesh to the volume, `volume_` for those from the volume to the mesh.
+    """
+
+    # <Distance> made by tools/generate.py from include/cleft/cleft.h
+    first: int  #: the lowest of the labels
+    second: int  #: the next one
+    third: int  #: the highest of the labels of a line; for an interface the same as `second`
+    is_line: bool  #: true if it is a line where three labels meet
+    elements: int  #: number of triangles of the interface, or of edges of the line, in the mesh
+    points: int  #: number of points of the volume's interface or line that were looked at
+    mesh_mean: float  #: mean distance from the mesh to the volume
+    mesh_99: float  #: 99 % of the mesh are no farther from the volume
+    mesh_greatest: float  #: greatest distance from the mesh to the volume
+    volume_mean: float  #: mean distance from the volume to the mesh
+    volume_99: float  #: 99 % of the points are no farther from the mesh
+    volume_greatest: float  #: greatest distance from the volume to the mesh
+    # </Distance>
+
+
 class Report(list[LabelReport]):
-    """The reports of all labels of a volume, in its order, and the `contacts` that its voxels do not have."""
+    """The reports of all labels of a volume, in its order, and the `contacts` that its voxels do not have.
+
+    `distances` are those of interfaces and then of lines, if they were asked for.
+    """
 
     def __init__(self) -> None:
         super().__init__()
         self.contacts: list[Contact] = []
+        self.distances: list[Distance] = []
 
 
 def from_struct(kind: Any, struct: Any, **more: Any) -> Any:

@@ -432,10 +432,29 @@ public final class Mesher extends NativeObject {
      * @return a list with a row a label, in the order of {@link Volume#labels}
      */
     public Report report(Volume volume, Mesh mesh) {
+        return report(volume, mesh, CleftNative::cleft_report_create);
+    }
+
+    /**
+     * The same, and how far the interfaces of the mesh are from those of the volume.
+     *
+     * @param volume the volume
+     * @param mesh its mesh, not stripped
+     * @return a list with a row a label, whose {@link Report#distances} are there
+     */
+    public Report reportWithDistances(Volume volume, Mesh mesh) {
+        return report(volume, mesh, CleftNative::cleft_report_create_with_distances);
+    }
+
+    private interface ReportCall {
+        int call(long context, long volume, long mesh, long[] out);
+    }
+
+    private Report report(Volume volume, Mesh mesh, ReportCall create) {
         Objects.requireNonNull(volume, "volume");
         Objects.requireNonNull(mesh, "mesh");
         long report = make((context, arguments, out) ->
-                CleftNative.cleft_report_create(context, arguments[0], arguments[1], out), volume, mesh);
+                create.call(context, arguments[0], arguments[1], out), volume, mesh);
         try {
             return new Report(report);
         } finally {

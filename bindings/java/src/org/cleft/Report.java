@@ -10,11 +10,13 @@ import java.util.List;
 public final class Report extends AbstractList<LabelReport> {
     private final List<LabelReport> rows;
     private final List<Contact> contacts;
+    private final List<Distance> distances;
 
     /** Reads a report of the library, whose owner stays the caller. */
     Report(long report) {
         rows = rowsOf(report);
         contacts = contactsOf(report);
+        distances = distancesOf(report);
     }
 
     /**
@@ -24,6 +26,15 @@ public final class Report extends AbstractList<LabelReport> {
      */
     public List<Contact> contacts() {
         return contacts;
+    }
+
+    /**
+     * How far the interfaces of the mesh are from those of the volume.
+     *
+     * @return interfaces by their labels, then lines; empty if they were not asked for
+     */
+    public List<Distance> distances() {
+        return distances;
     }
 
     @Override
@@ -45,6 +56,20 @@ public final class Report extends AbstractList<LabelReport> {
                 rows.add(LabelReport.of(row));
             }
             return List.copyOf(rows);
+        } finally {
+            row.delete();
+        }
+    }
+
+    private static List<Distance> distancesOf(long report) {
+        NativeDistance row = new NativeDistance();
+        try {
+            List<Distance> distances = new ArrayList<>();
+            for (long index = 0; index < CleftNative.cleft_report_distance_count(report); ++index) {
+                CleftException.check(CleftNative.cleft_report_distance(report, index, row));
+                distances.add(Distance.of(row));
+            }
+            return List.copyOf(distances);
         } finally {
             row.delete();
         }
