@@ -25,8 +25,8 @@ FORTRAN = (".f90",)
 JAVA_LIKE = (".java", ".cs")
 SCRIPTS = (".cmake", "CMakeLists.txt", ".sh", "run-tests", "run-demo")
 # Lines within the width; documents have tables.
-WITHIN_WIDTH = (*C, *PYTHON, *FORTRAN, *JAVA_LIKE, *SCRIPTS)
-TEXTS = (*WITHIN_WIDTH, ".i", ".in", ".inc", ".json", ".md", ".toml")
+WITHIN_WIDTH = (*C, *PYTHON, *FORTRAN, *JAVA_LIKE, *SCRIPTS, ".js", ".css")
+TEXTS = (*WITHIN_WIDTH, ".html", ".i", ".in", ".inc", ".json", ".md", ".toml")
 INPUTS = ("tests/data/", "tests/fuzz/corpus/")  # byte for byte
 
 

@@ -96,6 +96,19 @@ module cleft_io_c
     real(c_double) :: range(2)
   end type
 
+  type, bind(C) :: cleft_io_view
+    integer(c_int32_t) :: struct_size
+    integer(c_int32_t) :: reserved
+    integer(c_int64_t) :: max_tets
+    real(c_double) :: goal
+    type(c_ptr) :: title
+    type(c_ptr) :: report
+    type(c_ptr) :: names
+    type(c_ptr) :: other
+    type(c_ptr) :: other_title
+    type(c_ptr) :: other_report
+  end type
+
   interface
 
     ! --------------------------------------------------------------------------------------------------------- formats
@@ -203,6 +216,16 @@ module cleft_io_c
       type(c_ptr), value :: whole
       integer(c_int64_t), value :: whole_count
       type(c_ptr), value :: picture
+      character(kind=c_char), intent(in) :: path(*)
+      integer(c_int32_t) :: answer
+    end function
+
+    ! ----------------------------------------------------------------------------------------------------------- views
+
+    function cleft_io_write_view(context, mesh, view, path) bind(C) result(answer)
+      import
+      type(c_ptr), value :: context, mesh
+      type(cleft_io_view), intent(in) :: view
       character(kind=c_char), intent(in) :: path(*)
       integer(c_int32_t) :: answer
     end function

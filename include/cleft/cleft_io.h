@@ -1,5 +1,6 @@
 /*
- * libcleft_io is the file component of libcleft. It reads volumes, and writes and reads meshes.
+ * libcleft_io is the file component of libcleft. It reads volumes, writes and reads meshes, and writes pages that show
+ * them.
  *
  * The component uses cleft.h alone and keeps its conventions. Every function that can fail returns a cleft_status.
  * cleft_context_last_error() returns the sentence about a failure. Output arguments come last and are NULL or unchanged
@@ -279,6 +280,37 @@ CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_write_picture(cleft_context* 
                                                                  const int32_t* whole, int64_t whole_count,
                                                                  const cleft_io_picture* picture,
                                                                  const char* path) CLEFT_NOEXCEPT;
+
+/* --------------------------------------------------------------------------------------------------- views -- */
+
+/** What a page that shows a mesh has besides. The caller sets struct_size to sizeof(cleft_io_view) and the rest to 0
+ * for the defaults. Texts are UTF-8; what is not is replaced. \since 0.1 */
+typedef struct cleft_io_view {
+    uint32_t struct_size;
+    int32_t reserved;   /**< 0 */
+    int64_t max_tets;   /**< tetrahedra that the page has of a mesh; 0: 3,000,000. Of a larger mesh it has those at
+                         *   interfaces and the hull, or the middle of these if they are too many, and says so */
+    double goal;        /**< the least dihedral angle that was wanted, in degrees; 0: as the report says, else 25 */
+    const char* title;  /**< what the mesh is called; NULL: "Mesh" */
+    const char* report; /**< the report of `cleft mesh --json`, as text; NULL: none */
+    const char* names;  /**< path of a table of the names of labels; NULL: the names of the mesh */
+    const cleft_mesh* other;  /**< a second mesh to compare with, which must live until the call ends; NULL: none */
+    const char* other_title;  /**< what the second mesh is called */
+    const char* other_report; /**< the report of the second mesh */
+} cleft_io_view;
+
+/** Writes a page of HTML that shows the mesh in any browser. It is one file, which needs no network and no other file.
+ *  It has the materials, cuts through the mesh, the shapes and the worst of its tetrahedra. `view` may be NULL for the
+ *  defaults.
+ *
+ *  A table of names has a label and its name on each line. Label descriptions of ITK-SNAP and colour tables of
+ *  FreeSurfer are read too. Labels that are not in the table keep the names of the mesh.
+ *
+ *  CLEFT_ERROR_FILE if the page cannot be written or the table cannot be read. CLEFT_ERROR_FORMAT if the table is
+ *  malformed; the message names the line. CLEFT_ERROR_ARGUMENT if the mesh has no tetrahedra. \since 0.1 */
+CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_write_view(cleft_context* context, const cleft_mesh* mesh,
+                                                              const cleft_io_view* view,
+                                                              const char* path) CLEFT_NOEXCEPT;
 
 #ifdef __cplusplus
 }

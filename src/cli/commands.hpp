@@ -25,5 +25,6 @@ Command add_check_command(CLI::App& app);
 Command add_convert_command(CLI::App& app);
 Command add_sizing_command(CLI::App& app);
 Command add_render_command(CLI::App& app);
+Command add_view_command(CLI::App& app);
 
 }  // namespace cleft_cli

@@ -183,11 +183,16 @@ void add_run(Json& report, const Session& session)
     report["warnings"] = session.warnings();
 }
 
-void write_json(const Json& report, const std::string& path, StagedOutputs& staged)
+std::string json_text(const Json& report)
 {
     // error_handler_t::replace: paths may be no UTF-8, and dump() would throw. A report with one
     // wrong character is better than none.
-    const std::string text = report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_json(const Json& report, const std::string& path, StagedOutputs& staged)
+{
+    const std::string text = json_text(report);
     struct stat status = {};
     if (path == "-")
         print_report(text);

@@ -30,6 +30,8 @@ nlohmann::ordered_json distances_json(const std::vector<cleft_distance>& distanc
 // Adds what the run cost and reported: stages, metrics, warnings.
 void add_run(nlohmann::ordered_json& report, const Session& session);
 
+// As text, whatever bytes paths have.
+std::string json_text(const nlohmann::ordered_json& report);
 // "-" is standard output. A file is to be committed when all else is done. Throws Failure.
 void write_json(const nlohmann::ordered_json& report, const std::string& path, StagedOutputs& staged);
 void write_json(const nlohmann::ordered_json& report, const std::string& path);

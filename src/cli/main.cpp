@@ -33,6 +33,7 @@ void describe(CLI::App& app)
                            "  cleft info head.nrrd                           what is in a volume or a mesh\n"
                            "  cleft check head.msh && cleft convert head.msh head.inp\n"
                            "  cleft render head.msh -o head.png --cut x=0.5  a picture, cut open\n"
+                           "  cleft view head.msh -o head.html               look at it in a browser\n"
                            "`cleft COMMAND --help` tells all options of a command.\n\n") +
                cleft_cli::exit_code_help());
     app.set_version_flag("--version", std::string("cleft ") + cleft_version(nullptr, nullptr, nullptr) +
@@ -48,6 +49,7 @@ int parse_and_run(int argc, char** argv)
     const std::vector<Command> commands = {
         cleft_cli::add_mesh_command(app),    cleft_cli::add_info_command(app),   cleft_cli::add_check_command(app),
         cleft_cli::add_convert_command(app), cleft_cli::add_sizing_command(app), cleft_cli::add_render_command(app),
+        cleft_cli::add_view_command(app),
     };
     for (const Command& command : commands)
         // Texts of options are wrapped at 66 characters, so that lines end before column 100.

@@ -11,6 +11,7 @@
 #include "standard_output.hpp"
 #include "summary.hpp"
 #include "text.hpp"
+#include "view_page.hpp"
 #include "volume_arguments.hpp"
 
 #include <CLI/CLI.hpp>
@@ -34,6 +35,7 @@ struct MeshArguments {
     std::string msh_version = "4.1";
     std::string sizing_file;
     std::string background_file;
+    PageArguments view;
     bool combine = false;
     bool check = false;
     bool estimate = false;
@@ -58,15 +60,20 @@ struct Result {
 
 std::vector<OutputFile> checked_outputs(const MeshArguments& arguments)
 {
-    if (arguments.outputs.empty() && !arguments.estimate)
-        throw usage_failure("--output is required (or --estimate)");
+    if (arguments.outputs.empty() && arguments.view.output.empty() && !arguments.estimate)
+        throw usage_failure("--output is required (or --view, or --estimate)");
     std::vector<std::string> inputs = arguments.input.inputs;
     // Files that are read later are inputs, too: an output must not replace them.
     inputs.insert(inputs.end(), {arguments.sizing_file, arguments.background_file});
-    refuse_conflicts(inputs, arguments.outputs, arguments.run.json);
+    std::vector<std::string> written = arguments.outputs;
+    if (!arguments.view.output.empty())
+        written.push_back(arguments.view.output);
+    refuse_conflicts(inputs, written, arguments.run.json);
     std::vector<OutputFile> outputs;
     for (const std::string& path : arguments.outputs)
         outputs.push_back(checked_mesh_output(path, arguments.msh_version));
+    if (!arguments.view.output.empty())
+        check_page_output(arguments.view.output);
     // A long run must not end with a report that cannot be written.
     check_json_output(arguments.run.json);
     return outputs;
@@ -188,20 +195,27 @@ void print_summary(const Session& session, const MeshArguments& arguments, const
     if (arguments.run.verbose)
         text += stages_table(session) + "\n";
     text += time_line(session, result.mesh.tets);
-    for (const OutputFile& output : result.outputs) {
+    std::vector<std::string> written;
+    for (const OutputFile& output : result.outputs)
+        written.push_back(output.path);
+    if (!arguments.view.output.empty())
+        written.push_back(arguments.view.output);
+    for (const std::string& path : written) {
         // 0 where the file cannot be looked at.
-        const double bytes = staged.bytes(output.path);
-        text += summary_line("Written", output.path + (bytes > 0 ? " (" + bytes_text(bytes) + ")" : ""));
+        const double bytes = staged.bytes(path);
+        text += summary_line("Written", path + (bytes > 0 ? " (" + bytes_text(bytes) + ")" : ""));
     }
     print_summary_text(text);
 }
 
-void write_report(const Session& session, const MeshArguments& arguments, const cleft_options* options,
-                  const Result& result, StagedOutputs& staged)
+nlohmann::ordered_json report_of(const Session& session, const MeshArguments& arguments, const cleft_options* options,
+                                 const Result& result)
 {
     auto report = report_head("mesh");
     report["inputs"] = arguments.input.inputs;
     report["outputs"] = arguments.outputs;
+    if (!arguments.view.output.empty())
+        report["view"] = arguments.view.output;
     report["world"] = arguments.input.world;
     report["options"] = arguments.options.as_json(options);
     // The option holds the name of a kind, and the run used the file instead.
@@ -217,7 +231,7 @@ void write_report(const Session& session, const MeshArguments& arguments, const 
     if (arguments.distances)
         report["distances"] = distances_json(result.report.distances);
     add_run(report, session);
-    write_json(report, arguments.run.json, staged);
+    return report;
 }
 
 void look_at_result(Session& session, const MeshArguments& arguments, const cleft_volume* volume,
@@ -232,15 +246,26 @@ void look_at_result(Session& session, const MeshArguments& arguments, const clef
     warn_of_labels(session, result.report, [&](int32_t label) { return arguments.left_out(label); });
 }
 
+// What the view calls the mesh: its file, or that of the volume.
+std::string title_of(const MeshArguments& arguments)
+{
+    return file_title(arguments.outputs.empty() ? arguments.input.inputs.front() : arguments.outputs.front());
+}
+
 // The mesh and what is reported of it: all files or none.
 void write_result(Session& session, const MeshArguments& arguments, const cleft_mesh* mesh,
                   const cleft_options* options, const Result& result)
 {
     StagedOutputs staged;
     session.timed("write", "writing", [&] { write_mesh(session, mesh, result.outputs, staged); });
+    if (!arguments.view.output.empty())
+        session.timed("view", "writing the view", [&] {
+            const std::string report = json_text(report_of(session, arguments, options, result));
+            write_page(session, {{mesh, title_of(arguments), report}}, arguments.view, staged);
+        });
     session.clear_progress();
     if (!arguments.run.json.empty())
-        write_report(session, arguments, options, result, staged);
+        write_json(report_of(session, arguments, options, result), arguments.run.json, staged);
     if (arguments.run.prints())
         print_summary(session, arguments, result, staged);
     // Last of all: whatever fails before leaves no output and no part of one.
@@ -267,7 +292,7 @@ int run_mesh(MeshArguments& arguments)
     if (arguments.check)
         result.mesh = checked_findings(session, arguments, inputs.volume.get(), mesh.get());
     // With --quiet and no report nobody sees the figures, so they are not computed.
-    if (arguments.run.prints() || !arguments.run.json.empty())
+    if (arguments.run.prints() || !arguments.run.json.empty() || !arguments.view.output.empty())
         look_at_result(session, arguments, inputs.volume.get(), mesh.get(), result);
     // The voxels have been compared with the mesh. Writers need memory for the surface.
     inputs.volume.reset();
@@ -280,6 +305,7 @@ std::string mesh_footer()
     return "Formats of OUTPUT, by extension:\n" + format_help(CLEFT_IO_WRITES_MESH) +
            "\nExamples:\n"
            "  cleft mesh atlas.nii.gz -o atlas.vtu --json atlas.json\n"
+           "  cleft mesh head.nrrd -o head.vtu --view head.html   and look at it in a browser\n"
            "  cleft mesh head.nrrd -o head.msh -o skin.stl --strip 0 --tets 500000\n"
            "  cleft mesh head.nrrd -o head.inp --size-max 8 --label-size 3=1.5 --gradation 0.2\n"
            "  cleft mesh a.nrrd b.nrrd c.nrrd -o scene.vtu        indicator functions, the largest wins\n"
@@ -298,6 +324,10 @@ void add_results_to(CLI::App& parser, MeshArguments& arguments)
         ->allow_extra_args(false)
         ->type_name("OUTPUT");
     add_msh_version_to(parser, arguments.msh_version);
+    parser
+        .add_option("--view", arguments.view.output,
+                    "A page that shows the mesh in any browser, with this run's report")
+        ->type_name("FILE.html");
     parser.add_flag("--check", arguments.check, "Validate the mesh before it is written; exit code 1 if it fails");
     parser.add_flag("--distances", arguments.distances,
                     "Measure how far the interfaces of the mesh are from those of the\n"

@@ -122,6 +122,13 @@ void check_picture_output(const std::string& path)
     check_place(path);
 }
 
+void check_page_output(const std::string& path)
+{
+    if (!ends_with_nocase(path, ".html") && !ends_with_nocase(path, ".htm"))
+        throw cannot_write("'" + path + "': a view is written as .html");
+    check_place(path);
+}
+
 void check_json_output(const std::string& path)
 {
     struct stat status = {};

@@ -4,6 +4,7 @@
 #include "cleft/cleft_io.h"
 
 #include <string>
+#include <vector>
 
 namespace cleft_cli
 {
@@ -21,6 +22,8 @@ OutputFile checked_mesh_output(const std::string& path, const std::string& msh_v
 void check_sizing_output(const std::string& path);
 // Likewise for a picture.
 void check_picture_output(const std::string& path);
+// Likewise for a view.
+void check_page_output(const std::string& path);
 // Nothing to check for "" and "-".
 void check_json_output(const std::string& path);
 

@@ -126,4 +126,17 @@ typedef struct first_io_picture {
     double range[2];
 } first_io_picture;
 
+typedef struct first_io_view {
+    uint32_t struct_size;
+    int32_t reserved;
+    int64_t max_tets;
+    double goal;
+    const char* title;
+    const char* report;
+    const char* names;
+    const void* other;
+    const char* other_title;
+    const char* other_report;
+} first_io_view;
+
 #endif

@@ -165,6 +165,19 @@ PLACE(cleft_io_picture, up, 80);
 PLACE(cleft_io_picture, zoom, 104);
 PLACE(cleft_io_picture, line_width, 112);
 PLACE(cleft_io_picture, range, 120);
+
+HOLDS(sizeof(cleft_io_view) >= 72);
+ENDS_WITH(cleft_io_view, other_report);
+PLACE(cleft_io_view, struct_size, 0);
+PLACE(cleft_io_view, reserved, 4);
+PLACE(cleft_io_view, max_tets, 8);
+PLACE(cleft_io_view, goal, 16);
+PLACE(cleft_io_view, title, 24);
+PLACE(cleft_io_view, report, 32);
+PLACE(cleft_io_view, names, 40);
+PLACE(cleft_io_view, other, 48);
+PLACE(cleft_io_view, other_title, 56);
+PLACE(cleft_io_view, other_report, 64);
 #endif
 
 HOLDS(sizeof(cleft_io_backdrop) == 4);

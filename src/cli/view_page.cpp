@@ -1,0 +1,62 @@
+// Writes pages by the file component.
+#include "view_page.hpp"
+
+#include "cleft/cleft_io.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+
+namespace cleft_cli
+{
+
+void PageArguments::add_to(CLI::App& app)
+{
+    app.add_option("--names", names,
+                   "Names of labels in the view: a label and its name a line,\n"
+                   "or a table of ITK-SNAP or FreeSurfer")
+        ->check(CLI::ExistingFile.description(""))
+        ->type_name("FILE");
+    app.add_option("--goal", goal,
+                   "Least dihedral angle that the view marks, in degrees (default:\n"
+                   "that of the report, else 25)")
+        ->check(CLI::Range(0.0, 90.0).description(""))
+        ->type_name("DEGREES");
+    app.add_option("--max-shown", max_tets,
+                   "Tetrahedra that the view has of a mesh at most (default\n"
+                   "3000000). Of more it has those at interfaces, and says so")
+        ->check(CLI::PositiveNumber.description(""))
+        ->type_name("N");
+}
+
+std::string file_title(const std::string& path)
+{
+    const std::filesystem::path as_path(path);
+    // A path that ends in "/" has no name behind it.
+    return (as_path.has_filename() ? as_path : as_path.parent_path()).filename().string();
+}
+
+void write_page(const Session& session, const std::vector<ShownMesh>& meshes, const PageArguments& arguments,
+                StagedOutputs& staged)
+{
+    const auto text_or_null = [](const std::string& text) { return text.empty() ? nullptr : text.c_str(); };
+    cleft_io_view view = {};
+    view.struct_size = sizeof view;
+    view.max_tets = arguments.max_tets;
+    view.goal = arguments.goal;
+    view.names = text_or_null(arguments.names);
+    view.title = text_or_null(meshes.front().title);
+    view.report = text_or_null(meshes.front().report);
+    if (meshes.size() > 1) {
+        view.other = meshes[1].mesh;
+        view.other_title = text_or_null(meshes[1].title);
+        view.other_report = text_or_null(meshes[1].report);
+    }
+    staged.write(arguments.output, [&](const std::string& to) {
+        const cleft_status status = cleft_io_write_view(session.context(), meshes.front().mesh, &view, to.c_str());
+        // Only the table of names has a format.
+        session.check(status, status == CLEFT_ERROR_FORMAT ? EXIT_CANNOT_READ : EXIT_CANNOT_WRITE);
+    });
+}
+
+}  // namespace cleft_cli

@@ -1,0 +1,19 @@
+// Tables of the names of labels, as programs of segmentation keep them.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace cleft::io
+{
+
+// Reads one of four forms, which a file has throughout:
+// - a label and its name a line, with blanks, a tab, a comma or "=" between them;
+// - MRIcron's: label, name without blanks, and a number;
+// - FreeSurfer's colour table: label, name without blanks, and four numbers;
+// - ITK-SNAP's label descriptions: label, six numbers, and the name in quotes.
+// Lines that begin with "#" and blank lines are passed over. Throws Error with the file and the line.
+std::map<int32_t, std::string> read_name_table(const std::string& path);
+
+}  // namespace cleft::io

@@ -1,0 +1,263 @@
+// The page: its meshes, its state, and what changes it.
+
+class Page {
+    constructor(meshes, reports, origin, goal) {
+        this.meshes = meshes;
+        this.origin = origin;
+        this.goal = goal || goalOfReport(reports.find(Boolean));
+        this.isComparison = meshes.length > 1;
+        this.state = firstState(meshes);
+        this.box = boxOfAll(meshes);
+        this.radius = norm(minus(this.box.high, this.box.low)) / 2 || 1;
+        this.software = drawsBySoftware();
+        this.slow = 1; // pixels are this much larger while something moves
+        this.views = meshes.map((mesh, number) => new View(this, mesh, number));
+        this.legend = makeLegend();
+        this.views[0].box.append(this.legend.root);
+        this.scales = Object.fromEntries(kColourings.slice(1).map((by) => [by, null]));
+        this.updates = [];
+    }
+
+    addPanel(reports) {
+        for (const mesh of this.meshes) addFigures(this, mesh);
+        this.updates.push(addCut(this), addLooks(this), addMaterials(this));
+        addHistogram(this);
+        this.updates.push(addWorst(this));
+        this.meshes.forEach((mesh, number) => addReport(this, mesh, reports[number]));
+    }
+
+    // ------------------------------------------------------------------ what is drawn
+
+    refresh() {
+        const { by } = this.state;
+        if (by !== "material") this.scales[by] ??= scaleOf(by, this.meshes, this.goal);
+        for (const view of this.views) view.update();
+        this.legend.show(this.scales[by] ?? null);
+        for (const update of this.updates) update();
+        this.redraw();
+    }
+
+    // At the next frame, once for all that happens until then.
+    redraw() {
+        this.frame ??= requestAnimationFrame((time) => {
+            this.frame = null;
+            this.draw(time);
+        });
+    }
+
+    // A change of what is drawn: it is found at the next frame, too, as a slider may move several times until then.
+    change(values) {
+        Object.assign(this.state, values);
+        this.pending ??= requestAnimationFrame(() => {
+            this.pending = null;
+            this.refresh();
+        });
+    }
+
+    draw(time) {
+        for (const view of this.views) view.draw();
+        this.measure(time);
+        this.directions();
+    }
+
+    // Where frames take long, there are fewer pixels until all stands still.
+    measure(time) {
+        const gap = time - (this.lastFrame ?? -Infinity);
+        this.lastFrame = time;
+        if (!this.isMoving || gap > 500) return;
+        if (gap > 45) this.slow = Math.min(2.5, this.slow * 1.15);
+        else if (gap < 22) this.slow = Math.max(1, this.slow / 1.05);
+    }
+
+    moving() {
+        this.isMoving = true;
+        clearTimeout(this.rest);
+        this.rest = setTimeout(() => {
+            this.isMoving = false;
+            this.redraw();
+        }, 160);
+        this.redraw();
+    }
+
+    pixels() {
+        const most = this.software ? 1 : Math.min(2, devicePixelRatio);
+        return this.isMoving ? most / this.slow : most;
+    }
+
+    // ------------------------------------------------------------------ labels and cuts
+
+    showLabels(labels, shown) {
+        for (const label of labels)
+            if (shown) this.state.hidden.delete(label);
+            else this.state.hidden.add(label);
+        byId("surrounding")?.remove();
+        this.change({});
+    }
+
+    showLabel(label, shown) {
+        this.showLabels([label], shown);
+    }
+
+    showOnly(label) {
+        this.state.hidden = new Set(this.meshes.flatMap((mesh) => mesh.labels.map((row) => row.label)));
+        this.showLabels([label], true);
+    }
+
+    changeCut(values) {
+        // Of a new axis the far side stays, so that one looks onto the cut.
+        if (values.kind && values.kind !== this.state.cut.kind && kAxes[values.kind])
+            values.flipped = dot(kAxes[values.kind], cameraAxes(this.state.camera).back) < 0 ? false : true;
+        Object.assign(this.state.cut, values);
+        this.change({});
+    }
+
+    cutFacing() {
+        const { yaw, pitch } = this.state.camera;
+        this.changeCut({ kind: "free", yaw: Math.atan2(Math.sin(yaw), Math.cos(yaw)), pitch, flipped: true });
+    }
+
+    // So that it is just kept, and seen.
+    cutAt(tet) {
+        const { cut } = this.state;
+        if (cut.kind === "none") this.changeCut({ kind: "y" });
+        this.changeCut({
+            at: clamp(cutThrough(cut, this.box, this.centreOf(tet)) + (cut.flipped ? 1e-6 : -1e-6), 0, 1),
+        });
+    }
+
+    placeOfCut() {
+        const plane = cutPlane({ ...this.state.cut, flipped: false }, this.box);
+        return plane ? short(plane.offset + dot(plane.normal, this.origin)) : "";
+    }
+
+    // ------------------------------------------------------------------ tetrahedra
+
+    centreOf(tet) {
+        const sum = [0, 1, 2].map(
+            (axis) => tet.corners[axis] + tet.corners[3 + axis] + tet.corners[6 + axis] + tet.corners[9 + axis],
+        );
+        return minus(times(1 / 4, sum), this.origin);
+    }
+
+    worstOf(view) {
+        return view.mesh.data.worst[this.worstBy];
+    }
+
+    choose(chosen) {
+        this.state.chosen = chosen;
+        for (const view of this.views) {
+            const corners =
+                chosen?.view === view
+                    ? [0, 3, 6, 9].map((c) => minus(chosen.tet.corners.slice(c, c + 3), this.origin))
+                    : null;
+            view.picture.setChosen(corners);
+            showCard(this, view);
+        }
+        for (const update of this.updates) update();
+        this.redraw();
+    }
+
+    pick(view, clientX, clientY) {
+        const found = view.at(clientX, clientY);
+        this.choose(found && { view, tet: describedTet(view.mesh, found.tet, this.origin) });
+    }
+
+    // A cut goes along, so that the tetrahedron is not hidden in the mesh.
+    flyTo(view, tet) {
+        const centre = this.centreOf(tet);
+        const reach = Math.max(
+            ...[0, 3, 6, 9].map((c) => norm(minus(minus(tet.corners.slice(c, c + 3), this.origin), centre))),
+        );
+        if (this.state.cut.kind !== "none") this.cutAt(tet);
+        this.choose({ view, tet });
+        this.fly({
+            target: centre,
+            distance: clamp(distanceFor(9 * reach, view.aspect()), 0, this.state.camera.distance),
+        });
+    }
+
+    nextWorst() {
+        const all = this.rowsOfTets;
+        if (!all.length) return;
+        const at = all.findIndex(
+            ({ view, tet }) => this.state.chosen?.view === view && this.state.chosen.tet.tet === tet.tet,
+        );
+        const next = all[(at + 1) % all.length];
+        this.flyTo(next.view, next.tet);
+    }
+
+    // ------------------------------------------------------------------ the camera
+
+    fly(goal) {
+        const { camera } = this.state;
+        const start = { ...camera };
+        const end = { ...camera, ...goal };
+        const takes = matchMedia("(prefers-reduced-motion: reduce)").matches ? 0 : 450;
+        const begin = performance.now();
+        cancelAnimationFrame(this.flight);
+        const step = () => {
+            const share = takes ? clamp((performance.now() - begin) / takes, 0, 1) : 1;
+            const eased = share * share * (3 - 2 * share);
+            for (const name of ["yaw", "pitch", "distance"])
+                camera[name] = start[name] + eased * (end[name] - start[name]);
+            camera.target = plus(start.target, times(eased, minus(end.target, start.target)));
+            this.moving();
+            if (share < 1) this.flight = requestAnimationFrame(step);
+        };
+        step();
+    }
+
+    // All that is shown, a little closer than a ball around its box would be.
+    home() {
+        const { low, high } = boxOfShown(this.meshes, this.state.hidden);
+        const distance = distanceFor((0.8 * norm(minus(high, low))) / 2 || 1, this.views[0].aspect());
+        return { yaw: -58 * kDegree, pitch: 20 * kDegree, target: times(0.5, plus(low, high)), distance };
+    }
+
+    reset() {
+        this.fly(this.home());
+    }
+
+    lookAlong(yaw, pitch) {
+        const { camera } = this.state;
+        // The shortest way around.
+        const turns = Math.round((camera.yaw - yaw) / (2 * Math.PI));
+        this.fly({ yaw: yaw + 2 * Math.PI * turns, pitch });
+    }
+
+    // ------------------------------------------------------------------ the bar
+
+    toggleKeys() {
+        const keys = byId("keys");
+        keys.hidden = !keys.hidden;
+        byId("help").setAttribute("aria-expanded", String(!keys.hidden));
+    }
+
+    directions() {
+        const { back } = cameraAxes(this.state.camera);
+        for (const button of byId("directions").children)
+            pressed(button, dot(back, kDirections[button.dataset.name].from) > 0.9999);
+    }
+}
+
+// From where each button looks.
+const kDirections = Object.fromEntries(
+    Object.entries(kAxes).flatMap(([name, axis]) => [
+        [
+            `+${name}`,
+            {
+                from: axis,
+                yaw: Math.atan2(axis[1], axis[0]) - (axis[2] ? Math.PI / 2 : 0),
+                pitch: (axis[2] * Math.PI) / 2,
+            },
+        ],
+        [
+            `-${name}`,
+            {
+                from: times(-1, axis),
+                yaw: Math.atan2(-axis[1], -axis[0]) - (axis[2] ? Math.PI / 2 : 0) + 0,
+                pitch: (-axis[2] * Math.PI) / 2,
+            },
+        ],
+    ]),
+);

@@ -1,0 +1,110 @@
+// Entry: a page that shows a mesh, or two.
+#include "base/struct_size.hpp"
+#include "cleft/cleft_io.h"
+#include "io/entry.hpp"
+#include "io/view/name_table.hpp"
+#include "io/view/write_page.hpp"
+
+#include <cmath>
+
+// The size of the struct in version 0.1. Callers that were compiled with it stay valid when fields
+// are added at the end.
+template <>
+inline constexpr size_t cleft::kFirstSize<cleft_io_view> = CLEFT_END_OF(cleft_io_view, other_report);
+
+namespace cleft::io
+{
+
+namespace
+{
+
+// A million tetrahedra take some 100 MB in a browser, and a tenth of a second when a cut moves.
+constexpr int64_t kMostTets = 3000000;
+
+cleft_io_view checked_view(const cleft_io_view* given)
+{
+    cleft_io_view view = given ? copy_in(*given, "cleft_io_view") : cleft_io_view{};
+    if (view.reserved != 0)
+        throw Error(CLEFT_ERROR_ARGUMENT,
+                    "reserved of the cleft_io_view is " + std::to_string(view.reserved) + "; it must be 0");
+    if (view.max_tets < 0)
+        throw Error(CLEFT_ERROR_ARGUMENT, "max_tets is " + std::to_string(view.max_tets) + "; it must not be negative");
+    if (!std::isfinite(view.goal) || view.goal < 0 || view.goal > 90)
+        throw Error(CLEFT_ERROR_ARGUMENT, "the goal of the least dihedral angle must be from 0 to 90 degrees");
+    if (view.max_tets == 0)
+        view.max_tets = kMostTets;
+    return view;
+}
+
+// Before the struct is checked: the second mesh has to live during the call as the first one does.
+const cleft_mesh* other_of(const cleft_io_view* view)
+{
+    return view && view->struct_size >= CLEFT_END_OF(cleft_io_view, other) ? view->other : nullptr;
+}
+
+const char* text_or_empty(const char* text) { return text ? text : ""; }
+
+// Only a mesh that is shown in part needs its surface. One whose faces are broken has none, and is shown all the same.
+SurfaceHandle surface_for(cleft_context* context, const cleft_mesh* mesh, int64_t max_tets)
+{
+    cleft_surface* surface = nullptr;
+    if (cleft_mesh_tet_count(mesh) <= max_tets)
+        return nullptr;
+    const cleft_status status = cleft_surface_create(context, mesh, &surface);
+    if (status != CLEFT_OK && status != CLEFT_ERROR_INVALID_MESH)
+        check(context, status);
+    return SurfaceHandle(surface);
+}
+
+PageMesh page_mesh(cleft_context* context, const cleft_mesh* mesh, const cleft_surface* surface, const char* title,
+                   const char* report)
+{
+    if (cleft_mesh_tet_count(mesh) == 0)
+        throw Error(CLEFT_ERROR_ARGUMENT, "the mesh has no tetrahedra to show");
+    PageMesh page;
+    page.mesh = mesh;
+    page.surface = surface;
+    page.title = title && *title ? title : "Mesh";
+    page.report = text_or_empty(report);
+    page.quality.struct_size = sizeof page.quality;
+    check(context, cleft_mesh_quality(context, mesh, &page.quality));
+    page.view = view_of(mesh, nullptr);
+    return page;
+}
+
+void use_names(const std::map<int32_t, std::string>& names, PageMesh& page)
+{
+    for (size_t l = 0; l < page.view.labels.size(); ++l) {
+        const auto found = names.find(page.view.labels[l]);
+        if (found != names.end())
+            page.view.names[l] = found->second;
+    }
+}
+
+}  // namespace
+
+}  // namespace cleft::io
+
+using namespace cleft::io;
+
+cleft_status cleft_io_write_view(cleft_context* context, const cleft_mesh* mesh, const cleft_io_view* view,
+                                 const char* path) noexcept
+{
+    return entry(context, {mesh, other_of(view)}, [&] {
+        required(mesh, "mesh");
+        required(path, "path");
+        const cleft_io_view options = checked_view(view);
+        const cleft_mesh* other = options.other;
+        const SurfaceHandle surfaces[] = {surface_for(context, mesh, options.max_tets),
+                                          other ? surface_for(context, other, options.max_tets) : nullptr};
+        std::vector<PageMesh> pages = {page_mesh(context, mesh, surfaces[0].get(), options.title, options.report)};
+        if (other)
+            pages.push_back(page_mesh(context, other, surfaces[1].get(), options.other_title, options.other_report));
+        if (options.names) {
+            const auto names = read_name_table(options.names);
+            for (PageMesh& page : pages)
+                use_names(names, page);
+        }
+        write_page(pages, {options.max_tets, options.goal, cleft_context_threads(context)}, path);
+    });
+}

@@ -1,0 +1,106 @@
+"""cleft view and cleft mesh --view write a page that has the mesh, all or nothing."""
+import html.parser
+import json
+import unittest
+
+from support import CANNOT_READ, CANNOT_WRITE, USAGE, CommandTest, cleft
+
+
+class Page(html.parser.HTMLParser):
+    """The data elements of a page, by their names."""
+
+    def __init__(self, path):
+        super().__init__()
+        self.elements, self.current = {}, None
+        self.feed(path.read_text())
+
+    def handle_starttag(self, tag, attributes):
+        self.current = dict(attributes).get("id") if tag == "script" else None
+
+    def handle_data(self, data):
+        if self.current:
+            self.elements[self.current] = data
+
+    def handle_endtag(self, tag):
+        self.current = None
+
+    def data(self):
+        return json.loads(self.elements["data"])
+
+
+class View(CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.report = self.mesh(self.volume)
+
+    def test_the_page_tells_what_the_command_tells(self):
+        page = self.path("page.html")
+        done = self.run_ok("view", self.path("out.vtu"), "-o", page, "--json", self.path("view.json"))
+        self.assertIn("page.html", done.stdout)
+        (mesh,) = Page(page).data()["meshes"]
+        self.assertEqual(mesh["title"], "out.vtu")
+        self.assertEqual((mesh["tets"], mesh["points"]), (self.report["mesh"]["tets"], self.report["mesh"]["points"]))
+        self.assertEqual(mesh["quality"]["dihedral_histogram"], self.report["quality"]["dihedral_histogram"])
+        for mine, reported in zip(mesh["labels"], self.report["mesh"]["labels"]):
+            self.assertEqual((mine["label"], mine["tets"]), (reported["label"], reported["tets"]))
+            self.assertAlmostEqual(mine["volume"], reported["volume"], 9)
+        worst = mesh["worst"]
+        self.assertAlmostEqual(worst["angle"][0]["least_angle"], self.report["quality"]["min_dihedral"], 6)
+        self.assertAlmostEqual(worst["ratio"][0]["radius_ratio"], self.report["quality"]["radius_ratio_max"], 6)
+        angles = [tet["least_angle"] for tet in worst["angle"]]
+        self.assertEqual(angles, sorted(angles))
+        report = json.loads(self.path("view.json").read_text())
+        self.assertEqual((report["command"], report["outputs"]), ("view", [str(page)]))
+        self.assertEqual(report["tets"], [mesh["tets"]])
+
+    def test_mesh_writes_the_same_page_with_its_report(self):
+        self.run_ok("mesh", self.volume, "-o", self.path("b.vtu"), "--view", self.path("b.html"), "-q")
+        self.run_ok("view", self.path("b.vtu"), "-o", self.path("c.html"), "-q")
+        ours, read = Page(self.path("b.html")), Page(self.path("c.html"))
+        report = json.loads(ours.elements.pop("report-0"))
+        self.assertEqual(ours.elements, read.elements)
+        self.assertEqual((report["command"], report["view"]), ("mesh", str(self.path("b.html"))))
+        self.assertEqual(report["labels"], self.report["labels"])
+        self.assertEqual([stage["name"] for stage in report["stages"]][-1], "write")
+
+    def test_a_view_may_be_the_only_output(self):
+        self.run_ok("mesh", self.volume, "--view", self.path("b.html"))
+        self.assertEqual(Page(self.path("b.html")).data()["meshes"][0]["title"], "balls.nrrd")
+
+    def test_reports_and_names_of_files(self):
+        names = self.path("names.txt")
+        names.write_text("3 <b>inner</b>\n7 outer\n")
+        out = self.path("out.vtu")
+        self.run_ok("view", out, out, "-o", self.path("p.htm"), "--report", self.path("report.json"), "--names", names)
+        page = Page(self.path("p.htm"))
+        self.assertEqual(json.loads(page.elements["report-0"]), self.report)
+        self.assertNotIn("report-1", page.elements)
+        self.assertEqual([mesh["title"] for mesh in page.data()["meshes"]], ["out.vtu", "out.vtu"])
+        self.assertEqual([row["name"] for row in page.data()["meshes"][1]["labels"]], ["", "<b>inner</b>", "outer"])
+
+    def test_failures_leave_nothing(self):
+        out, page = self.path("out.vtu"), self.path("page.html")
+        self.path("bad.json").write_text("{")
+        self.path("bad.txt").write_text("lung 3\n")
+        view = ("view", out, "-o", page)
+        self.assert_fails(CANNOT_WRITE, cleft("view", out, "-o", self.path("page.vtu")), "page.vtu", ".html")
+        self.assert_fails(CANNOT_WRITE, cleft("view", out, "-o", self.path("none/page.html")), "none")
+        self.assert_fails(CANNOT_READ, cleft("view", self.path("none.vtu"), "-o", page), "none.vtu")
+        self.assert_fails(CANNOT_READ, cleft(*view, "--report", self.path("bad.json")), "bad.json")
+        self.assert_fails(CANNOT_READ, cleft(*view, "--names", self.path("bad.txt")), "bad.txt", "line 1")
+        self.assert_fails(USAGE, cleft("view", out), "--output")
+        self.assert_fails(USAGE, cleft("view", out, out, out, "-o", page))
+        self.assert_fails(
+            USAGE, cleft(*view, "--report", self.path("report.json"), "--report", self.path("report.json"))
+        )
+        self.assert_fails(USAGE, cleft(*view, "--goal", "91"), "--goal")
+        self.assert_fails(USAGE, cleft("mesh", self.volume, "-o", page, "--view", page))
+        self.assert_fails(CANNOT_WRITE, cleft("mesh", self.volume, "--view", self.path("a.vtu")), "a.vtu")
+        self.path("names.html").write_text("3 precious\n")
+        self.assert_fails(USAGE, cleft("view", out, "-o", self.path("names.html"), "--names", self.path("names.html")))
+        self.assertEqual(self.path("names.html").read_text(), "3 precious\n")
+        self.assertFalse(page.exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
