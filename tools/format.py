@@ -25,7 +25,7 @@ FORTRAN = (".f90",)
 JAVA_LIKE = (".java", ".cs")
 SCRIPTS = (".cmake", "CMakeLists.txt", ".sh", "run-tests", "run-demo")
 # Lines within the width; documents have tables.
-WITHIN_WIDTH = (*C, *PYTHON, *FORTRAN, *JAVA_LIKE, *SCRIPTS, ".js", ".css")
+WITHIN_WIDTH = (*C, *PYTHON, *FORTRAN, *JAVA_LIKE, *SCRIPTS, ".js", ".mjs", ".css")
 TEXTS = (*WITHIN_WIDTH, ".html", ".i", ".in", ".inc", ".json", ".md", ".toml")
 INPUTS = ("tests/data/", "tests/fuzz/corpus/")  # byte for byte
 

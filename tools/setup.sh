@@ -17,12 +17,16 @@ test_packages="
     gmsh calculix-ccx openfoam getdp python3-dolfinx-real python3-gmsh
     gfortran make abigail-tools freefem++ man-db lintian locales
     python3-numpy python3-meshio python3-vtk9 python3-nibabel python3-pydicom
-    python3-pil python3-skimage python3-tifffile"
+    python3-pil python3-skimage python3-tifffile
+    chromium"
 
 benchmark_packages="
     libcgal-dev libtbb-dev
     python3-numpy python3-matplotlib python3-nibabel
     mricron-data"
+
+# Other sources of packages than Debian have npm in their package of Node.
+command -v npm >/dev/null || test_packages="$test_packages nodejs npm"
 
 say() { printf '\n== %s\n' "$*"; }
 fail() { printf '%s: %s\n' "$(basename "$0")" "$*" >&2; exit 1; }

@@ -7,7 +7,7 @@ cleft=$prefix/bin/cleft
 
 "$cleft" --version | grep -q '^cleft [0-9]'
 
-for page in "" -mesh -info -check -convert -sizing -render; do
+for page in "" -mesh -info -check -convert -sizing -render -view; do
     manual=$prefix/share/man/man1/cleft$page.1
     warnings=$(man --warnings -E UTF-8 -l "$manual" 2>&1 >/dev/null || true)
     if [ -n "$warnings" ] || ! grep -q "^cleft${page/-/\\\\-} \\\\- [a-z]" "$manual"; then
@@ -32,7 +32,7 @@ completes() { # completes WORD WORD... -- EXPECTED...: the last WORD is the one 
         exit 1
     fi
 }
-completes "$cleft" "" -- mesh info check convert sizing render
+completes "$cleft" "" -- mesh info check convert sizing render view
 completes "$cleft" me -- mesh
 completes "$cleft" mesh a.nrrd --size-m -- --size-min --size-max
 completes "$cleft" mesh --snap "" -- quality safe none

@@ -35,7 +35,8 @@ function show(page, reports) {
     addEventListener("beforeprint", () => page.draw(performance.now()));
     Object.assign(page.state.camera, page.home());
     page.refresh();
-    globalThis.cleftPage = page; // for a console, and for tests
+    // For a console, and for tests.
+    globalThis.cleftPage = Object.assign(page, { anglesOf, cornersOf, measured });
     document.documentElement.dataset.ready = Math.round(performance.now());
 }
 

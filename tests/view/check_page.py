@@ -1,0 +1,29 @@
+"""One mesh in the page: everything that the panel, the mouse and the keys can do."""
+import json
+import pathlib
+import tempfile
+
+from browser import run_script, skip_without_browser
+
+skip_without_browser()
+
+from support import balls, cleft, write_nrrd  # noqa: E402
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        volume, mesh, page, report = (folder / f"balls{end}" for end in (".nrrd", ".vtu", ".html", ".json"))
+        write_nrrd(volume, (16, 16, 16), balls())
+        small = folder / "part.html"
+        for arguments in (
+            ("mesh", volume, "-o", mesh, "--json", report),
+            ("view", mesh, "-o", page, "--report", report),
+            ("view", mesh, "-o", small, "--max-shown", 500),
+        ):
+            done = cleft(*arguments, "-q")
+            assert done.returncode == 0, done.stderr
+        run_script("page", page=page, part=small, report=json.loads(report.read_text()))
+
+
+main()

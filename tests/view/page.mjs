@@ -1,0 +1,279 @@
+// One mesh: what is drawn, what the panel tells, and that mouse, touch and keys reach all of it.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { test } from "node:test";
+import { about, changes, closed, opened, pictureOf, pressed, trianglesOf } from "./support.mjs";
+
+const { report } = about;
+const labels = report.mesh.labels.map((row) => row.label);
+
+test("a picture is there, and the surrounding label can be shown", async () => {
+    const page = await opened(about.page);
+    assert.ok((await pictureOf(page)).colours > 20);
+    assert.equal(await page.title(), "balls.vtu");
+    assert.match(await page.textContent("#surrounding"), /Label 0 surrounds all others/);
+    assert.ok(await changes(page, () => page.click("#surrounding button")));
+    await closed(page);
+});
+
+test("the triangles drawn are those of the mesh", async () => {
+    const page = await opened(about.page);
+    await page.click("#surrounding button");
+    await page.selectOption("#cut-choice", "none");
+    assert.deepEqual(await trianglesOf(page), [report.mesh.hull_triangles]);
+    await page.check("#interfaces"); // each from both of its sides
+    assert.deepEqual(await trianglesOf(page), [2 * report.mesh.interface_triangles]);
+    await closed(page);
+});
+
+test("cuts change the picture", async () => {
+    const page = await opened(about.page);
+    const at = (value) => page.locator("#cut-at").fill(String(value));
+    for (const kind of ["x", "y", "z", "free"]) {
+        await page.selectOption("#cut-choice", kind);
+        for (const flat of [false, true]) {
+            await page.setChecked("#cut-flat", flat);
+            await at(0.3);
+            assert.ok(await changes(page, () => at(0.45)), `${kind} ${flat}`);
+        }
+        assert.ok(await changes(page, () => page.setChecked("#cut-flat", false)), kind);
+        assert.ok(await changes(page, () => page.locator("#cut-flip").click()), kind);
+    }
+    assert.ok(await changes(page, () => page.locator("#cut-yaw").fill("80")));
+    assert.ok(await changes(page, () => page.click("#cut-face")));
+    await closed(page);
+});
+
+test("a flat cut at a place has the area of the box", async () => {
+    const page = await opened(about.page);
+    await page.click("#surrounding button");
+    await page.selectOption("#cut-choice", "z");
+    await page.check("#cut-flat");
+    await page.locator("#cut-at").fill("0.37");
+    await pictureOf(page);
+    const area = await page.evaluate(() => {
+        const { places, triangles } = cleftPage.views[0].slice;
+        let sum = 0;
+        for (let i = 0; i < triangles; ++i) {
+            const [a, b, c] = [0, 4, 8].map((at) => places.subarray(12 * i + at, 12 * i + at + 3));
+            sum +=
+                Math.hypot(
+                    ...[0, 1, 2].map((k) => {
+                        const [m, n] = [(k + 1) % 3, (k + 2) % 3];
+                        return (b[m] - a[m]) * (c[n] - a[n]) - (b[n] - a[n]) * (c[m] - a[m]);
+                    }),
+                ) / 2;
+        }
+        return sum;
+    });
+    const [width, height] = [0, 1].map((axis) => report.mesh.high[axis] - report.mesh.low[axis]);
+    assert.ok(Math.abs(area / (width * height) - 1) < 1e-4, `${area}`);
+    await closed(page);
+});
+
+test("materials can be hidden, found and shown alone", async () => {
+    const page = await opened(about.page);
+    const box = (label) => page.locator(`.material[data-label="${label}"] input`);
+    assert.equal(await page.locator(".material").count(), labels.length);
+    for (const label of labels) assert.ok(await changes(page, () => box(label).click()), `${label}`);
+    await page.click("#hide-all");
+    assert.deepEqual(await trianglesOf(page), [0]);
+    assert.equal((await pictureOf(page)).colours, 1);
+    await page.fill("#material-search", "7");
+    await page.click("#show-all");
+    assert.ok((await trianglesOf(page))[0] > 0);
+    assert.deepEqual(await page.evaluate(() => [...cleftPage.state.hidden].sort()), [0, 3]);
+    await closed(page);
+});
+
+test("colours and edges change the picture, and measures have a legend", async () => {
+    const page = await opened(about.page);
+    for (const by of ["angle", "ratio", "size"]) {
+        assert.ok(await changes(page, () => page.selectOption("#by-choice", by)), by);
+        assert.ok(await page.isVisible(".legend"));
+    }
+    assert.ok(await changes(page, () => page.selectOption("#by-choice", "material")));
+    assert.ok(await page.isHidden(".legend"));
+    assert.ok(await changes(page, () => page.uncheck("#edges")));
+    await closed(page);
+});
+
+test("the figures are those of the command", async () => {
+    const page = await opened(about.page);
+    const counts = await page.$$eval(".histogram .bar", (bars) => bars.map((bar) => Number(bar.dataset.count)));
+    assert.deepEqual(counts, report.quality.dihedral_histogram);
+    assert.match(await page.textContent(".histogram .goal-text"), /25/);
+    const measured = await page.evaluate(() => {
+        const { mesh } = cleftPage.views[0];
+        const bins = new Array(36).fill(0);
+        for (let t = 0; t < mesh.tetCount; ++t)
+            for (const angle of cleftPage.anglesOf(cleftPage.cornersOf(mesh, t)))
+                ++bins[Math.min(35, Math.floor(angle / 5))];
+        return {
+            bins,
+            least: Math.min(...cleftPage.measured(mesh, "angle")),
+            worst: Math.max(...cleftPage.measured(mesh, "ratio")),
+        };
+    });
+    // Coordinates of 32 bits move an angle over the end of a bin now and then.
+    const off = measured.bins.reduce((sum, count, i) => sum + Math.abs(count - counts[i]), 0);
+    assert.ok(off <= 20, `${measured.bins}`);
+    assert.ok(Math.abs(measured.least - report.quality.min_dihedral) < 0.01);
+    assert.ok(Math.abs(measured.worst - report.quality.radius_ratio_max) < 0.01);
+    const text = await page.textContent("#panel");
+    for (const part of ["Voxels and mesh", "Options", "Times", "min_angle"]) assert.ok(text.includes(part), part);
+    await closed(page);
+});
+
+test("the worst ones can be flown to, and others picked", async () => {
+    const page = await opened(about.page);
+    const first = page.locator("#panel td button").first();
+    const number = await first.textContent();
+    assert.ok(await changes(page, () => first.click()));
+    const card = await page.textContent(".card");
+    assert.ok(
+        card.includes(`Tetrahedron ${number}`) && card.includes("Dihedral angles") && card.includes("Centre"),
+        card,
+    );
+    assert.equal(await page.locator("tr.chosen").count(), 1);
+    assert.ok(
+        (await changes(page, () => page.check("#marks"))) || (await page.locator("svg.marks circle").count()) > 5,
+    );
+    await page.click(".card .close");
+    assert.ok(await page.isHidden(".card"));
+    await page.click("#reset");
+    await page.mouse.click(300, 330);
+    assert.match(await page.textContent(".card"), /Tetrahedron [\d,]+.*Material[37] /);
+    await closed(page);
+});
+
+test("mouse and wheel turn, move and zoom", async () => {
+    const page = await opened(about.page);
+    const drag = async (button) => {
+        await page.mouse.move(200, 300);
+        await page.mouse.down({ button });
+        await page.mouse.move(260, 330, { steps: 3 });
+        await page.mouse.up({ button });
+    };
+    assert.ok(await changes(page, () => drag("left")));
+    assert.ok(await changes(page, () => drag("right")));
+    assert.ok(await changes(page, () => page.mouse.wheel(0, -300)));
+    assert.ok(await changes(page, () => page.click("#directions button >> nth=5")));
+    assert.equal(await page.getAttribute("#directions button >> nth=5", "aria-pressed"), "true");
+    await closed(page);
+});
+
+test("a finger turns, two zoom, and a tap picks", async () => {
+    const page = await opened(about.page, { hasTouch: true });
+    const session = await page.context().newCDPSession(page);
+    const touch = (type, ...points) =>
+        session.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+    const move = async (...fingers) => {
+        await touch("touchStart", ...fingers.map(([from]) => from));
+        await touch("touchMove", ...fingers.map(([, to]) => to));
+        await touch("touchEnd");
+    };
+    assert.ok(
+        await changes(page, () =>
+            move([
+                [200, 300],
+                [260, 330],
+            ]),
+        ),
+    );
+    const far = await page.evaluate(() => cleftPage.state.camera.distance);
+    await move(
+        [
+            [200, 300],
+            [150, 300],
+        ],
+        [
+            [300, 300],
+            [350, 300],
+        ],
+    );
+    assert.ok((await page.evaluate(() => cleftPage.state.camera.distance)) < far);
+    await page.click("#reset");
+    await page.touchscreen.tap(300, 330);
+    assert.ok(await page.isVisible(".card"));
+    await closed(page);
+});
+
+test("keys do what the page says, and Tab reaches every control", async () => {
+    const page = await opened(about.page);
+    const keys = "ArrowLeft ArrowUp Shift+ArrowLeft + i i x ] c r f [ n e b w".split(" ");
+    for (const key of keys) assert.ok(await changes(page, () => pressed(page, key)), key);
+    assert.ok(await page.isVisible(".card"));
+    await page.keyboard.press("Escape");
+    assert.ok(await page.isHidden(".card"));
+    await page.keyboard.press("?");
+    assert.ok(await page.isVisible("#keys"));
+    const reachable = "button, input, select, summary, canvas.mesh";
+    const wanted = await page.$$eval(
+        reachable,
+        (all) => all.filter((one) => one.checkVisibility() && !one.disabled).length,
+    );
+    const reached = new Set();
+    for (let step = 0; step < wanted + 30; ++step) {
+        await page.keyboard.press("Tab");
+        const place = await page.evaluate(
+            (selector) => [...document.querySelectorAll(selector)].indexOf(document.activeElement),
+            reachable,
+        );
+        if (place >= 0) reached.add(place);
+    }
+    assert.equal(reached.size, wanted);
+    await closed(page);
+});
+
+test("every control has a name", async () => {
+    const page = await opened(about.page);
+    const nameless = await page.$$eval("button, input, select", (all) =>
+        all
+            .filter((one) => !(one.textContent || one.ariaLabel || one.labels?.[0]?.textContent))
+            .map((one) => one.outerHTML),
+    );
+    assert.deepEqual(nameless, []);
+    await closed(page);
+});
+
+test("dark, printed and narrow", async () => {
+    const page = await opened(about.page, { colorScheme: "dark" });
+    const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    const dark = await paper();
+    await page.click("#theme");
+    assert.notEqual(await paper(), dark);
+    await page.setViewportSize({ width: 390, height: 800 });
+    assert.ok((await pictureOf(page)).colours > 20);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+    await page.emulateMedia({ media: "print" });
+    assert.ok(await page.isHidden(".bar"));
+    assert.ok((await page.pdf()).length > 10000);
+    await closed(page);
+});
+
+test("a part of a mesh is told to be one", async () => {
+    const page = await opened(about.part);
+    const tets = report.mesh.tets.toLocaleString("en-US");
+    assert.match(
+        await page.textContent("#notices"),
+        new RegExp(`has ${tets} tetrahedra. The picture has \\d+ of them`),
+    );
+    assert.ok((await pictureOf(page)).colours > 20);
+    const counts = await page.$$eval(".histogram .bar", (bars) => bars.map((bar) => Number(bar.dataset.count)));
+    assert.deepEqual(counts, report.quality.dihedral_histogram);
+    await page.keyboard.press("w");
+    assert.ok(await page.isVisible(".card"));
+    await closed(page);
+});
+
+test("a report that is none leaves the rest", async () => {
+    const text = await readFile(about.page, "utf8");
+    const reports = ["{", "[]", '{"labels":5,"stages":[1],"options":"x","warnings":{}}', "7"];
+    for (const bad of reports) {
+        const edited = text.replace(/(id="report-0">)[^<]*/, (_, start) => start + bad);
+        const page = await opened(about.page, {}, () => edited);
+        assert.ok((await pictureOf(page)).colours > 20, bad);
+        await closed(page);
+    }
+});
