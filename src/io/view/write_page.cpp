@@ -3,6 +3,7 @@
 #include "io/view/write_page.hpp"
 
 #include "io/atomic_file.hpp"
+#include "io/label_colours.hpp"
 #include "io/view/json_text.hpp"
 #include "io/view/mesh_figures.hpp"
 #include "io/view/packed_numbers.hpp"
@@ -94,13 +95,12 @@ Arrays arrays_of(const MeshView& mesh, const ShownTets& shown, const Grid& grid)
 void add_labels(const MeshView& mesh, const MeshFigures& figures, JsonText& json)
 {
     json.key("labels").open('[');
-    for (size_t l = 0; l < mesh.labels.size(); ++l)
-        json.open('{')
-            .field("label", mesh.labels[l])
-            .field("name", mesh.names[l])
-            .field("tets", figures.labels[l].tets)
-            .field("volume", figures.labels[l].volume)
-            .close('}');
+    for (size_t l = 0; l < mesh.labels.size(); ++l) {
+        const Colour colour = colour_of_label(mesh.labels[l]);
+        json.open('{').field("label", mesh.labels[l]).field("name", mesh.names[l]);
+        json.field("tets", figures.labels[l].tets).field("volume", figures.labels[l].volume);
+        json.list("colour", std::initializer_list<int>{colour.red, colour.green, colour.blue}).close('}');
+    }
     json.close(']');
 }
 

@@ -1,16 +1,6 @@
-// Colours of labels and of measures. Both can be told apart with every kind of colour blindness: labels by the colours
-// of Okabe and Ito in three degrees of lightness, measures by viridis, whose lightness rises from end to end.
+// Colours of labels, which come with the page, and of measures: viridis, whose lightness rises from end to end, so that
+// people with every kind of colour blindness can tell values apart.
 
-const kHues = [
-    [0, 114, 178],
-    [230, 159, 0],
-    [0, 158, 115],
-    [204, 121, 167],
-    [86, 180, 233],
-    [213, 94, 0],
-    [240, 228, 66],
-];
-const kGrey = [154, 163, 173];
 const kViridis = [
     [68, 1, 84],
     [71, 44, 122],
@@ -24,15 +14,6 @@ const kViridis = [
 ];
 
 const mixed = (a, b, share) => a.map((x, i) => Math.round(x + share * (b[i] - x)));
-
-// It depends on the label alone, so that a label has one colour in all meshes.
-function colourOfLabel(label) {
-    if (label === 0) return kGrey;
-    const place = Math.abs(label) - 1;
-    const hue = kHues[place % kHues.length];
-    const lightness = Math.floor(place / kHues.length) % 3;
-    return lightness === 0 ? hue : lightness === 1 ? mixed(hue, [255, 255, 255], 0.5) : mixed(hue, [0, 0, 0], 0.42);
-}
 
 function viridis(share) {
     const at = clamp(share, 0, 1) * (kViridis.length - 1);
@@ -80,7 +61,7 @@ function rangeOfSizes(meshes) {
 function coloursOf(mesh, by, scale) {
     const colours = new Uint32Array(mesh.tetCount);
     if (by === "material") {
-        const ofMaterial = mesh.labels.map((row) => packedColour(colourOfLabel(row.label)));
+        const ofMaterial = mesh.labels.map((row) => packedColour(row.colour));
         for (let t = 0; t < colours.length; ++t) colours[t] = ofMaterial[mesh.materials[t]];
         return colours;
     }

@@ -5,7 +5,7 @@ function allLabels(meshes) {
     const rows = new Map();
     meshes.forEach((mesh, number) =>
         mesh.labels.forEach((row) => {
-            if (!rows.has(row.label)) rows.set(row.label, { label: row.label, name: "", of: [] });
+            if (!rows.has(row.label)) rows.set(row.label, { label: row.label, colour: row.colour, name: "", of: [] });
             rows.get(row.label).of[number] = row;
             rows.get(row.label).name ||= row.name;
         }),
@@ -16,7 +16,7 @@ function allLabels(meshes) {
 function materialRow(page, row) {
     const box = make("input", { type: "checkbox", onchange: () => page.showLabel(row.label, box.checked) });
     const swatch = make("span.swatch");
-    swatch.style.background = cssColour(colourOfLabel(row.label));
+    swatch.style.background = cssColour(row.colour);
     const volumes = row.of.map((of) => short(of?.volume ?? 0));
     const counts = row.of.map((of) => `${whole(of?.tets ?? 0)} tetrahedra`).join(" and ");
     const element = make(
