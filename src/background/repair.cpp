@@ -2,13 +2,14 @@
 #include "background/repair.hpp"
 
 #include "base/degrees.hpp"
+#include "base/per_worker.hpp"
 #include "base/stage.hpp"
 #include "mesh/adjacency.hpp"
 #include "remeshing/angle_notes.hpp"
 #include "remeshing/flips.hpp"
 #include "remeshing/point_visits.hpp"
+#include "remeshing/rounds.hpp"
 #include "remeshing/smoothing.hpp"
-#include "remeshing/worst_first.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,6 @@ namespace cleft
 namespace
 {
 
-constexpr int64_t kRepairedAtOnce = 256;  // tetrahedra, between two looks for a cancel
 // The sweep mends most of what is better than this, and may leave a tetrahedron as bad as this.
 constexpr double kSweepAngle = 22;  // degrees
 // Points whose tetrahedra are all better than this have no need of it.
@@ -26,6 +26,57 @@ constexpr double kSweepAngle = 22;  // degrees
 constexpr double kGoodAngle = 38;  // degrees
 // With six edges the repair took 1.1 times as long as TetGen, with two 0.74 times, and ended at the same angle.
 constexpr size_t kEdgesTried = 2;  // the others never helped in 10,000 tries
+
+// Looks for what helps a bad tetrahedron: flips, then moves of its corners.
+class Finder
+{
+public:
+    explicit Finder(const LocalMesh& mesh) : mesh_(mesh) {}
+
+    // The steps are the flips and one for each corner. See Rounds::Find.
+    int find(int32_t t, int step, double target, bool with_moves, Proposal& proposal)
+    {
+        if (step == 0 && find_flip(t, proposal))
+            return 0;
+        for (int corner = std::max(step - 1, 0); with_moves && corner < 4; ++corner)
+            if (find_move(mesh_.tet(t)[corner], target, proposal))
+                return corner + 2;
+        return 0;
+    }
+
+private:
+    bool find_flip(int32_t t, Proposal& proposal) const
+    {
+        proposal.kind = Proposal::Kind::edge_removal;
+        const auto edges = most_obtuse_first(mesh_, t);
+        for (size_t i = 0; i < kEdgesTried; ++i)
+            if (find_edge_removal(mesh_, t, kEdgeCorners[edges[i]][0], kEdgeCorners[edges[i]][1], 0, proposal.cavity))
+                return true;
+        proposal.kind = Proposal::Kind::face_removal;
+        for (int corner = 0; corner < 4; ++corner)
+            if (find_face_removal(mesh_, t, corner, proposal.cavity))
+                return true;
+        proposal.kind = Proposal::Kind::none;
+        return false;
+    }
+
+    bool find_move(int32_t v, double target, Proposal& proposal)
+    {
+        const Mat3 tangent = free_axes(mesh_.frozen(v));
+        if (tangent.isZero())
+            return false;
+        star_.load(mesh_, v);
+        const Place place = smoother_.climb(star_, mesh_.point(v), target, tangent, {});
+        if (place.x == mesh_.point(v))
+            return false;
+        proposal.set_move(v, place.x, star_.tets());
+        return true;
+    }
+
+    const LocalMesh& mesh_;
+    Smoother smoother_;
+    TetStar star_;
+};
 
 class Repair
 {
@@ -57,8 +108,6 @@ public:
 
 private:
     void improve_bad(double angle, bool with_smoothing, const Run& run);
-    bool flip(int32_t t);
-    bool smooth_corners(int32_t t, double target);
     void smooth_poor(const Run& run);
     void move_to_centroid(int32_t v, const Mat3& tangent, TetStar& star);
 
@@ -66,9 +115,6 @@ private:
     const RepairOptions& options_;
     LocalMesh mesh_;
     WorstFirst bad_;
-    Cavity cavity_;
-    Smoother smoother_;
-    TetStar star_;
 };
 
 // Passes over the tetrahedra with a worse angle, until none is left or nothing helps.
@@ -76,52 +122,18 @@ void Repair::improve_bad(double angle, bool with_smoothing, const Run& run)
 {
     const double target = sine_of(angle);
     bad_.collect_all(mesh_, target, run);
+    Rounds rounds(mesh_, bad_);
+    PerWorker<Finder> finders(run, mesh_);
+    const auto find = [&](int worker, int32_t t, int step, Proposal& proposal) {
+        return finders[worker].find(t, step, target, with_smoothing, proposal);
+    };
+    const double share = 1.0 / options_.passes;
     bool changed = true;
     for (int pass = 0; pass < options_.passes && changed; ++pass) {
-        changed = false;
-        for (size_t i = 0; i < bad_.size(); ++i) {
-            run.check_at(i, kRepairedAtOnce);
-            const bool worth = bad_.worth_trying(mesh_, i, target);
-            const bool done = worth && (flip(bad_[i]) || (with_smoothing && smooth_corners(bad_[i], target)));
-            changed = changed || done;
-            bad_.give_back(i, worth && !done);
-        }
+        changed = rounds.visit(
+            0, bad_.size(), target, find, [](const Proposal&) {}, run, pass * share, share);
         bad_.collect_next(mesh_, target);
     }
-}
-
-bool Repair::flip(int32_t t)
-{
-    bool done = false;
-    const auto edges = most_obtuse_first(mesh_, t);
-    for (size_t i = 0; i < kEdgesTried && !done; ++i)
-        done = remove_edge(mesh_, t, kEdgeCorners[edges[i]][0], kEdgeCorners[edges[i]][1], 0.0, cavity_);
-    for (int corner = 0; corner < 4 && !done; ++corner)
-        done = remove_face(mesh_, t, corner, cavity_);
-    if (done)
-        bad_.changed(mesh_, cavity_.created);
-    return done;
-}
-
-bool Repair::smooth_corners(int32_t t, double target)
-{
-    bool moved = false;
-    const Tet corners = mesh_.tet(t);
-    for (const int32_t v : corners) {
-        if (mesh_.quality(t) >= target)
-            break;
-        const Mat3 tangent = free_axes(mesh_.frozen(v));
-        if (tangent.isZero())
-            continue;
-        star_.load(mesh_, v);
-        const Place place = smoother_.climb(star_, mesh_.point(v), target, tangent, {});
-        if (place.x == mesh_.point(v))
-            continue;
-        mesh_.move(v, place.x);
-        bad_.changed(mesh_, star_.tets());
-        moved = true;
-    }
-    return moved;
 }
 
 // One Gauss-Seidel sweep of points of poor tetrahedra towards the centroids of their stars. In a mesh of the wanted

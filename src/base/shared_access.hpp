@@ -8,13 +8,15 @@ namespace cleft
 template <class T>
 T load_shared(const T& value)
 {
-    return __atomic_load_n(&value, __ATOMIC_RELAXED);
+    T found;
+    __atomic_load(&value, &found, __ATOMIC_RELAXED);
+    return found;
 }
 
 template <class T>
 void store_shared(T& value, T to)
 {
-    __atomic_store_n(&value, to, __ATOMIC_RELAXED);
+    __atomic_store(&value, &to, __ATOMIC_RELAXED);
 }
 
 template <class T>

@@ -55,6 +55,7 @@ bool CompoundOperations::improve(int32_t t, const Search& search, double target)
 {
     search_ = search;
     target_ = target;
+    smoother_.aim_at(target, search.tolerance);
     const Tet bad = mesh_.tet(t);
     const double before = mesh_.quality(t);
     tried_.clear();
@@ -123,17 +124,25 @@ bool CompoundOperations::attempt(int32_t t, int operation)
     attempt_began_ = ++clock_;
     if (operation < 6) {
         const auto& edge = kEdgeCorners[operation];
-        return remove_edge(mesh_, t, edge[0], edge[1], bend_at(mesh_, search_, t, edge[0], edge[1]), cavity_, kShare);
+        return apply_if(find_edge_removal(mesh_, t, edge[0], edge[1], bend_at(mesh_, search_, t, edge[0], edge[1]),
+                                          cavity_, kShare));
     }
     if (operation < 10)
-        return remove_face(mesh_, t, operation - 6, cavity_, kShare);
+        return apply_if(find_face_removal(mesh_, t, operation - 6, cavity_, kShare));
     if (operation < 22) {
         const auto& edge = kEdgeCorners[(operation - 10) / 2];
         const int gone = operation % 2;
-        return contraction_.contract(mesh_, t, edge[gone], edge[1 - gone], cavity_, kShare);
+        return apply_if(contraction_.find(mesh_, t, edge[gone], edge[1 - gone], cavity_, kShare));
     }
     const auto& edge = kEdgeCorners[operation - 22];
     return split_in_middle(t, edge[0], edge[1]);
+}
+
+bool CompoundOperations::apply_if(bool found)
+{
+    if (found)
+        cavity_.apply(mesh_);
+    return found;
 }
 
 bool CompoundOperations::split_in_middle(int32_t t, int corner_a, int corner_b)
@@ -144,8 +153,9 @@ bool CompoundOperations::split_in_middle(int32_t t, int corner_a, int corner_b)
     if (!ring.whole || !smoother_.load_middle(ring, middle) ||
         !(smoother_.star().worst_at(middle, -1) > kShare * mesh_.worst(ring.tets)))
         return false;
-    split_edge(mesh_, ring, middle, cavity_);
-    smoother_.add_point(middle);
+    find_split(mesh_, cavity_);
+    apply_split(mesh_, middle, cavity_);
+    home_.push_back(middle);
     return true;
 }
 
@@ -181,7 +191,8 @@ void CompoundOperations::smooth_and_note(int32_t t)
         if (is_smoothed(v))
             continue;
         const Vec3 from = mesh_.point(v);
-        if (smoother_.smooth(v, false)) {
+        if (Vec3 better; smoother_.find(v, false, better)) {
+            mesh_.move(v, better);
             moves_.push_back({v, from});
             disturb_around(v);
         }

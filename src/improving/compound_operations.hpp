@@ -18,9 +18,9 @@ namespace cleft
 class CompoundOperations
 {
 public:
-    // `bad`: where the search lists what has changed.
-    CompoundOperations(LocalMesh& mesh, ConstrainedSmoother& smoother, WorstFirst& bad)
-        : mesh_(mesh), smoother_(smoother), bad_(bad)
+    // `home`: see TieConstraint; it grows with the points of the mesh. `bad`: where the search lists what has changed.
+    CompoundOperations(LocalMesh& mesh, const Volume& volume, Array<Vec3>& home, WorstFirst& bad)
+        : mesh_(mesh), home_(home), smoother_(mesh, volume, home), bad_(bad)
     {
     }
 
@@ -42,6 +42,7 @@ private:
     int32_t find(const Tet& corners) const;
     Array<Tet> tets_around(const Tet& corners) const;
     bool attempt(int32_t t, int operation);
+    bool apply_if(bool found);
     bool split_in_middle(int32_t t, int corner_a, int corner_b);
     bool smooth_all(const Tet& bad, double before);
     bool pays(const Tet& bad, double wanted);
@@ -51,7 +52,8 @@ private:
     void take_back();
 
     LocalMesh& mesh_;
-    ConstrainedSmoother& smoother_;
+    Array<Vec3>& home_;
+    ConstrainedSmoother smoother_;
     WorstFirst& bad_;
     Search search_{};
     double target_ = 0;

@@ -8,7 +8,7 @@
 namespace cleft
 {
 
-ConstrainedSmoother::ConstrainedSmoother(LocalMesh& mesh, const Volume& volume, Array<Vec3>& home)
+ConstrainedSmoother::ConstrainedSmoother(const LocalMesh& mesh, const Volume& volume, const Array<Vec3>& home)
     : mesh_(mesh), voxel_(volume.grid().spacing.minCoeff()), home_(home), constraint_(volume)
 {
 }
@@ -19,17 +19,14 @@ void ConstrainedSmoother::aim_at(double target, double tolerance)
     tolerance_ = tolerance;
 }
 
-bool ConstrainedSmoother::smooth(int32_t v, bool thorough)
+bool ConstrainedSmoother::find(int32_t v, bool thorough, Vec3& better)
 {
     // Spares the star and the samples for points that cannot move at all.
     if (mesh_.frozen(v) == 7)
         return false;
     star_.load(mesh_, v);
-    const Place place = better_place(v, thorough);
-    if (place.x == mesh_.point(v))
-        return false;
-    mesh_.move(v, place.x);
-    return true;
+    better = better_place(v, thorough).x;
+    return better != mesh_.point(v);
 }
 
 // Where the star that is loaded is better with the point there; the point's own place if there is none.

@@ -1,11 +1,6 @@
 // Passes over the bad tetrahedra: cheap operations for all, expensive ones for the worst.
 #include "improving/improver.hpp"
 
-#include "improving/smooth_bad.hpp"
-#include "mesh/adjacency.hpp"
-#include "remeshing/edge_split.hpp"
-#include "remeshing/flips.hpp"
-
 #include <algorithm>
 
 namespace cleft
@@ -13,9 +8,6 @@ namespace cleft
 
 namespace
 {
-
-// Tetrahedra between two looks for a cancel: a compound operation takes milliseconds.
-constexpr size_t kImprovedAtOnce = 16;
 
 // Expensive operations are for a few: where a target is out of reach for many (random noise, an angle asked too much),
 // only the worst get them, one in so many tetrahedra of the mesh and some more.
@@ -30,11 +22,6 @@ constexpr size_t kWideOneIn = 100000, kWideAtLeast = 5;
 // fewer.
 constexpr double kStalled = 0.98;
 constexpr int kStalledPasses = 2;
-
-// So many bad tetrahedra are worth a start on all threads, which a search of one thread then takes up. In small meshes
-// the whole search takes less time than that saves, and goes a better way: one tetrahedron after the other is done
-// with.
-constexpr size_t kWorthThreads = 5000;
 
 // The tetrahedra at the corners of some, these included, ascending.
 void add_around(const LocalMesh& mesh, Array<int32_t>& tets)
@@ -60,66 +47,61 @@ size_t attempts_in_pass(const Search& search, size_t tets)
 Improver::Improver(LocalMesh& mesh, const Volume& volume, double target, const Run& run)
     : target_(target),
       mesh_(mesh),
-      volume_(volume),
       home_(mesh.points()),
-      smoother_(mesh, volume, home_),
-      compound_(mesh, smoother_, bad_)
+      finders_(run, mesh, volume, home_),
+      rounds_(mesh, bad_),
+      compound_(mesh, volume, home_, bad_)
 {
-    // Once for all tetrahedra, by several threads; the search itself runs on one.
-    mesh_.find_qualities(run);
 }
 
 void Improver::work(const Search& search, const Run& run)
 {
     search_ = search;
-    smoother_.aim_at(target_, search.tolerance);
+    for (ChangeFinder& finder : finders_)
+        finder.aim_at(target_, search);
     if (started_)
         bad_.collect_left(mesh_, target_);
     else
         bad_.collect_all(mesh_, target_, run);
-    if (!started_ && bad_.size() > kWorthThreads)
-        smooth_all(run);
     started_ = true;
     const size_t tets = to_size(mesh_.slot_count());
     const size_t many = tets / kThoroughOneIn + kThoroughAtLeast;
-    const size_t most = search.thorough ? many : tets;
+    const double share = 1.0 / search.passes;
     bool changed = true;
     int stalled = 0;
-    for (int pass = 0; pass < search.passes && changed && stalled < kStalledPasses; ++pass) {
-        changed = false;
+    for (int number = 0; number < search.passes && changed && stalled < kStalledPasses; ++number) {
         const size_t before = bad_.size();
         attempts_left_ = attempts_in_pass(search, tets);
-        for (size_t i = 0; i < bad_.size(); ++i) {
-            if (i % kImprovedAtOnce == 0)
-                run.report((pass + double(i) / double(bad_.size())) / search.passes);
-            const bool worth = i < most && bad_.worth_trying(mesh_, i, target_);
-            const bool done = worth && improve_tet(bad_[i]);
-            changed = changed || done;
-            // Given back even if it was not tried, so that the next pass finds all that are left.
-            bad_.give_back(i, worth && !done);
-        }
+        changed = pass(search.thorough ? std::min(many, before) : before, run, number * share, share);
         bad_.collect_next(mesh_, target_);
         const bool is_stalled = bad_.size() > many && double(bad_.size()) > kStalled * double(before);
         stalled = is_stalled ? stalled + 1 : 0;
     }
 }
 
-// Most bad tetrahedra need no more than better places for their corners. A second round over all helped few, and cost
-// more than it saved.
-void Improver::smooth_all(const Run& run)
+// Over the worst `most`. Compound operations change much and are for a few, so their tetrahedra are visited one by one.
+bool Improver::pass(size_t most, const Run& run, double done, double share)
 {
-    const Array<MovedCorners> moved = smooth_bad({mesh_, volume_, home_, target_, search_.tolerance}, bad_, run);
-    counts_.tried += static_cast<int64_t>(bad_.size());
-    for (size_t i = 0; i < bad_.size(); ++i) {
-        for (size_t corner = 0; corner < 4; ++corner)
-            if (moved[i] >> corner & 1u) {
-                ++counts_.moved;
-                const auto star = mesh_.star(mesh_.tet(bad_[i])[corner]);
-                bad_.changed(mesh_, Array<int32_t>(star.begin(), star.end()));
-            }
-        bad_.give_back(i, false);
+    bool changed = false;
+    size_t i = 0;
+    for (; i < most && attempts_left_ > 0; ++i) {
+        run.report(done);
+        const bool worth = bad_.worth_trying(mesh_, i, target_);
+        const bool helped = worth && improve_tet(bad_[i]);
+        changed = changed || helped;
+        bad_.give_back(i, worth && !helped);
     }
-    bad_.collect_next(mesh_, target_);
+    const auto find = [&](int worker, int32_t t, int step, Proposal& proposal) {
+        return finders_[worker].find(t, step, proposal);
+    };
+    const auto made = [&](const Proposal& proposal) { count(proposal); };
+    const int64_t tried = rounds_.tried();
+    changed = rounds_.visit(i, most, target_, find, made, run, done, share) || changed;
+    counts_.tried += rounds_.tried() - tried;
+    // Those that are not visited are given back too, so that the next pass finds all that are left.
+    for (i = std::max(i, most); i < bad_.size(); ++i)
+        bad_.give_back(i, false);
+    return changed;
 }
 
 void Improver::aim_higher(double target)
@@ -139,14 +121,21 @@ void Improver::aim_higher(double target)
 bool Improver::improve_tet(int32_t t)
 {
     ++counts_.tried;
-    // First, since it is cheap and changes no connections.
-    const bool moved = smooth_corners(t);
-    if (moved && mesh_.quality(t) >= target_)
+    bool moved = false;
+    for (int step = 0; mesh_.alive(t) && mesh_.quality(t) < target_;) {
+        proposal_.kind = Proposal::Kind::none;
+        step = finders_[0].find(t, step, proposal_);
+        if (proposal_.kind == Proposal::Kind::none)
+            break;
+        proposal_.make(mesh_);
+        bad_.changed(mesh_, proposal_.changed());
+        count(proposal_);
+        if (proposal_.kind != Proposal::Kind::move)
+            return true;
+        moved = true;
+    }
+    if (moved)
         return true;
-    if (change_connections(t) || moved)
-        return true;
-    if (attempts_left_ == 0)
-        return false;
     --attempts_left_;
     if (!compound_.improve(t, search_, target_))
         return false;
@@ -155,62 +144,16 @@ bool Improver::improve_tet(int32_t t)
     return true;
 }
 
-bool Improver::smooth_corners(int32_t t)
+void Improver::count(const Proposal& proposal)
 {
-    bool moved = false;
-    const Tet corners = mesh_.tet(t);
-    for (const int32_t v : corners)
-        if (mesh_.quality(t) < target_ && smoother_.smooth(v, search_.thorough)) {
-            ++counts_.moved;
-            bad_.changed(mesh_, smoother_.star().tets());
-            moved = true;
-        }
-    return moved;
-}
-
-bool Improver::change_connections(int32_t t)
-{
-    const auto done = [&](int64_t& count) {
-        ++count;
-        bad_.changed(mesh_, cavity_.created);
-        return true;
-    };
-    // In a fixed order, and the first that helps is taken: trying all to find the best would cost far more. Splits come
-    // last, because they alone add points.
-    for (const size_t e : most_obtuse_first(mesh_, t)) {
-        const auto& edge = kEdgeCorners[e];
-        if (remove_edge(mesh_, t, edge[0], edge[1], bend_at(mesh_, search_, t, edge[0], edge[1]), cavity_))
-            return done(counts_.edges_removed);
-    }
-    for (int corner = 0; corner < 4; ++corner)
-        if (remove_face(mesh_, t, corner, cavity_))
-            return done(counts_.faces_removed);
-    for (const auto& edge : kEdgeCorners)
-        if (contraction_.contract(mesh_, t, edge[0], edge[1], cavity_) ||
-            contraction_.contract(mesh_, t, edge[1], edge[0], cavity_))
-            return done(counts_.contracted);
-    for (const auto& edge : kEdgeCorners)
-        if (split(t, edge[0], edge[1]))
-            return done(counts_.split);
-    return false;
-}
-
-// A point put into the edge and smoothed, if that makes the worst tetrahedron at the edge better.
-bool Improver::split(int32_t t, int corner_a, int corner_b)
-{
-    EdgeRing& ring = cavity_.ring;
-    mesh_.ring(t, corner_a, corner_b, ring);
-    Vec3 middle;
-    // The new point must lie on the tie of the materials around the edge, or the interface would get a dent.
-    if (!ring.whole || !smoother_.load_middle(ring, middle))
-        return false;
-    const double floor = std::max(mesh_.worst(ring.tets), kLeastSine);
-    const Place place = smoother_.climb(middle);
-    if (!(place.worst > floor))
-        return false;
-    split_edge(mesh_, ring, place.x, cavity_);
-    smoother_.add_point(place.x);
-    return true;
+    using Kind = Proposal::Kind;
+    counts_.moved += proposal.kind == Kind::move;
+    counts_.edges_removed += proposal.kind == Kind::edge_removal;
+    counts_.faces_removed += proposal.kind == Kind::face_removal;
+    counts_.contracted += proposal.kind == Kind::contraction;
+    counts_.split += proposal.kind == Kind::split;
+    if (proposal.kind == Kind::split)
+        home_.push_back(proposal.place);
 }
 
 }  // namespace cleft

@@ -1,11 +1,10 @@
 // The local search of improving: for each bad tetrahedron, worst first, every operation that may help.
 #pragma once
 
+#include "base/per_worker.hpp"
+#include "improving/change_finder.hpp"
 #include "improving/compound_operations.hpp"
-#include "improving/constrained_smoother.hpp"
-#include "improving/search.hpp"
-#include "remeshing/contraction.hpp"
-#include "remeshing/worst_first.hpp"
+#include "remeshing/rounds.hpp"
 
 namespace cleft
 {
@@ -25,25 +24,22 @@ public:
     const SearchCounts& counts() const { return counts_; }
 
 private:
-    void smooth_all(const Run& run);
+    bool pass(size_t most, const Run& run, double done, double share);
     bool improve_tet(int32_t t);
-    bool smooth_corners(int32_t t);
-    bool change_connections(int32_t t);
-    bool split(int32_t t, int corner_a, int corner_b);
+    void count(const Proposal& proposal);
 
     double target_;
     LocalMesh& mesh_;
-    const Volume& volume_;
     // Kept from the start, so that points without a tie cannot wander off over many passes.
     Array<Vec3> home_;  // of each point: where cleaving, or the split that made it, put it
-    ConstrainedSmoother smoother_;
+    PerWorker<ChangeFinder> finders_;
     WorstFirst bad_;
+    Rounds rounds_;
     CompoundOperations compound_;
     Search search_{};
     bool started_ = false;
     size_t attempts_left_ = 0;  // in a pass
-    Cavity cavity_;
-    Contraction contraction_;
+    Proposal proposal_;
     SearchCounts counts_;
 };
 

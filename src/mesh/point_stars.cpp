@@ -1,4 +1,4 @@
-// Keeps the tetrahedra at each point in one pool of memory, so that a mesh of millions of points takes two allocations.
+// Keeps the tetrahedra at each point in one pool of memory, so that a mesh of millions of points takes few allocations.
 #include "mesh/point_stars.hpp"
 
 #include "base/counting_sort.hpp"
@@ -26,7 +26,7 @@ void require_four_points(const Array<Tet>& tets, int64_t t, int64_t point_count)
 
 }  // namespace
 
-PointStars::PointStars(const Array<Tet>& tets, size_t point_count, const Run& run)
+PointStars::PointStars(const Array<Tet>& tets, size_t point_count, const Run& run) : rooms_(to_size(worker_count(run)))
 {
     // Four numbers a tetrahedron: below this many, 32 bits count them, and the tables take half the memory.
     constexpr size_t kFew = size_t{1} << 30;
@@ -51,35 +51,46 @@ void PointStars::fill(const Array<Tet>& tets, size_t point_count, const Run& run
     parallel_for(run, points, kPointsListed, [&](int64_t begin, int64_t end) {
         for (int64_t v = begin; v < end; ++v) {
             const auto size = static_cast<uint32_t>(stars.start[v + 1] - stars.start[v]);
-            lists_[v] = {stars.start[v], size, size};
+            lists_[v] = {pool_.data() + stars.start[v], size, size};
         }
     });
 }
 
-// A list that is full moves to the end of the pool, with room to grow.
-void PointStars::add(int32_t v, int32_t t)
+int32_t* PointStars::Room::take(size_t count)
+{
+    // Large enough that allocations do not show, small enough that a mesh with few changes wastes little.
+    constexpr size_t kBlock = size_t{1} << 14;
+    if (left < count) {
+        left = std::max(kBlock, count);
+        blocks.emplace_back(new int32_t[left]);
+        next = blocks.back().get();
+    }
+    int32_t* const first = next;
+    next += count;
+    left -= count;
+    return first;
+}
+
+// A list that is full moves to a place with room to grow. The old place stays unused, which costs little: local
+// operations touch a small part of a mesh.
+void PointStars::add(int32_t v, int32_t t, int worker)
 {
     List& list = lists_[v];
     if (list.size == list.capacity) {
-        const size_t end = pool_.size();
-        // Growing by half makes the cost of an addition constant on average. The old place stays unused, which costs
-        // little: local operations touch a small part of a mesh.
+        // Growing by half makes the cost of an addition constant on average.
         list.capacity += std::max<uint32_t>(8, list.capacity / 2);
-        make_room(pool_, list.capacity);
-        pool_.resize(end + list.capacity);
-        std::copy_n(pool_.begin() + static_cast<std::ptrdiff_t>(list.begin), list.size,
-                    pool_.begin() + static_cast<std::ptrdiff_t>(end));
-        list.begin = end;
+        int32_t* const first = rooms_[to_size(worker)].take(list.capacity);
+        std::copy_n(list.first, list.size, first);
+        list.first = first;
     }
-    pool_[list.begin + list.size++] = t;
+    list.first[list.size++] = t;
 }
 
 void PointStars::remove(int32_t v, int32_t t)
 {
     List& list = lists_[v];
-    int32_t* first = pool_.data() + list.begin;
-    int32_t* last = first + list.size;
-    int32_t* found = std::find(first, last, t);
+    int32_t* const last = list.first + list.size;
+    int32_t* const found = std::find(list.first, last, t);
     CLEFT_ASSERT(found != last);
     if (found == last)
         return;

@@ -5,6 +5,9 @@
 #include "base/run.hpp"
 #include "mesh/tet_mesh.hpp"
 
+#include <memory>
+#include <vector>
+
 namespace cleft
 {
 
@@ -21,37 +24,46 @@ public:
     };
 
     // Corners that are not points, or repeated, are an Error (CLEFT_ERROR_INVALID_MESH).
+    // As many workers as the run has threads may change lists side by side, if no two change that of the same point.
     PointStars(const Array<Tet>& tets, size_t point_count, const Run& run);
 
     // The tetrahedra at a point. Valid until the next change.
     Range at(int32_t v) const
     {
         const List& list = lists_[v];
-        const int32_t* first = pool_.data() + list.begin;
-        return {first, first + list.size};
+        return {list.first, list.first + list.size};
     }
 
     // For a point with the next number, without tetrahedra.
     void add_point()
     {
         make_room(lists_);
-        lists_.push_back({pool_.size(), 0, 0});
+        lists_.push_back({nullptr, 0, 0});
     }
     // Either call ends the life of all ranges. `t` must not be in the list before add(), and must be before remove().
-    void add(int32_t v, int32_t t);
+    void add(int32_t v, int32_t t, int worker = 0);
     void remove(int32_t v, int32_t t);
 
 private:
     struct List {
-        size_t begin;
+        int32_t* first;
         uint32_t size, capacity;
+    };
+    // Room of one worker for lists that grow.
+    struct Room {
+        std::vector<std::unique_ptr<int32_t[]>> blocks;
+        int32_t* next = nullptr;
+        size_t left = 0;  // at `next`
+
+        int32_t* take(size_t count);
     };
 
     template <class Number>
     void fill(const Array<Tet>& tets, size_t point_count, const Run& run);
 
     Array<List> lists_;
-    Array<int32_t> pool_;
+    Array<int32_t> pool_;  // the lists as they began
+    std::vector<Room> rooms_;
 };
 
 }  // namespace cleft

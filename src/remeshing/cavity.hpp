@@ -16,6 +16,9 @@ namespace cleft
 // A greater bound would refuse steps by which very flat tetrahedra of a background get better a little at a time.
 inline constexpr double kLeastSine = 1e-7;
 
+// Stands for a point that an operation adds, until it is made.
+inline constexpr int32_t kNewPoint = -1;
+
 struct Cavity {
     EdgeRing ring, other_ring;
     Array<int32_t> old_tets;
@@ -38,6 +41,11 @@ struct Cavity {
         new_tets.push_back(tet);
         new_materials.push_back(material);
     }
+    void number_new_point(int32_t number)
+    {
+        for (Tet& tet : new_tets)
+            std::replace(tet.begin(), tet.end(), kNewPoint, number);
+    }
     // Keeps the old tetrahedra first, so that undo() can put them back. The caller has made sure of positive volumes.
     void apply(LocalMesh& mesh)
     {
@@ -50,6 +58,14 @@ struct Cavity {
         CLEFT_ASSERT(fills_the_same(mesh));
         mesh.replace(old_tets, new_tets, new_materials, created);
     }
+    // apply() in the steps of LocalMesh::replace(); for changes that are not taken back.
+    void reserve(LocalMesh& mesh) { mesh.reserve(old_tets, new_tets.size(), created); }
+    void refill(LocalMesh& mesh, int worker)
+    {
+        CLEFT_ASSERT(fills_the_same(mesh));
+        mesh.refill(old_tets, new_tets, new_materials, created, worker);
+    }
+    void release(LocalMesh& mesh) { mesh.release(old_tets, new_tets.size()); }
     // As long as nothing but points has changed since. The tetrahedra get new numbers, those in `old_tets`.
     void undo(LocalMesh& mesh) { mesh.replace(created, taken_tets, taken_materials, old_tets); }
 
@@ -64,8 +80,8 @@ private:
                 longest = std::max(longest, (mesh.point(v) - a).norm());
             return orient(a, mesh.point(t[1]), mesh.point(t[2]), mesh.point(t[3]));
         };
-        for (const Tet& t : taken_tets)
-            before += six_volumes(t);
+        for (const int32_t t : old_tets)
+            before += six_volumes(mesh.tet(t));
         bool all_positive = true;
         for (const Tet& t : new_tets) {
             const double volume = six_volumes(t);

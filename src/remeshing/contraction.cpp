@@ -1,5 +1,4 @@
-// Contracts edges. All conditions are checked before anything changes, so a refused contraction leaves the mesh as it
-// was.
+// Contracts edges, if all conditions are met. They are checked from cheap to expensive.
 #include "remeshing/contraction.hpp"
 
 #include "mesh/adjacency.hpp"
@@ -36,7 +35,7 @@ bool Contraction::BoundaryStar::has(const Opposite& triangle) const
     return std::binary_search(triangles.begin(), triangles.end(), triangle);
 }
 
-bool Contraction::contract(LocalMesh& mesh, int32_t t, int corner_gone, int corner_kept, Cavity& cavity, double share)
+bool Contraction::find(const LocalMesh& mesh, int32_t t, int corner_gone, int corner_kept, Cavity& cavity, double share)
 {
     gone_ = mesh.tet(t)[corner_gone];
     kept_ = mesh.tet(t)[corner_kept];
@@ -47,7 +46,6 @@ bool Contraction::contract(LocalMesh& mesh, int32_t t, int corner_gone, int corn
     if (!shapes_get_better(mesh, cavity, share) || !same_stratum(mesh) || !materials_are_connected(mesh) ||
         !links_allow(mesh))
         return false;
-    cavity.apply(mesh);
     return true;
 }
 
@@ -63,7 +61,7 @@ bool Contraction::hull_allows(const LocalMesh& mesh) const
     return true;
 }
 
-bool Contraction::shapes_get_better(LocalMesh& mesh, Cavity& cavity, double share) const
+bool Contraction::shapes_get_better(const LocalMesh& mesh, Cavity& cavity, double share) const
 {
     // The tetrahedra that vanish count too: they are often those that the contraction is made for.
     const double floor = std::max(share * mesh.worst(star_gone_), kLeastSine);
@@ -109,7 +107,7 @@ bool Contraction::same_stratum(const LocalMesh& mesh)
 }
 
 // Each material is in one piece around the point: no two parts of it touch in the point or an edge only.
-bool Contraction::materials_are_connected(LocalMesh& mesh)
+bool Contraction::materials_are_connected(const LocalMesh& mesh)
 {
     if (at_point_.size() == 1)
         return true;
@@ -173,7 +171,7 @@ void Contraction::load_boundary(const LocalMesh& mesh, int32_t v, const Array<in
 // The link condition (Dey, Edelsbrunner, Guha and Nekhayev), for the boundary triangles and for the lines where more
 // than two of them meet: what the two ends have in common, the edge has. For the tetrahedra it holds by itself, since
 // the new ones are positive and fill the same cavity.
-bool Contraction::links_allow(LocalMesh& mesh)
+bool Contraction::links_allow(const LocalMesh& mesh)
 {
     if (at_point_.size() == 1)
         return true;

@@ -7,17 +7,15 @@
 namespace cleft
 {
 
-// Decides and does contractions that change nothing but shapes: the hull, which materials meet where, and the topology
+// Finds contractions that change nothing but shapes: the hull, which materials meet where, and the topology
 // of every material and interface stay. Keeps its memory between calls.
 class Contraction
 {
 public:
-    // Moves the first corner of t onto the second and takes out the tetrahedra between, if that is allowed and makes
-    // the worst tetrahedron at the first corner better (than `share` of its quality). What came in their place is in
-    // cavity.created.
-    // A `share` below 1 lets shapes get worse, for operations that pay only later. The mesh is unchanged if it returns
-    // false.
-    bool contract(LocalMesh& mesh, int32_t t, int corner_gone, int corner_kept, Cavity& cavity, double share = 1);
+    // To move the first corner of t onto the second and take out the tetrahedra between, if that is allowed and makes
+    // the worst tetrahedron at the first corner better (than `share` of its quality). True if `cavity` has it to apply.
+    // A `share` below 1 lets shapes get worse, for operations that pay only later.
+    bool find(const LocalMesh& mesh, int32_t t, int corner_gone, int corner_kept, Cavity& cavity, double share = 1);
 
 private:
     // A boundary triangle (of an interface or the hull) at a point, by its two other points in ascending order.
@@ -38,10 +36,10 @@ private:
     // The conditions, from cheap to expensive except for shapes_get_better, which refuses most. Some use what those
     // before have found.
     bool hull_allows(const LocalMesh& mesh) const;
-    bool shapes_get_better(LocalMesh& mesh, Cavity& cavity, double share) const;
+    bool shapes_get_better(const LocalMesh& mesh, Cavity& cavity, double share) const;
     bool same_stratum(const LocalMesh& mesh);
-    bool materials_are_connected(LocalMesh& mesh);
-    bool links_allow(LocalMesh& mesh);
+    bool materials_are_connected(const LocalMesh& mesh);
+    bool links_allow(const LocalMesh& mesh);
     void load_boundary(const LocalMesh& mesh, int32_t v, const Array<int32_t>& star, BoundaryStar& out) const;
 
     int32_t gone_ = -1, kept_ = -1;

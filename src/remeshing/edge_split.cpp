@@ -12,17 +12,23 @@ uint8_t frozen_on_edge(const LocalMesh& mesh, const EdgeRing& ring)
     return mesh.frozen(ring.a) & mesh.frozen(ring.b);
 }
 
-int32_t split_edge(LocalMesh& mesh, const EdgeRing& ring, const Vec3& x, Cavity& cavity)
+void find_split(const LocalMesh& mesh, Cavity& cavity)
 {
-    const int32_t m = mesh.add_point(x, frozen_on_edge(mesh, ring));
+    const EdgeRing& ring = cavity.ring;
     cavity.clear();
     cavity.old_tets = ring.tets;
     for (const int32_t t : ring.tets)
         for (const int32_t end : {ring.a, ring.b}) {
             Tet half = mesh.tet(t);
-            half[mesh.corner_of(t, end)] = m;
+            half[mesh.corner_of(t, end)] = kNewPoint;
             cavity.add(half, mesh.material(t));
         }
+}
+
+int32_t apply_split(LocalMesh& mesh, const Vec3& x, Cavity& cavity)
+{
+    const int32_t m = mesh.add_point(x, frozen_on_edge(mesh, cavity.ring));
+    cavity.number_new_point(m);
     cavity.apply(mesh);
     return m;
 }

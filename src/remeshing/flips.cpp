@@ -149,7 +149,8 @@ bool lone_tets_are_backed(const LocalMesh& mesh, const EdgeRing& ring, const std
 
 }  // namespace
 
-bool remove_edge(LocalMesh& mesh, int32_t t, int corner_a, int corner_b, double bend, Cavity& cavity, double share)
+bool find_edge_removal(const LocalMesh& mesh, int32_t t, int corner_a, int corner_b, double bend, Cavity& cavity,
+                       double share)
 {
     EdgeRing& ring = cavity.ring;
     mesh.ring(t, corner_a, corner_b, ring);
@@ -169,7 +170,6 @@ bool remove_edge(LocalMesh& mesh, int32_t t, int corner_a, int corner_b, double 
     cavity.old_tets = ring.tets;
     for (size_t k = 0; k < arc_count; ++k)
         triangulations[k].add_tets(ring.a, ring.b, arcs[k], 0, arcs[k].size - 1, cavity);
-    cavity.apply(mesh);
     return true;
 }
 
@@ -183,7 +183,7 @@ std::array<size_t, 6> most_obtuse_first(const LocalMesh& mesh, int32_t t)
     return edges;
 }
 
-bool remove_face(LocalMesh& mesh, int32_t t, int corner, Cavity& cavity, double share)
+bool find_face_removal(const LocalMesh& mesh, int32_t t, int corner, Cavity& cavity, double share)
 {
     if (mesh.is_boundary(t, corner))
         return false;
@@ -205,7 +205,6 @@ bool remove_face(LocalMesh& mesh, int32_t t, int corner, Cavity& cavity, double 
     cavity.old_tets.assign({t, n});
     for (const Tet& tet : made)
         cavity.add(tet, mesh.material(t));
-    cavity.apply(mesh);
     return true;
 }
 

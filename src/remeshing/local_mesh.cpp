@@ -4,6 +4,7 @@
 
 #include "base/large_pages.hpp"
 #include "base/parallel.hpp"
+#include "base/shared_access.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/angle_qualities.hpp"
 #include "mesh/quality.hpp"
@@ -144,26 +145,45 @@ int32_t LocalMesh::add_point(const Vec3& x, uint8_t frozen)
 void LocalMesh::replace(const Array<int32_t>& old_tets, const Array<Tet>& new_tets,
                         const Array<Material>& new_materials, Array<int32_t>& created)
 {
-    CLEFT_ASSERT(new_tets.size() == new_materials.size());
+    reserve(old_tets, new_tets.size(), created);
+    refill(old_tets, new_tets, new_materials, created, 0);
+    release(old_tets, new_tets.size());
+}
+
+// The slots of the old tetrahedra come first, which keeps neighbours together. Slots follow from the operations alone,
+// so numbers are the same in every run.
+void LocalMesh::reserve(const Array<int32_t>& old_tets, size_t new_count, Array<int32_t>& created)
+{
+    created.assign(old_tets.begin(), old_tets.begin() + std::min(old_tets.count(), static_cast<int64_t>(new_count)));
+    while (created.size() < new_count)
+        created.push_back(take_slot());
+}
+
+void LocalMesh::refill(const Array<int32_t>& old_tets, const Array<Tet>& new_tets, const Array<Material>& new_materials,
+                       const Array<int32_t>& created, int worker)
+{
+    CLEFT_ASSERT(new_tets.size() == new_materials.size() && new_tets.size() == created.size());
     for (const int32_t t : old_tets) {
         CLEFT_ASSERT(alive(t));
         for (const int32_t v : tet(t))
             stars_.remove(v, t);
         tets_[t][0] = -1;
-        // Used again in reverse order. Slots follow from the operations alone, so numbers are the same in every run.
-        free_slots_.push_back(t);
     }
-    created.clear();
     for (size_t i = 0; i < new_tets.size(); ++i) {
-        const int32_t t = take_slot();
+        const int32_t t = created[i];
         tets_[t] = new_tets[i];
         quality_[t] = kUnknown;
         if (!materials_.empty())
             materials_[t] = new_materials[i];
-        created.push_back(t);
         for (const int32_t v : new_tets[i])
-            stars_.add(v, t);
+            stars_.add(v, t, worker);
     }
+}
+
+void LocalMesh::release(const Array<int32_t>& old_tets, size_t new_count)
+{
+    for (size_t i = new_count; i < old_tets.size(); ++i)
+        free_slots_.push_back(old_tets[i]);
 }
 
 int32_t LocalMesh::take_slot()
@@ -174,7 +194,7 @@ int32_t LocalMesh::take_slot()
         return t;
     }
     make_room(tets_);
-    tets_.emplace_back();
+    tets_.push_back({-1, -1, -1, -1});  // dead until it is filled
     make_room(quality_);
     quality_.push_back(kUnknown);
     if (!materials_.empty()) {
@@ -191,9 +211,11 @@ double LocalMesh::quality(const Tet& corners) const
 
 double LocalMesh::quality(int32_t t) const
 {
-    double& known = quality_[t];
-    if (known == kUnknown)
+    double known = load_shared(quality_[t]);
+    if (known == kUnknown) {
         known = quality(tet(t));
+        store_shared(quality_[t], known);
+    }
     return known;
 }
 

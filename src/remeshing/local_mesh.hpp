@@ -76,9 +76,15 @@ public:
     // `created`.
     void replace(const Array<int32_t>& old_tets, const Array<Tet>& new_tets, const Array<Material>& new_materials,
                  Array<int32_t>& created);
+    // Its three steps. The second may be taken by several threads at once for changes that have no point in common.
+    // `worker`: of the threads of the run that the mesh was made with. The other two are for one thread.
+    void reserve(const Array<int32_t>& old_tets, size_t new_count, Array<int32_t>& created);
+    void refill(const Array<int32_t>& old_tets, const Array<Tet>& new_tets, const Array<Material>& new_materials,
+                const Array<int32_t>& created, int worker);
+    void release(const Array<int32_t>& old_tets, size_t new_count);
 
     // See angle_quality: of a tetrahedron, and the least of several. What was found is kept, so that asking again costs
-    // nothing; not for several threads.
+    // nothing. For several threads as long as none changes the tetrahedron.
     double quality(int32_t t) const;
     double quality(const Tet& corners) const;
     // Finds all that are not known, at a lower price than one by one.

@@ -89,14 +89,29 @@ bool WorstFirst::worth_trying(const LocalMesh& mesh, size_t i, double target) co
 
 void WorstFirst::changed(const LocalMesh& mesh, const Array<int32_t>& tets)
 {
+    begin_changes(mesh);
+    mark(mesh, tets);
+    list(tets);
+}
+
+void WorstFirst::begin_changes(const LocalMesh& mesh)
+{
     ++now_;
     make_room(changed_, to_size(mesh.point_count() - changed_.count()));
     changed_.resize(mesh.point_count(), now_);
-    for (const int32_t t : tets) {
+}
+
+void WorstFirst::mark(const LocalMesh& mesh, const Array<int32_t>& tets)
+{
+    for (const int32_t t : tets)
         for (const int32_t v : mesh.tet(t))
             changed_[v] = now_;
+}
+
+void WorstFirst::list(const Array<int32_t>& tets)
+{
+    for (const int32_t t : tets)
         list_next(t, 0);
-    }
 }
 
 void WorstFirst::renumbered(const Array<int32_t>& tets)

@@ -26,6 +26,11 @@ public:
 
     // These are new or have been moved.
     void changed(const LocalMesh& mesh, const Array<int32_t>& tets);
+    // Its three steps, for several changes at once. The second may be taken by several threads at once for changes that
+    // have no point in common.
+    void begin_changes(const LocalMesh& mesh);
+    void mark(const LocalMesh& mesh, const Array<int32_t>& tets);
+    void list(const Array<int32_t>& tets);
     // These took the place of others for which nothing helped.
     void renumbered(const Array<int32_t>& tets);
     // Gives the i-th one back for the next pass. `tried`: it was tried and nothing helped.

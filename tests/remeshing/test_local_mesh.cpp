@@ -55,9 +55,12 @@ bool stars_are_right(const LocalMesh& mesh)
     return entries == corners;
 }
 
-Array<Tet> sorted_tets(LocalMesh mesh)
+Array<Tet> sorted_tets(const LocalMesh& mesh)
 {
-    Array<Tet> tets = mesh.take().tets;
+    Array<Tet> tets;
+    for (int32_t t = 0; t < mesh.slot_count(); ++t)
+        if (mesh.alive(t))
+            tets.push_back(mesh.tet(t));
     for (Tet& t : tets)
         std::sort(t.begin(), t.end());
     std::sort(tets.begin(), tets.end());
@@ -92,7 +95,7 @@ static void a_ring_tells_where_it_is_not_all(void**)
         mesh.ring(t, 0, 1, ring);
         assert_int_equal(ring.tets.size(), 1);
         assert_false(ring.whole);
-        assert_false(remove_edge(mesh, t, 0, 1, 1, cavity, 0));
+        assert_false(find_edge_removal(mesh, t, 0, 1, 1, cavity, 0));
         mesh.ring(t, 2, 3, ring);
         assert_true(ring.whole);
     }
@@ -132,16 +135,18 @@ static void an_operation_can_be_taken_back(void**)
         const int operation = t % 3;
         bool changed = true;
         if (operation == 0)
-            changed = remove_edge(mesh, t, 0, 1, 0, cavity, 0.1);
+            changed = find_edge_removal(mesh, t, 0, 1, 0, cavity, 0.1);
         else if (operation == 1)
-            changed = remove_face(mesh, t, 2, cavity, 0.1);
+            changed = find_face_removal(mesh, t, 2, cavity, 0.1);
         else {
             mesh.ring(t, 0, 3, cavity.ring);
-            const Vec3 middle = 0.5 * (mesh.point(cavity.ring.a) + mesh.point(cavity.ring.b));
-            split_edge(mesh, cavity.ring, middle, cavity);
+            find_split(mesh, cavity);
+            apply_split(mesh, 0.5 * (mesh.point(cavity.ring.a) + mesh.point(cavity.ring.b)), cavity);
         }
         if (!changed)
             continue;
+        if (operation < 2)
+            cavity.apply(mesh);
         ++done;
         assert_true(stars_are_right(mesh));
         cavity.undo(mesh);
