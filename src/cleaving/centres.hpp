@@ -6,7 +6,6 @@
 #pragma once
 
 #include "base/array.hpp"
-#include "base/atomic_flags.hpp"
 #include "base/fixed_array.hpp"
 #include "cleaving/sample_store.hpp"
 #include "cleaving/stencil_table.hpp"
@@ -63,7 +62,7 @@ struct Centres {
     static constexpr uint16_t kNoMaterial = 0xffff;
 
     // By vertex: the interfaces at it may be pinched, since it or one next to it snapped unseen by PinchCheck.
-    AtomicFlags doubtful{};
+    Array<uint8_t> doubtful{};
 
     const Vec3& point(int32_t v) const { return points[v]; }
     const MaterialSet& materials_of(int32_t v) const { return materials[v]; }

@@ -77,7 +77,7 @@ public:
         list_faces();
         c_.fans.resize(c_.mixed.size());
         c_.kept = large_array<uint16_t>(c_.tets.size(), Centres::kNoMaterial);
-        c_.doubtful = AtomicFlags(c_.points.size(), false);
+        c_.doubtful.assign(c_.points.size(), 0);
     }
 
 private:

@@ -1,12 +1,11 @@
 // Visits the vertices next to interfaces, in an order and several passes.
 #include "cleaving/snap.hpp"
 
+#include "base/per_worker.hpp"
 #include "base/stage.hpp"
 #include "base/visit_levels.hpp"
 #include "cleaving/snap_order.hpp"
 #include "cleaving/snap_visit.hpp"
-
-#include <deque>
 
 namespace cleft
 {
@@ -55,16 +54,14 @@ SnapCounts snap_vertices(Centres& c, Snap rule, const Run& run)
     if (rule == Snap::none)
         return {};
     SnapState state(c, rule, run);
-    std::deque<SnapVisitor> visitors;  // one for each thread
-    for (int worker = 0; worker < worker_count(run); ++worker)
-        visitors.emplace_back(state);
+    PerWorker<SnapVisitor> visitors(run, state);
     // Safe alphas are measured once, before anything moves, so a second pass with them would prove nothing.
     const int passes = rule == Snap::quality ? kPasses : 1;
     Steps steps(run, Array<Step>(passes, {nullptr, 1}));
     for (int pass = 0; pass < passes; ++pass) {
         const Array<int32_t> order = vertices_to_visit(c, kSnapReach, state.touched, run);
         levels_of(state, order, run).visit_all(steps.next(), [&](int worker, int32_t i) {
-            visitors[to_size(worker)].visit(order[i]);
+            visitors[worker].visit(order[i]);
         });
     }
     SnapCounts counts;

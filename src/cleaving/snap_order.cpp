@@ -16,13 +16,13 @@ constexpr int kClasses = 8;
 
 // The square of the length of the shortest edge at each vertex that is touched.
 // Single precision is enough to choose a class, and halves the memory.
-Array<float> shortest_edges(const Centres& c, const AtomicFlags& touched, const Run& run)
+Array<float> shortest_edges(const Centres& c, const Array<uint8_t>& touched, const Run& run)
 {
     Array<float> shortest(c.points.size(), std::numeric_limits<float>::infinity());
     for (size_t k = 0; k < c.tets.size(); ++k) {
         run.check_at(k);
         const Tet& t = c.tets[k];
-        const auto is_touched = [&](int32_t v) { return touched[v]; };
+        const auto is_touched = [&](int32_t v) { return touched[v] != 0; };
         if (std::none_of(t.begin(), t.end(), is_touched))
             continue;
         for (const auto& e : kEdgeCorners) {
@@ -52,7 +52,7 @@ Array<float> nearest_cuts(const Centres& c)
 
 }  // namespace
 
-Array<int32_t> vertices_to_visit(const Centres& c, double reach, const AtomicFlags& touched, const Run& run)
+Array<int32_t> vertices_to_visit(const Centres& c, double reach, const Array<uint8_t>& touched, const Run& run)
 {
     const Array<float> nearest = nearest_cuts(c), shortest = shortest_edges(c, touched, run);
     Array<int32_t> steps[kClasses];

@@ -1,6 +1,8 @@
 // Tries to snap a vertex to the cuts near it, and keeps what leaves the best shapes.
 #include "cleaving/snap_visit.hpp"
 
+#include "base/shared_access.hpp"
+
 #include <limits>
 
 namespace cleft
@@ -36,11 +38,7 @@ Array<std::atomic<int64_t>> vertices_of_materials(const Centres& c)
 }  // namespace
 
 SnapState::SnapState(Centres& centres, Snap snap_rule, const Run& run)
-    : c(centres),
-      rule(snap_rule),
-      tets_of(c, run),
-      touched(c.points.size(), true),
-      vertices_of(vertices_of_materials(c))
+    : c(centres), rule(snap_rule), tets_of(c, run), touched(c.points.size(), 1), vertices_of(vertices_of_materials(c))
 {
     if (rule == Snap::safe)
         safe_reach = find_safe_reach(c, tets_of, run);
@@ -49,7 +47,7 @@ SnapState::SnapState(Centres& centres, Snap snap_rule, const Run& run)
 void SnapVisitor::visit(int32_t v)
 {
     // First, because a snap below marks this vertex again.
-    state_.touched.set(v, false);
+    store_shared<uint8_t>(state_.touched[v], 0);
     gather(v);
     if (near_.empty() || state_.is_last_of_material(v))
         return;
@@ -130,12 +128,12 @@ void SnapVisitor::take_best()
 void SnapVisitor::mark_around()
 {
     for (const int32_t w : star_.link()) {
-        state_.touched.set(w, true);
+        store_shared<uint8_t>(state_.touched[w], 1);
         if (!best_is_sound_)
-            c_.doubtful.set(w, true);
+            store_shared<uint8_t>(c_.doubtful[w], 1);
     }
-    state_.touched.set(star_.vertex(), true);
-    c_.doubtful.set(star_.vertex(), !best_is_sound_);
+    store_shared<uint8_t>(state_.touched[star_.vertex()], 1);
+    store_shared<uint8_t>(c_.doubtful[star_.vertex()], best_is_sound_ ? 0 : 1);
 }
 
 // Between two materials, a tetrahedron whose corners come to share both keeps the one that they shared before.

@@ -25,7 +25,7 @@ struct SnapState {
     Centres& c;
     const Snap rule;
     const VertexTets tets_of;
-    AtomicFlags touched;                      // by vertex: something in its star changed since its last visit
+    Array<uint8_t> touched;                   // by vertex: something in its star changed since its last visit
     Array<std::atomic<int64_t>> vertices_of;  // by material: how many carry it alone
     SafeReach safe_reach;                     // of Snap::safe
 };

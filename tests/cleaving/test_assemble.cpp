@@ -79,7 +79,7 @@ Centres copy_of(const Centres& c)
             c.stencils,
             c.fans,
             c.kept,
-            AtomicFlags(c.points.size(), false)};
+            Array<uint8_t>(c.points.size(), 0)};
 }
 
 void place_cuts_at_random(Centres& c, Random& random)
