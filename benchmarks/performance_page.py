@@ -112,7 +112,7 @@ def stage_row(names, one, many, tetgen):
         *names,
         times(one["cpu_seconds"] / tetgen),
         times(one["seconds"] / many["seconds"]) if is_timed else "",
-        "%.0f %%" % (100 * one["serial_seconds"] / one["seconds"]) if is_timed else "",
+        "%.0f %%" % (100 * one["serial_seconds"] / one["cpu_seconds"]) if is_timed else "",
         times(one["cpu_seconds"]),
         times(one["seconds"]),
         times(many["seconds"]),

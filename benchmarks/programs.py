@@ -65,10 +65,10 @@ def sums(stages):
 
 
 def serial_seconds(whole, metrics):
-    """Of a whole run: what is not in a shared loop of one of its stages, between the stages too."""
+    """Of a whole run on one thread: what is not in a shared loop of one of its stages, between the stages too."""
     parts = ("volume", "sizing", "background", "cleaving", "improving", "fitting", "finish", "result_check")
-    noted = [metrics[part + ".seconds"] - metrics[part + ".serial_seconds"] for part in parts]
-    return whole["seconds"] - sum(noted)
+    noted = [metrics[part + ".cpu_seconds"] - metrics[part + ".serial_seconds"] for part in parts]
+    return whole["cpu_seconds"] - sum(noted)
 
 
 def run_cleft(cleft, case, background, threads, engine="cleft"):

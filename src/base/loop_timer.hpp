@@ -2,28 +2,26 @@
 // alone.
 #pragma once
 
+#include "base/process_figures.hpp"
 #include "base/run.hpp"
-
-#include <chrono>
 
 namespace cleft
 {
 
-// Adds the time of its scope, a loop of so many chunks, to Run::loop_time.
+// Adds the processor time of its thread in its scope, a loop of so many chunks, to Run::loop_time.
 class LoopTimer
 {
 public:
     LoopTimer(const Run& run, int64_t chunks)
-        : time_(chunks > 1 ? run.loop_time : nullptr), chunks_(chunks), begin_(std::chrono::steady_clock::now())
+        : time_(chunks > 1 ? run.loop_time : nullptr), chunks_(chunks), begin_(time_ ? thread_cpu_seconds() : 0)
     {
     }
     ~LoopTimer()
     {
         if (!time_)
             return;
-        const std::chrono::nanoseconds taken = std::chrono::steady_clock::now() - begin_;
-        time_->fetch_add(static_cast<int64_t>(shared(chunks_) * static_cast<double>(taken.count())),
-                         std::memory_order_relaxed);
+        const double taken = shared(chunks_) * (thread_cpu_seconds() - begin_);
+        time_->fetch_add(static_cast<int64_t>(1e9 * taken), std::memory_order_relaxed);
     }
     LoopTimer(const LoopTimer&) = delete;
     LoopTimer& operator=(const LoopTimer&) = delete;
@@ -40,7 +38,7 @@ private:
 
     std::atomic<int64_t>* const time_;
     const int64_t chunks_;
-    const std::chrono::steady_clock::time_point begin_;
+    const double begin_;
 };
 
 }  // namespace cleft

@@ -21,7 +21,7 @@ struct Run {
     std::function<void(const std::string& sentence)> on_warning;
     const std::atomic<bool>* cancel = nullptr;  // may be set from any thread
     Metrics* metrics = nullptr;
-    // Nanoseconds of this call in loops that threads can share, see LoopTimer.
+    // Nanoseconds that the calling thread has worked in loops that threads can share, see LoopTimer.
     std::atomic<int64_t>* loop_time = nullptr;
 
     bool cancelled() const { return cancel && cancel->load(std::memory_order_relaxed); }

@@ -1,5 +1,5 @@
-// Notes NAME.seconds, NAME.cpu_seconds (all threads), NAME.serial_seconds (of NAME.seconds, outside of loops that
-// threads can share) and NAME.peak_bytes (of the process so far) when a scope ends.
+// Notes NAME.seconds, NAME.cpu_seconds (all threads), NAME.serial_seconds (of the calling thread, outside of loops
+// that threads can share) and NAME.peak_bytes (of the process so far) when a scope ends.
 #pragma once
 
 #include "base/process_figures.hpp"
@@ -18,6 +18,7 @@ public:
           name_(std::move(name)),
           wall_(std::chrono::steady_clock::now()),
           cpu_(process_cpu_seconds()),
+          own_(thread_cpu_seconds()),
           loops_(loop_seconds())
     {
     }
@@ -32,7 +33,7 @@ private:
     const Run run_;
     std::string name_;
     std::chrono::steady_clock::time_point wall_;
-    double cpu_, loops_;
+    double cpu_, own_, loops_;
 };
 
 }  // namespace cleft
