@@ -1,8 +1,8 @@
 """Runs the commands of docs/guide.md, and the programs that its section on solvers names.
 
 check_guide.py WHAT PREFIX LIBDIR [--write], where WHAT is `commands` or one of the programs. --write puts what the
-commands print today into the guide. Parts of programs are completed here. A program that is not installed is skipped
-(code 77).
+commands print and draw today into the guide. Parts of programs are completed here. A program that is not installed is
+skipped (code 77).
 """
 import difflib
 import importlib.util
@@ -120,7 +120,7 @@ def remade(wanted, printed):
 
 def check_commands():
     """Each command behind a `$` runs and prints the lines below it, but for times and memory. With --write the guide
-    gets them.
+    gets them, and docs/images the pictures that they draw.
     """
     shutil.copytree(ROOT / "tests/data", "tests/data")
     transcript = re.compile(r"^    \$ (.*)\n((?:    .*\n|\n(?=    ))*)", re.MULTILINE)
@@ -137,6 +137,9 @@ def check_commands():
         def cell(match):
             options = "" if match.group(1).startswith("default") else match.group(1).strip("`")
             printed = run(f"cleft mesh tests/data/mickey.nrrd {options} -o picture.vtu")
+            if options:  # the picture without any is drawn by the first command
+                name = options.split()[0].strip("-")
+                run(f"cleft render picture.vtu -o {name}.png --cut y=0.5 --size 640x512")
             return f"{match.group(1)}: {re.search(r'([0-9,]+) tetrahedra', printed).group(1)}"
 
         return re.sub(r"(default|`--[^`]+`): [0-9,]+", cell, row.group(0))
@@ -145,6 +148,8 @@ def check_commands():
     today = re.sub(r"^\| default: .*$", numbers_of_today, today, flags=re.MULTILINE)
     if "--write" in sys.argv:
         (ROOT / "docs/guide.md").write_text(today)
+        for picture in pathlib.Path().glob("*.png"):
+            shutil.copy(picture, ROOT / "docs/images")
     else:
         check(
             today == GUIDE,
