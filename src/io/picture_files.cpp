@@ -29,7 +29,7 @@ std::vector<int32_t> label_list(const int32_t* labels, int64_t count, const char
     if (count == 0)
         return {};
     const int32_t* first = required(labels, name);
-    return std::vector<int32_t>(first, first + count);
+    return {first, first + count};
 }
 
 // A misspelt number would otherwise leave a label in the picture unnoticed.

@@ -15,7 +15,8 @@ namespace cleft::io
 namespace
 {
 
-constexpr int kLevel = 9;  // half as long again as the default, for a tenth less of a file that is looked at many times
+constexpr int kPngLevel =
+    9;  // half as long again as the default, for a tenth less of a file that is looked at many times
 constexpr int kFilters = 5;
 
 // Of PNG, with the left, the upper and the upper left byte.
@@ -85,10 +86,10 @@ Array<uint8_t> filtered_rows(const Canvas& canvas, bool has_cover)
     return out;
 }
 
-std::string compressed(const Array<uint8_t>& bytes)
+std::string zlib_stream(const Array<uint8_t>& bytes)
 {
     const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
-        libdeflate_alloc_compressor(kLevel), libdeflate_free_compressor);
+        libdeflate_alloc_compressor(kPngLevel), libdeflate_free_compressor);
     if (!compressor)
         throw std::bad_alloc();
     std::string out(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()), '\0');
@@ -122,7 +123,7 @@ void write_png(const std::string& path, const Canvas& canvas, bool has_cover)
     // Eight bits, colours with or without opacity; the one way to compress and to filter; no interlacing.
     header += {8, static_cast<char>(has_cover ? 6 : 2), 0, 0, 0};
     write_chunk(file, "IHDR", header);
-    write_chunk(file, "IDAT", compressed(filtered_rows(canvas, has_cover)));
+    write_chunk(file, "IDAT", zlib_stream(filtered_rows(canvas, has_cover)));
     write_chunk(file, "IEND", "");
     file.commit();
 }

@@ -105,7 +105,7 @@ Vector3 Camera::in_frame(int32_t point) const
     return {dot(right_, q), dot(up_, q), dot(to_eye_, q)};
 }
 
-Vector3 Camera::eye() const { return {0, 0, kDistance}; }
+Vector3 Camera::eye() { return {0, 0, kDistance}; }
 
 ScreenPoint Camera::on_screen(int32_t point) const
 {

@@ -37,7 +37,7 @@ public:
     // In the frame of the eye: x to the right, y upwards, z towards the eye. The faces lie in a ball around the origin;
     // a unit is half of the longest side of their box.
     Vector3 in_frame(int32_t point) const;
-    Vector3 eye() const;
+    static Vector3 eye();
     // Only of corners of the faces.
     ScreenPoint on_screen(int32_t point) const;
     // Of a unit of the frame, in the middle of the mesh.

@@ -41,10 +41,12 @@ void add_decades(double low, double high, Array<double>& ticks)
         power /= 10;
     while (power * 10 <= low)
         power *= 10;
-    for (; power <= high; power *= 10)
+    while (power <= high) {
         for (const double digit : {1.0, 2.0, 5.0})
             if (digit * power >= low && digit * power <= high)
                 ticks.push_back(digit * power);
+        power *= 10;
+    }
 }
 
 }  // namespace

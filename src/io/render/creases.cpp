@@ -30,14 +30,14 @@ constexpr Colour kDeep{16, 18, 34};
 
 // Steps on the canvas to one of two opposite places, and how far the depth may differ there before it is another part
 // of the mesh, which says nothing about this one.
-struct Pair {
+struct OppositePlaces {
     int x, y;
     float reach;
 };
 
-Array<Pair> pairs_for(const Canvas& canvas, double pixels_per_unit)
+Array<OppositePlaces> pairs_for(const Canvas& canvas, double pixels_per_unit)
 {
-    Array<Pair> pairs;
+    Array<OppositePlaces> pairs;
     for (size_t d = 0; d < kDistanceCount; ++d)
         for (size_t i = 0; i < kPairsAtOne; ++i) {
             const auto& direction = kDirections[d % 2 * kPairsAtOne + i];
@@ -50,11 +50,11 @@ Array<Pair> pairs_for(const Canvas& canvas, double pixels_per_unit)
 }
 
 // 0 to 1: how much of the light from around is kept away.
-double kept_away(const Canvas& canvas, int x, int y, const Array<Pair>& pairs)
+double kept_away(const Canvas& canvas, int x, int y, const Array<OppositePlaces>& pairs)
 {
     const float here = canvas.depth[canvas.at(x, y)];
     double sum = 0;
-    for (const Pair& pair : pairs) {
+    for (const OppositePlaces& pair : pairs) {
         const auto higher = [&](int dx, int dy) {
             if (!canvas.has(x + dx, y + dy))
                 return 0.0F;
@@ -71,7 +71,7 @@ double kept_away(const Canvas& canvas, int x, int y, const Array<Pair>& pairs)
 
 void darken_creases(double pixels_per_unit, const Run& run, Canvas& canvas)
 {
-    const Array<Pair> pairs = pairs_for(canvas, pixels_per_unit);
+    const Array<OppositePlaces> pairs = pairs_for(canvas, pixels_per_unit);
     constexpr int64_t kRows = 8;
     parallel_for(run, canvas.height, kRows, [&](int64_t begin, int64_t end) {
         for (int y = static_cast<int>(begin); y < end; ++y)

@@ -17,11 +17,11 @@ namespace cleft::io
 namespace
 {
 
-using Corners = FixedArray<int32_t, 4>;
+using SortedCorners = FixedArray<int32_t, 4>;
 
-Corners sorted_corners(const MeshView& mesh, int64_t tet)
+SortedCorners sorted_corners(const MeshView& mesh, int64_t tet)
 {
-    Corners corners;
+    SortedCorners corners;
     std::copy_n(mesh.tets + 4 * tet, 4, corners.begin());
     std::sort(corners.begin(), corners.end());
     return corners;
@@ -40,7 +40,7 @@ bool is_same_face(const OuterFace& a, const OuterFace& b)
 }
 
 // The faces of a tetrahedron whose least corner is `point`.
-void add_faces_at(int32_t point, const Corners& c, int32_t tet, Array<OuterFace>& faces)
+void add_faces_at(int32_t point, const SortedCorners& c, int32_t tet, Array<OuterFace>& faces)
 {
     if (c[0] == point) {
         faces.push_back({{c[0], c[1], c[2]}, c[3], tet});
@@ -74,7 +74,7 @@ Array<OuterFace> outer_faces(const MeshView& mesh, const Array<char>& is_shown, 
     const auto at_points = sort.sort(run, mesh.tet_count, mesh.point_count, [&](int64_t tet, const auto& give) {
         if (!is_shown[tet])
             return;
-        const Corners corners = sorted_corners(mesh, tet);
+        const SortedCorners corners = sorted_corners(mesh, tet);
         give(corners[0], static_cast<int32_t>(tet));
         // A point that is twice a corner, in a broken mesh, has the tetrahedron once.
         if (corners[1] != corners[0])

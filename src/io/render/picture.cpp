@@ -20,8 +20,8 @@ namespace cleft::io
 namespace
 {
 
-constexpr Colour kLight{255, 255, 255};
-constexpr Colour kDark{20, 22, 27};
+constexpr Colour kLightBackdrop{255, 255, 255};
+constexpr Colour kDarkBackdrop{20, 22, 27};
 constexpr Colour kTextOnLight{38, 42, 50};
 constexpr Colour kTextOnDark{222, 225, 230};
 
@@ -63,7 +63,7 @@ void put_behind(cleft_io_backdrop backdrop, Canvas& canvas)
 {
     if (backdrop == CLEFT_IO_BACKDROP_NONE)
         return;
-    const Colour behind = backdrop == CLEFT_IO_BACKDROP_DARK ? kDark : kLight;
+    const Colour behind = backdrop == CLEFT_IO_BACKDROP_DARK ? kDarkBackdrop : kLightBackdrop;
     for (Pixel& pixel : canvas.pixels)
         pixel = {mixed(behind, pixel.colour, (pixel.cover * kWhole + 127) / 255), 255};
 }

@@ -21,7 +21,7 @@ constexpr int32_t kGreatestSide = 8192;     // 8 bytes a pixel make half a gigab
 constexpr double kGreatestLineWidth = 100;  // pixels; beyond it nothing is left of the faces
 constexpr Vector3 kDefaultToEye{-0.5, -1, 0.6};
 
-[[noreturn]] void refuse(const std::string& field, const std::string& value, const std::string& wanted)
+[[noreturn]] void refuse_picture(const std::string& field, const std::string& value, const std::string& wanted)
 {
     throw Error(CLEFT_ERROR_ARGUMENT, field + " of the picture is " + value + "; it must be " + wanted);
 }
@@ -34,13 +34,14 @@ std::string vector_text(const double* v)
 void check_choice(const char* field, int32_t value, int32_t greatest)
 {
     if (value < 0 || value > greatest)
-        refuse(field, std::to_string(value), "0 to " + std::to_string(greatest));
+        refuse_picture(field, std::to_string(value), "0 to " + std::to_string(greatest));
 }
 
 int32_t side(const char* field, int32_t given, int32_t by_default)
 {
     if (given < 0 || given > kGreatestSide)
-        refuse(field, std::to_string(given), "1 to " + std::to_string(kGreatestSide) + " pixels, or 0 for the default");
+        refuse_picture(field, std::to_string(given),
+                       "1 to " + std::to_string(kGreatestSide) + " pixels, or 0 for the default");
     return given == 0 ? by_default : given;
 }
 
@@ -48,7 +49,8 @@ int32_t side(const char* field, int32_t given, int32_t by_default)
 double positive(const char* field, double given, double by_default, double greatest)
 {
     if (!(given >= 0 && given <= greatest))  // NaN neither
-        refuse(field, number_text(given), "above 0 and at most " + number_text(greatest) + ", or 0 for the default");
+        refuse_picture(field, number_text(given),
+                       "above 0 and at most " + number_text(greatest) + ", or 0 for the default");
     return given == 0 ? by_default : given;
 }
 
@@ -59,7 +61,7 @@ Vector3 direction(const char* field, const double* given)
 {
     const double greatest = std::max({std::abs(given[0]), std::abs(given[1]), std::abs(given[2])});
     if (!std::isfinite(given[0]) || !std::isfinite(given[1]) || !std::isfinite(given[2]) || !(greatest > 0))
-        refuse(field, vector_text(given), "three finite numbers that are not all 0");
+        refuse_picture(field, vector_text(given), "three finite numbers that are not all 0");
     const Vector3 scaled{given[0] / greatest, given[1] / greatest, given[2] / greatest};
     return times(1 / std::sqrt(dot(scaled, scaled)), scaled);
 }
@@ -77,7 +79,7 @@ Vector3 upwards(const double* given, const Vector3& to_eye)
         return is_along({0, 0, 1}) ? Vector3{0, 1, 0} : Vector3{0, 0, 1};
     const Vector3 up = direction("up", given);
     if (is_along(up))
-        refuse("up", vector_text(given), "in another direction than view");
+        refuse_picture("up", vector_text(given), "in another direction than view");
     return up;
 }
 
@@ -85,7 +87,8 @@ Vector3 checked_cut(const double* given)
 {
     for (int axis = 0; axis < 3; ++axis)
         if (!(given[axis] >= 0 && given[axis] <= 1))
-            refuse(std::string("cut along ") + "xyz"[axis], number_text(given[axis]), "a share of the box, 0 to 1");
+            refuse_picture(std::string("cut along ") + "xyz"[axis], number_text(given[axis]),
+                           "a share of the box, 0 to 1");
     return {given[0], given[1], given[2]};
 }
 
@@ -94,7 +97,8 @@ std::array<double, 2> checked_range(const double* given)
     if (given[0] == 0 && given[1] == 0)
         return {0, 0};
     if (!std::isfinite(given[0]) || !std::isfinite(given[1]) || !(given[0] < given[1]))
-        refuse("range", number_text(given[0]) + " to " + number_text(given[1]), "two finite numbers, the lesser first");
+        refuse_picture("range", number_text(given[0]) + " to " + number_text(given[1]),
+                       "two finite numbers, the lesser first");
     return {given[0], given[1]};
 }
 
@@ -106,7 +110,7 @@ PictureRequest checked_request(const cleft_io_picture& given, std::vector<int32_
     check_choice("by", given.by, CLEFT_IO_BY_SIZE);
     check_choice("backdrop", given.backdrop, CLEFT_IO_BACKDROP_NONE);
     if (given.reserved != 0)  // so that it can mean something later
-        refuse("reserved", std::to_string(given.reserved), "0");
+        refuse_picture("reserved", std::to_string(given.reserved), "0");
     request.by = given.by;
     request.backdrop = given.backdrop;
     request.width = side("width", given.width, kDefaultWidth);

@@ -66,15 +66,16 @@ Array<char> shown_tets(const MeshView& mesh, const PictureRequest& request, cons
     const std::vector<Cut> cuts = cuts_of(mesh, request, run);
     Array<char> is_left_out, is_whole;
     for (const int32_t label : mesh.labels) {
-        is_left_out.push_back(request.leaves_out(label));
-        is_whole.push_back(cuts.empty() || request.keeps_whole(label));
+        is_left_out.push_back(request.leaves_out(label) ? 1 : 0);
+        is_whole.push_back(cuts.empty() || request.keeps_whole(label) ? 1 : 0);
     }
     Array<char> shown(mesh.tet_count);
     parallel_for(run, mesh.tet_count, kTetsTested, [&](int64_t begin, int64_t end) {
         for (int64_t t = begin; t < end; ++t) {
             const size_t label = mesh.label_index(mesh.tet_labels[t]);
             const auto takes = [&](const Cut& cut) { return cut.takes(mesh, mesh.tets + 4 * t); };
-            shown[t] = !is_left_out[label] && (is_whole[label] || !std::all_of(cuts.begin(), cuts.end(), takes));
+            const bool is_cut = !is_whole[label] && std::all_of(cuts.begin(), cuts.end(), takes);
+            shown[t] = is_left_out[label] || is_cut ? 0 : 1;
         }
     });
     return shown;

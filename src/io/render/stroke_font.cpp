@@ -120,12 +120,12 @@ constexpr int kGap = 4;           // steps between letters
 constexpr int kBlank = 5;         // the width of a blank beside its gaps
 constexpr double kStroke = 0.13;  // its width, of the height of capitals; thinner lines fade in small text
 
-struct Segment {
+struct StrokePart {
     double x0, y0, x1, y1;  // to the right and upwards, in steps
 };
 
 struct Letter {
-    std::vector<Segment> segments;
+    std::vector<StrokePart> parts;
     double left = 0, right = kBlank;
 };
 
@@ -136,13 +136,13 @@ Letter letter_of(uint32_t code)
     Letter letter;
     for (size_t i = 0; i + 4 < strokes.size(); i += 3)
         if (strokes[i + 2] == ' ')  // no slash, so the stroke goes on
-            letter.segments.push_back({double(strokes[i] - '0'), double(strokes[i + 1] - 'e'),
-                                       double(strokes[i + 3] - '0'), double(strokes[i + 4] - 'e')});
-    if (letter.segments.empty())
+            letter.parts.push_back({double(strokes[i] - '0'), double(strokes[i + 1] - 'e'),
+                                    double(strokes[i + 3] - '0'), double(strokes[i + 4] - 'e')});
+    if (letter.parts.empty())
         return letter;
     letter.left = kCapital;
     letter.right = 0;
-    for (const Segment& s : letter.segments) {
+    for (const StrokePart& s : letter.parts) {
         letter.left = std::min({letter.left, s.x0, s.x1});
         letter.right = std::max({letter.right, s.x0, s.x1});
     }
@@ -160,8 +160,8 @@ std::vector<Letter> letters_of(std::string_view text)
     return letters;
 }
 
-// Squared, of a place from a segment.
-double distance2(double x, double y, const Segment& s)
+// Squared, of a place from a part.
+double distance2(double x, double y, const StrokePart& s)
 {
     const double dx = s.x1 - s.x0, dy = s.y1 - s.y0;
     const double along = ((x - s.x0) * dx + (y - s.y0) * dy) / (dx * dx + dy * dy);
@@ -170,16 +170,17 @@ double distance2(double x, double y, const Segment& s)
     return rx * rx + ry * ry;
 }
 
-// Samples of a pixel that are within half a stroke of a segment, of 16.
+// Samples of a pixel that are within half the width of a stroke of one, of 16.
 int samples_on(double x, double y, double step, const Letter& letter)
 {
     constexpr double kHalf = kStroke * kCapital / 2;
     int count = 0;
     for (int sample = 0; sample < 16; ++sample) {
-        const double sx = x + (sample % 4 + 0.5) / 4 * step;
-        const double sy = y - (sample / 4 + 0.5) / 4 * step;
-        count += std::any_of(letter.segments.begin(), letter.segments.end(),
-                             [&](const Segment& s) { return distance2(sx, sy, s) <= kHalf * kHalf; });
+        const int column = sample % 4, row = sample / 4;
+        const double sx = x + (column + 0.5) / 4 * step;
+        const double sy = y - (row + 0.5) / 4 * step;
+        count += std::any_of(letter.parts.begin(), letter.parts.end(),
+                             [&](const StrokePart& part) { return distance2(sx, sy, part) <= kHalf * kHalf; });
     }
     return count;
 }

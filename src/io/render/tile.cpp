@@ -87,15 +87,16 @@ Tile::Span Tile::span(std::pair<int32_t, int32_t> extent, int32_t origin)
     return {std::max(first, 0), std::min(last, kSide - 1)};
 }
 
-void Tile::draw(const TileTriangle& given, int32_t face)
+void Tile::draw(const TileTriangle& triangle, int32_t face)
 {
-    const Span across = span(given.extent_x(), origin_x_);
-    const Span down = span(given.extent_y(), origin_y_);
-    const int64_t two_areas = two_areas_of(given);
+    const Span across = span(triangle.extent_x(), origin_x_);
+    const Span down = span(triangle.extent_y(), origin_y_);
+    const int64_t two_areas = two_areas_of(triangle);
     if (across.first > across.last || down.first > down.last || two_areas == 0)
         return;
     const TileTriangle t =
-        two_areas > 0 ? given : TileTriangle{given.a, given.c, given.b, given.line_ca, given.line_bc, given.line_ab};
+        two_areas > 0 ? triangle : TileTriangle{triangle.a,       triangle.c,       triangle.b,
+                                                triangle.line_ca, triangle.line_bc, triangle.line_ab};
     const int64_t x = origin_x_, y = origin_y_;
     const Side sides[] = {
         {t.a, t.b, x, y, kStep, t.line_ab}, {t.b, t.c, x, y, kStep, t.line_bc}, {t.c, t.a, x, y, kStep, t.line_ca}};
