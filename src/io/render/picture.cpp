@@ -89,12 +89,12 @@ Canvas draw_picture(const MeshView& mesh, const PictureRequest& request, const R
 
     Canvas canvas(request.width, request.height);
     const Array<DrawnFace> drawn = drawn_faces(mesh, faces, measures, legend.scale, camera, request, run);
-    const AtomicFlags is_seen = rasterise(mesh, drawn, camera, request.line_width, run, canvas);
+    const Array<uint8_t> is_seen = rasterise(mesh, drawn, camera, request.line_width, run, canvas);
     darken_creases(camera.pixels_per_unit(), run, canvas);
     put_behind(request.backdrop, canvas);
     if (names_labels)
         legend.entries = label_entries(
-            mesh, drawn.count(), [&](int64_t f) { return drawn[f].tet; }, [&](int64_t f) { return is_seen[f]; });
+            mesh, drawn.count(), [&](int64_t f) { return drawn[f].tet; }, [&](int64_t f) { return is_seen[f] != 0; });
     if (request.has_legend)
         draw_legend(legend, beside, request.backdrop == CLEFT_IO_BACKDROP_DARK ? kTextOnDark : kTextOnLight, canvas);
     return canvas;

@@ -7,6 +7,7 @@
 
 #include "base/fixed_array.hpp"
 #include "base/parallel.hpp"
+#include "base/shared_access.hpp"
 #include "io/render/outline.hpp"
 #include "io/render/tile.hpp"
 
@@ -94,14 +95,14 @@ TileRow faces_in_row(const Scene& scene, const Array<Reach>& reaches, int64_t ro
 
 }  // namespace
 
-AtomicFlags rasterise(const MeshView& mesh, const Array<DrawnFace>& faces, const Camera& camera, double line_width,
-                      const Run& run, Canvas& canvas)
+Array<uint8_t> rasterise(const MeshView& mesh, const Array<DrawnFace>& faces, const Camera& camera, double line_width,
+                         const Run& run, Canvas& canvas)
 {
     const Scene scene{faces, points_on_screen(mesh, faces, camera, run), outline_edges(faces, mesh.point_count, run),
                       line_width / 2 * ScreenPoint::kUnits};
     const int rows = (canvas.height + Tile::kPixels - 1) / Tile::kPixels;
     const Array<Reach> reaches = reaches_of(scene, rows, run);
-    AtomicFlags is_seen(faces.size(), false);
+    Array<uint8_t> is_seen(faces.size(), 0);
     parallel_for(run, rows, 1, [&](int64_t number, int64_t) {
         TileRow row = faces_in_row(scene, reaches, number);
         Tile tile;
@@ -113,7 +114,7 @@ AtomicFlags rasterise(const MeshView& mesh, const Array<DrawnFace>& faces, const
         }
         for (int64_t i = 0; i < row.faces.count(); ++i)
             if (row.is_seen[i])
-                is_seen.set(row.faces[i], true);
+                store_shared<uint8_t>(is_seen[row.faces[i]], 1);
     });
     return is_seen;
 }
