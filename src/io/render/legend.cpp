@@ -16,20 +16,27 @@ namespace
 
 constexpr const char* kDots = "...";
 
+constexpr double kLeastText = 8;  // pixels; smaller letters cannot be read
+
 // All lengths follow the height of the text, in pixels.
 struct Layout {
     double text, margin, row, swatch, gap;
 
-    explicit Layout(int picture_height)
-        : text(std::max(8.0, std::floor(picture_height / 64.0))),
-          margin(1.5 * text),
-          row(2 * text),
-          swatch(1.4 * text),
-          gap(0.8 * text)
+    explicit Layout(double text_height)
+        : text(text_height), margin(1.5 * text), row(2 * text), swatch(1.4 * text), gap(0.8 * text)
     {
     }
     double beside_text() const { return 2 * margin + swatch + gap; }
+    size_t rows_in(int height) const { return static_cast<size_t>(std::max(1.0, (height - 2 * margin) / row)); }
 };
+
+// As large as looks well on a picture of this height, or so small that all rows find a place, if they do.
+Layout layout_for(const Legend& legend, int height)
+{
+    constexpr double kShare = 64;
+    const double rows = static_cast<double>(legend.entries.size());
+    return Layout(std::max(kLeastText, std::floor(std::min(height / kShare, height / (2 * rows + 3)))));
+}
 
 void fill(double left, double top, double width, double height, Colour colour, Canvas& canvas)
 {
@@ -46,26 +53,25 @@ void draw_swatch(double left, double top, double size, Colour colour, Colour tex
     fill(left + 1, top + 1, size - 2, size - 2, colour, canvas);
 }
 
+// As much of a text as fits, with dots behind it if it is not all.
 std::string shortened(const std::string& text, double height, double width)
 {
     if (text_width(text, height) <= width)
         return text;
-    std::string part = text;
-    while (!part.empty() && text_width(part + kDots, height) > width)
-        part = beginning_of(part, part.size() - 1);
-    return part + kDots;
-}
-
-size_t rows_in(const Layout& at, int height)
-{
-    return static_cast<size_t>(std::max(1.0, (height - 2 * at.margin) / at.row));
+    size_t fitting = 0, too_many = text.size();
+    while (fitting + 1 < too_many) {
+        const size_t middle = (fitting + too_many) / 2;
+        const std::string part(beginning_of(text, middle));
+        (text_width(part + kDots, height) <= width ? fitting : too_many) = middle;
+    }
+    return std::string(beginning_of(text, fitting)) + kDots;
 }
 
 std::string more_text(size_t count) { return "and " + std::to_string(count) + " more"; }
 
 void draw_rows(const Legend& legend, const Layout& at, double left, Colour text, Canvas& canvas)
 {
-    const size_t fitting = rows_in(at, canvas.height);
+    const size_t fitting = at.rows_in(canvas.height);
     const bool has_more = legend.entries.size() > fitting;
     const size_t shown = has_more ? fitting - 1 : legend.entries.size();
     const double rows = static_cast<double>(shown + (has_more ? 1 : 0));
@@ -99,25 +105,34 @@ void draw_bar(const ColourScale& scale, const Layout& at, double left, Colour te
     }
 }
 
+// For all texts as they are.
+double wanted_width(const Legend& legend, const Layout& at, int height)
+{
+    // The longest title of a scale. Its numbers are shorter.
+    double longest = legend.entries.empty() ? text_width("radius ratio", at.text) : 0;
+    if (legend.entries.size() > at.rows_in(height))
+        longest = text_width(more_text(legend.entries.size()), at.text);
+    for (const LegendEntry& entry : legend.entries)
+        longest = std::max(longest, text_width(entry.text, at.text));
+    return longest + at.beside_text();
+}
+
 }  // namespace
 
 int legend_width(const Legend& legend, int width, int height)
 {
     constexpr double kMostShare = 0.4;  // of the picture
-    const Layout at(height);
-    // The longest title of a scale. Its numbers are shorter.
-    double longest = legend.entries.empty() ? text_width("radius ratio", at.text) : 0;
-    if (legend.entries.size() > rows_in(at, height))
-        longest = text_width(more_text(legend.entries.size()), at.text);
-    for (const LegendEntry& entry : legend.entries)
-        longest = std::max(longest, text_width(entry.text, at.text));
-    return static_cast<int>(std::ceil(std::min(kMostShare * width, longest + at.beside_text())));
+    return static_cast<int>(
+        std::ceil(std::min(kMostShare * width, wanted_width(legend, layout_for(legend, height), height))));
 }
 
 void draw_legend(const Legend& legend, int width, Colour text, Canvas& canvas)
 {
-    const Layout at(canvas.height);
     const double left = canvas.width - width;
+    Layout at = layout_for(legend, canvas.height);
+    // Fewer rows than the width was made for may have larger text, but no wider one.
+    while (at.text > kLeastText && wanted_width(legend, at, canvas.height) > width)
+        at = Layout(at.text - 1);
     if (legend.scale)
         draw_bar(*legend.scale, at, left, text, canvas);
     else
