@@ -10,7 +10,7 @@ module cleft_io
   implicit none
   private
   public :: cleft_read_volume, cleft_read_raw, cleft_read_field, cleft_write_mesh, cleft_read_mesh, &
-    cleft_write_sizing, cleft_read_sizing, cleft_guess, cleft_write_picture
+    cleft_write_sizing, cleft_read_sizing, cleft_guess, cleft_write_picture, cleft_write_view
   ! <numbers> made by tools/generate.py from include/cleft/cleft_io.h
   public :: CLEFT_TYPE_UINT8, CLEFT_TYPE_UINT16, CLEFT_TYPE_INT16, CLEFT_TYPE_UINT32, CLEFT_TYPE_INT32, &
     CLEFT_TYPE_FLOAT32, CLEFT_TYPE_FLOAT64, CLEFT_FORMAT_BY_NAME, CLEFT_FORMAT_VTU, CLEFT_FORMAT_VTP, &
@@ -293,6 +293,54 @@ contains
     picture%zoom = 0
     picture%line_width = 0
     picture%range = 0
+  end function
+
+  ! Writes a page that shows a mesh in any browser. `report`: what cleft mesh --json reported, as text. `names`: the
+  ! path of a table of the names of labels. `goal`: the least dihedral angle that is marked. `max_tets`: how many
+  ! tetrahedra the page has at most. `other`: a second mesh to compare with. What is not given is as cleft_io.h says.
+  subroutine cleft_write_view(context, mesh, path, title, report, names, goal, max_tets, other, other_title, &
+    other_report, stat, errmsg)
+    type(cleft_context), intent(inout) :: context
+    type(cleft_mesh), intent(in) :: mesh
+    character(len=*), intent(in) :: path
+    character(len=*), intent(in), optional :: title, report, names, other_title, other_report
+    real(c_double), intent(in), optional :: goal
+    integer(c_int64_t), intent(in), optional :: max_tets
+    type(cleft_mesh), intent(in), optional :: other
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    type(cleft_io_view), target :: view
+    character(kind=c_char, len=:), allocatable, target :: c_title, c_report, c_names, second_title, second_report
+
+    view%struct_size = int(c_sizeof(view), c_int32_t)
+    view%reserved = 0
+    view%goal = 0
+    view%max_tets = 0
+    view%other = c_null_ptr
+    if (present(goal)) view%goal = goal
+    if (present(max_tets)) view%max_tets = max_tets
+    if (present(other)) view%other = other%c_handle()
+    c_title = c_text(or_empty(title))
+    c_report = c_text(or_empty(report))
+    c_names = c_text(or_empty(names))
+    second_title = c_text(or_empty(other_title))
+    second_report = c_text(or_empty(other_report))
+    view%title = c_loc(c_title)
+    view%report = c_loc(c_report)
+    view%names = c_null_ptr
+    if (present(names)) view%names = c_loc(c_names)
+    view%other_title = c_loc(second_title)
+    view%other_report = c_loc(second_report)
+    call context%conclude(cleft_io_write_view(context%c_handle(), mesh%c_handle(), c_loc(view), c_text(path)), stat, &
+      errmsg)
+  end subroutine
+
+  pure function or_empty(text) result(given)
+    character(len=*), intent(in), optional :: text
+    character(len=:), allocatable :: given
+
+    given = ''
+    if (present(text)) given = text
   end function
 
   ! Paths as C wants them, one a column.

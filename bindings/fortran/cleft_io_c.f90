@@ -224,8 +224,7 @@ module cleft_io_c
 
     function cleft_io_write_view(context, mesh, view, path) bind(C) result(answer)
       import
-      type(c_ptr), value :: context, mesh
-      type(cleft_io_view), intent(in) :: view
+      type(c_ptr), value :: context, mesh, view
       character(kind=c_char), intent(in) :: path(*)
       integer(c_int32_t) :: answer
     end function

@@ -50,6 +50,32 @@ CLEFT_STRUCT(cleft_io_picture, NativePicture)
     void set_range(int32_t end, double measure) { $self->range[end] = measure; }
 }
 
+// A view has texts, which live as long as the call: they are its arguments. "" is none.
+%ignore cleft_io_view;
+%ignore cleft_io_write_view;
+%rename(cleft_io_write_view) cleft_write_view_of;
+%apply const char* PATH {
+    const char* title, const char* report, const char* names, const char* other_title, const char* other_report
+};
+%inline %{
+static int32_t cleft_write_view_of(cleft_context* context, const cleft_mesh* mesh, int64_t max_tets, double goal,
+                                   const char* title, const char* report, const char* names, const cleft_mesh* other,
+                                   const char* other_title, const char* other_report, const char* path)
+{
+    cleft_io_view view = {0};
+    view.struct_size = sizeof view;
+    view.max_tets = max_tets;
+    view.goal = goal;
+    view.title = title;
+    view.report = report;
+    view.names = names && *names ? names : NULL;
+    view.other = other;
+    view.other_title = other_title;
+    view.other_report = other_report;
+    return cleft_io_write_view(context, mesh, &view, path);
+}
+%}
+
 // cleft_io.h includes cleft.h, which SWIG does not follow. What it takes from there is repeated
 // here.
 #define CLEFT_NOEXCEPT

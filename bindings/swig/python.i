@@ -30,6 +30,7 @@
 %thread cleft_io_write_mesh;
 %thread cleft_io_read_mesh;
 %thread cleft_io_write_picture;
+%thread cleft_write_view_of;
 
 %{
 #define CLEFT_NO_MEMORY \

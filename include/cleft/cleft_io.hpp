@@ -79,6 +79,21 @@ inline void write_picture(const Context& context, const Mesh& mesh, const std::s
                                          whole.data(), static_cast<int64_t>(whole.size()), &picture, path.c_str()));
 }
 
+/** Returns the default cleft_io_view. */
+inline cleft_io_view default_view()
+{
+    cleft_io_view view{};
+    view.struct_size = sizeof view;
+    return view;
+}
+
+/** Writes a page that shows a mesh in any browser: cleft_io_write_view(). */
+inline void write_view(const Context& context, const Mesh& mesh, const std::string& path,
+                       const cleft_io_view& view = default_view())
+{
+    context.check(cleft_io_write_view(context.get(), mesh.get(), &view, path.c_str()));
+}
+
 }  // namespace cpp
 }  // namespace cleft
 

@@ -151,6 +151,29 @@ sealed class FilesTest
         });
     }
 
+    void TestViews()
+    {
+        InFolder(path => {
+            Mesh mesh = Checks.BallMesh(mesher);
+            MeshFiles.WriteView(mesher, mesh, path("a.html"));
+            Checks.Check(File.ReadAllText(path("a.html")).Contains("<title>Mesh</title>"), "no title");
+            File.WriteAllText(path("names.txt"), "1 inner\n");
+            MeshFiles.WriteView(mesher, mesh, path("a.html"), new View {
+                Title = "a", Report = "{\"a\":1}", Names = path("names.txt"), Goal = 15, MaxTets = 5, Other = mesh,
+                OtherTitle = "b", OtherReport = "{}"
+            });
+            string page = File.ReadAllText(path("a.html"));
+            foreach (string part in new[] {
+                "<title>a | b</title>", "{\"a\":1}", "\"name\":\"inner\"", "\"goal\":15,", "\"shown_tets\":5,"
+            })
+                Checks.Check(page.Contains(part), "no " + part);
+            Checks.Thrown<InvalidArgumentException>(() => MeshFiles.WriteView(
+                mesher, mesh, path("a.html"), new View { Goal = 91 }));
+            Checks.Thrown<ArgumentException>(() => MeshFiles.WriteView(
+                mesher, mesh, path("a.html"), new View { Title = "a\0" }));
+        });
+    }
+
     void TestFormats()
     {
         Checks.Check(MeshFiles.Formats().Any(row => row.Name == "vtu" && row.ReadsMesh && row.WritesMesh

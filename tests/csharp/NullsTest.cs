@@ -13,7 +13,7 @@ sealed class NullsTest
 {
     static readonly Type[] kinds = {
         typeof(Mesher), typeof(Options), typeof(Volume), typeof(Sizing), typeof(Mesh), typeof(Surface), typeof(Grid),
-        typeof(RawVoxels), typeof(Reading), typeof(Picture), typeof(MeshFiles)
+        typeof(RawVoxels), typeof(Reading), typeof(Picture), typeof(View), typeof(MeshFiles)
     };
 
     readonly Mesher mesher = new Mesher { Log = null };
@@ -26,7 +26,7 @@ sealed class NullsTest
         Mesh mesh = Checks.BallMesh(mesher);
         foreach (object sample in new object[] {
             mesher, Checks.Quick(), volume, mesh, mesher.ConstantSizing(volume, 3), mesher.Surface(mesh), Checks.Grid,
-            new RawVoxels { Dims = new long[] { 1, 1, 1 } }, new Reading(), new Picture(),
+            new RawVoxels { Dims = new long[] { 1, 1, 1 } }, new Reading(), new Picture(), new View(),
             "no such folder/a.vtu",
             new[] { "no such folder/a.vtu" },
             new byte[voxels], new short[voxels], new ushort[voxels], new int[voxels], new uint[voxels], new long[3],

@@ -28,6 +28,7 @@ program test_files
   call fields_are_read()
   call files_are_told_apart()
   call pictures_are_drawn()
+  call views_are_written()
   call finish()
 
 contains
@@ -48,6 +49,24 @@ contains
     call check(stat == CLEFT_ERROR_ARGUMENT .and. index(message, 'cut along x') > 0, 'a wrong cut is named')
     call cleft_write_picture(context, mesh, picture_file, strip=[0_c_int32_t, 5_c_int32_t, 9_c_int32_t], stat=stat)
     call check(stat == CLEFT_ERROR_ARGUMENT, 'a picture of nothing is refused')
+  end subroutine
+
+  subroutine views_are_written()
+    character(len=*), parameter :: page_file = 'fortran_view.html'
+    character(len=4000) :: start
+    character(len=200) :: message
+    integer :: unit
+
+    call cleft_write_view(context, mesh, page_file, title='ours', report='{}', goal=20d0, max_tets=50_c_int64_t, &
+      other=mesh, other_title='theirs')
+    open (newunit=unit, file=page_file, access='stream', form='unformatted', status='old')
+    read (unit) start
+    close (unit, status='delete')
+    call check(index(start, '<title>ours | theirs</title>') > 0, 'a view has the titles of both meshes')
+    call cleft_write_view(context, mesh, page_file, goal=91d0, stat=stat, errmsg=message)
+    call check(stat == CLEFT_ERROR_ARGUMENT .and. index(message, 'goal') > 0, 'a wrong goal is named')
+    call cleft_write_view(context, mesh, page_file, names='none.txt', stat=stat)
+    call check(stat == CLEFT_ERROR_FILE, 'a table that is not there is refused')
   end subroutine
 
   subroutine write_nrrd()

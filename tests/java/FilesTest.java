@@ -179,6 +179,28 @@ final class FilesTest {
         });
     }
 
+    void testViews() throws Exception {
+        inFolder(folder -> {
+            Path path = folder.resolve("a.html");
+            Path names = folder.resolve("names.txt");
+            Mesh mesh = Checks.ballMesh(mesher);
+            MeshFiles.writeView(mesher, mesh, new View(), path);
+            Checks.check(Files.readString(path).contains("<title>Mesh</title>"), "no title");
+            Files.writeString(names, "1 inner\n");
+            View view = new View().title("a").report("{\"a\":1}").names(names).goal(15).maxTets(5);
+            MeshFiles.writeView(mesher, mesh, view.other(mesh, "b", ""), path);
+            String page = Files.readString(path);
+            for (String part : new String[] {"<title>a | b</title>", "{\"a\":1}", "\"name\":\"inner\"", "\"goal\":15,",
+                    "\"shown_tets\":5,"})
+                Checks.check(page.contains(part), "no " + part);
+            Checks.thrown(CleftException.InvalidArgument.class,
+                    () -> MeshFiles.writeView(mesher, mesh, view.goal(91), path));
+            Checks.thrown(IllegalArgumentException.class, () -> view.maxTets(0));
+            Checks.thrown(IllegalArgumentException.class,
+                    () -> MeshFiles.writeView(mesher, mesh, view.title("a\0"), path));
+        });
+    }
+
     void testFormats() {
         Checks.check(MeshFiles.formats().stream().anyMatch(row -> row.name().equals("vtu") && row.readsMesh()
                 && row.writesMesh() && row.extensions().contains(".vtu")), "no vtu");

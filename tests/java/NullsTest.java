@@ -15,7 +15,8 @@ import org.cleft.*;
 final class NullsTest {
     private static final List<Class<?>> KINDS = List.of(
             Mesher.class, Options.class, Volume.class, Sizing.class, Mesh.class, Surface.class,
-            Grid.class, RawVoxels.class, MeshFiles.class, MeshFiles.Reading.class, Picture.class);
+            Grid.class, RawVoxels.class, MeshFiles.class, MeshFiles.Reading.class, Picture.class,
+            View.class);
 
     private final Mesher mesher = new Mesher().log(null);
     private final Map<Class<?>, Object> samples = new HashMap<>();
@@ -31,7 +32,7 @@ final class NullsTest {
         Path path = Path.of("no such folder", "a.vtu");
         for (Object sample : new Object[] {mesher, Checks.quick(), volume, mesh, mesher.constantSizing(volume, 3),
                 mesher.surface(mesh), Checks.GRID, new RawVoxels(VoxelType.UINT8, 1, 1, 1), MeshFiles.Reading.DEFAULT,
-                new Picture(), "text",
+                new Picture(), new View(), "text",
                 new byte[voxels], new short[voxels], new int[voxels], new long[3], new float[voxels],
                 new double[voxels],
                 new float[2][voxels], new double[2][voxels], new Path[] {path}})

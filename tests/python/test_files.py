@@ -245,6 +245,37 @@ class Files(unittest.TestCase):
         with self.assertRaises(FileNotFoundError):
             mesh.render(self.folder / "none" / "a.png")
 
+    def test_views(self):
+        mesh = ball_mesh()
+        page = mesh.view(title="<ball>", report={"options": {"min_angle": 20}}, goal=15)
+        self.assertTrue(page.html.startswith("<!DOCTYPE html>"))
+        self.assertIn("<title>&#60;ball&#62;</title>", page.html)
+        self.assertIn('{"options": {"min_angle": 20}}', page.html)
+        self.assertIn('"goal":15,', page.html)
+        page.write(self.folder / "a.html")
+        names = self.folder / "names.txt"
+        names.write_text("1 inner\n")
+        cleft.write_view(mesh, self.folder / "b.html", title="<ball>", report='{"options": {"min_angle": 20}}', goal=15)
+        self.assertEqual((self.folder / "a.html").read_bytes(), (self.folder / "b.html").read_bytes())
+        both = mesh.view(other=mesh, title="a", other_title="b", names=names, max_tets=5).html
+        for part in ("<title>a | b</title>", '"name":"inner"', '"shown_tets":5,', 'id="points-1"'):
+            self.assertIn(part, both)
+        frame = page._repr_html_()
+        self.assertTrue(frame.startswith('<iframe srcdoc="&lt;!DOCTYPE html&gt;') and frame.endswith("></iframe>"))
+        self.assertEqual(frame.count("<"), 2)
+        self.assertRegex(repr(page), r"^<View: a page of [0-9.]+ MB>$")
+        for wrong in ({"goal": 91}, {"title": "a\0"}):
+            with self.assertRaises(cleft.InvalidArgument, msg=str(wrong)):
+                mesh.view(**wrong)
+        for wrong in ({"title": 1}, {"other": "mesh"}, {"goal": "20"}):
+            with self.assertRaises(TypeError, msg=str(wrong)):
+                mesh.view(**wrong)
+        names.write_text("inner 1\n")
+        with self.assertRaises(cleft.FormatError):
+            mesh.view(names=names)
+        with self.assertRaises(FileNotFoundError):
+            cleft.write_view(mesh, self.folder / "none" / "a.html")
+
     def test_files_are_loaded_late(self):
         script = (
             "import sys, cleft; assert 'cleft.native_io' not in sys.modules; cleft.formats(); "

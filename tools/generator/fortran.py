@@ -37,6 +37,7 @@ MAY_BE_NULL = {
     "cleft_io_write_picture.strip",
     "cleft_io_write_picture.whole",
     "cleft_io_write_picture.picture",
+    "cleft_io_write_view.view",
 }
 # These pointers are to one number, not to an array.
 ONE_NUMBER = {"value", "size", "point_count"}

@@ -248,6 +248,24 @@ namespace Cleft
                     context, of, strip, strip.Length, whole, whole.Length, look, name));
         }
 
+        /// <summary>Writes a page that shows a mesh in any browser.</summary>
+        public static void WriteView(Mesher mesher, Mesh mesh, string path, View view = null)
+        {
+            Arguments.NotNull(mesher, nameof(mesher));
+            byte[] file = Utf8.Write(path, nameof(path));
+            NativeModules.Files();
+            NativeHandle of = NativeObject.Required(mesh, nameof(mesh));
+            View page = view ?? new View();
+            NativeHandle other = NativeObject.HandleOf(page.Other);
+            byte[] title = View.Text(page.Title, nameof(page.Title));
+            byte[] report = View.Text(page.Report, nameof(page.Report));
+            byte[] names = View.Text(page.Names, nameof(page.Names));
+            byte[] otherTitle = View.Text(page.OtherTitle, nameof(page.OtherTitle));
+            byte[] otherReport = View.Text(page.OtherReport, nameof(page.OtherReport));
+            mesher.Run(context => CleftIoNative.cleft_io_write_view(
+                context, of, page.MaxTets, page.Goal, title, report, names, other, otherTitle, otherReport, file));
+        }
+
         private static int NumberOf(string format)
         {
             var names = new List<string>();

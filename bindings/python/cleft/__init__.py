@@ -45,6 +45,7 @@ from .files import (
     write_mesh,
     write_picture,
     write_sizing,
+    write_view,
 )
 from .meshes import Mesh, cleave, estimate, improve, make_background, mesh, strip_labels
 from .mesher import Mesher
@@ -110,4 +111,5 @@ __all__ = [
     "write_mesh",
     "write_picture",
     "write_sizing",
+    "write_view",
 ]

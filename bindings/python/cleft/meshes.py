@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import os
+import tempfile
 from typing import TYPE_CHECKING, Any, Sequence, Unpack
 
 import numpy as np
@@ -17,6 +18,7 @@ from .options import OptionKeywords, Options, lists_options, options_of
 from .results import Contact, Distance, Estimate, LabelReport, Quality, Report, Validation, from_struct
 from .sizing import Sizing
 from .surface import Surface
+from .views import View
 from .volume import Volume
 
 if TYPE_CHECKING:
@@ -160,6 +162,16 @@ class Mesh(Named):
         from . import files
 
         files.write_picture(self, path, **keywords)
+
+    def view(self, **keywords: Any) -> View:
+        """A page that shows the mesh, in a notebook at once; the keywords are those of `cleft.write_view()`."""
+        from . import files
+
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "view.html")
+            files.write_view(self, path, **keywords)
+            with open(path, encoding="utf-8", newline="") as file:
+                return View(file.read())
 
     def to_meshio(self) -> meshio.Mesh:
         """A meshio.Mesh with the labels as the cell data "material"; needs meshio."""

@@ -381,6 +381,24 @@ public final class MeshFiles {
         }
     }
 
+    /**
+     * Writes a page that shows a mesh in any browser.
+     *
+     * @param mesher who writes
+     * @param mesh the mesh
+     * @param view what the page has besides
+     * @param path the file
+     */
+    public static void writeView(Mesher mesher, Mesh mesh, View view, Path path) {
+        Objects.requireNonNull(mesher, "mesher");
+        Objects.requireNonNull(mesh, "mesh");
+        Objects.requireNonNull(view, "view");
+        byte[] name = bytes("path", path);
+        byte[] table = view.table() == null ? new byte[1] : bytes("table", view.table());
+        NativeLibrary.files();
+        mesher.run((context, arguments, out) -> view.write(context, arguments, table, name), mesh, view.second());
+    }
+
     private static void eachFormat(java.util.function.Consumer<NativeFormatDescription> use) {
         NativeLibrary.files();
         NativeFormatDescription row = new NativeFormatDescription();
