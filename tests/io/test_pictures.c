@@ -418,6 +418,40 @@ static void legend_explains_the_colours(void** state)
     cleft_mesh_destroy(mesh);
 }
 
+/* Text shrinks until each label has its row. */
+static void all_labels_of_an_atlas_are_listed(void** state)
+{
+    fixture* f = *state;
+    enum { LABELS = 40 };
+    double points[12 * LABELS];
+    int32_t tets[4 * LABELS], labels[LABELS];
+    for (int t = 0; t < LABELS; ++t) {
+        static const double corners[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+        for (int i = 0; i < 12; ++i)
+            points[12 * t + i] = corners[i] + (i % 3 == 0 ? t : 0);
+        for (int v = 0; v < 4; ++v)
+            tets[4 * t + v] = 4 * t + v;
+        labels[t] = t + 1;
+    }
+    cleft_mesh* mesh = NULL;
+    assert_int_equal(cleft_mesh_create(f->context, 4 * LABELS, points, LABELS, tets, labels, 0, &mesh), CLEFT_OK);
+    cleft_io_picture look = small_picture();
+    look.width = look.height = 900;
+    look.legend = 1;
+    picture p = draw(f, mesh, &look);
+    /* Rows of the legend: runs of coloured pixels down the column of the swatches. */
+    int most = 0;
+    for (int x = p.width / 2; x < p.width; ++x) {
+        int runs = 0;
+        for (int y = 1; y < p.height; ++y)
+            runs += is_color(pixel_at(&p, x, y - 1), 255, 255, 255) && !is_color(pixel_at(&p, x, y), 255, 255, 255);
+        most = runs > most ? runs : most;
+    }
+    assert_true(most >= LABELS);
+    free(p.rgba);
+    cleft_mesh_destroy(mesh);
+}
+
 /* As many labels as a legend has no place for. */
 static void thousands_of_labels_are_drawn(void** state)
 {
