@@ -604,14 +604,23 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
     const struct CMUnitTest tests[] = {
-        TEST(mesh_stands_before_the_backdrop), TEST(size_is_as_asked),
-        TEST(cut_shows_what_is_inside),        TEST(cuts_take_a_corner),
-        TEST(lists_leave_labels_out_or_whole), TEST(edges_are_dark_lines),
-        TEST(pixels_depend_on_the_mesh_alone), TEST(pixels_are_those_of_every_machine),
-        TEST(scale_does_not_matter),           TEST(measures_give_the_colour),
-        TEST(legend_explains_the_colours),     TEST(thousands_of_labels_are_drawn),
-        TEST(broken_meshes_are_drawn),         TEST(values_that_cannot_be_are_refused),
-        TEST(what_cannot_be_drawn_is_refused), TEST(unknown_labels_are_warned_about),
+        TEST(mesh_stands_before_the_backdrop),
+        TEST(size_is_as_asked),
+        TEST(cut_shows_what_is_inside),
+        TEST(cuts_take_a_corner),
+        TEST(lists_leave_labels_out_or_whole),
+        TEST(edges_are_dark_lines),
+        TEST(pixels_depend_on_the_mesh_alone),
+        TEST(pixels_are_those_of_every_machine),
+        TEST(scale_does_not_matter),
+        TEST(measures_give_the_colour),
+        TEST(legend_explains_the_colours),
+        TEST(all_labels_of_an_atlas_are_listed),
+        TEST(thousands_of_labels_are_drawn),
+        TEST(broken_meshes_are_drawn),
+        TEST(values_that_cannot_be_are_refused),
+        TEST(what_cannot_be_drawn_is_refused),
+        TEST(unknown_labels_are_warned_about),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
