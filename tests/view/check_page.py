@@ -15,15 +15,17 @@ def main():
         folder = pathlib.Path(name)
         volume, mesh, page, report = (folder / f"balls{end}" for end in (".nrrd", ".vtu", ".html", ".json"))
         write_nrrd(volume, (16, 16, 16), balls())
-        small = folder / "part.html"
+        part, small, small_page = (folder / name for name in ("part.html", "small.vtu", "small.html"))
         for arguments in (
             ("mesh", volume, "-o", mesh, "--json", report),
             ("view", mesh, "-o", page, "--report", report),
-            ("view", mesh, "-o", small, "--max-shown", 500),
+            ("view", mesh, "-o", part, "--max-shown", 500),
+            ("mesh", volume, "--scale", "1e-9", "-o", small),
+            ("view", small, "-o", small_page),
         ):
             done = cleft(*arguments, "-q")
             assert done.returncode == 0, done.stderr
-        run_script("page", page=page, part=small, report=json.loads(report.read_text()))
+        run_script("page", page=page, part=part, small=small_page, report=json.loads(report.read_text()))
 
 
 main()

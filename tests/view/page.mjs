@@ -64,7 +64,7 @@ test("a flat cut at a place has the area of the box", async () => {
                     }),
                 ) / 2;
         }
-        return sum;
+        return sum * cleftPage.frame.unit ** 2;
     });
     const [width, height] = [0, 1].map((axis) => report.mesh.high[axis] - report.mesh.low[axis]);
     assert.ok(Math.abs(area / (width * height) - 1) < 1e-4, `${area}`);
@@ -247,7 +247,7 @@ test("dark, printed and narrow", async () => {
     assert.ok((await pictureOf(page)).colours > 20);
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
     await page.emulateMedia({ media: "print" });
-    assert.ok(await page.isHidden(".bar"));
+    assert.ok(await page.isHidden("header .bar"));
     assert.ok((await page.pdf()).length > 10000);
     await closed(page);
 });
@@ -264,6 +264,16 @@ test("a part of a mesh is told to be one", async () => {
     assert.deepEqual(counts, report.quality.dihedral_histogram);
     await page.keyboard.press("w");
     assert.ok(await page.isVisible(".card"));
+    await closed(page);
+});
+
+test("a box of nanometres in metres is drawn as others are", async () => {
+    const page = await opened(about.small);
+    assert.ok((await pictureOf(page)).colours > 20);
+    for (const by of ["angle", "size"]) assert.ok(await changes(page, () => page.selectOption("#by-choice", by)), by);
+    await page.keyboard.press("Escape");
+    await page.mouse.click(300, 330);
+    assert.match(await page.textContent(".card"), /Centre.*e-9/);
     await closed(page);
 });
 

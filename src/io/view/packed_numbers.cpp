@@ -15,7 +15,7 @@ namespace
 {
 
 // Higher levels take several times as long and gain a hundredth.
-constexpr int kLevel = 6;
+constexpr int kPageLevel = 6;
 
 // Without a branch, and so that small differences of both signs have zeros in their higher bytes.
 uint32_t unsigned_difference(int32_t a, int32_t b)
@@ -39,7 +39,7 @@ std::string planes_of(const std::vector<int32_t>& numbers, size_t columns, Diffe
     return planes;
 }
 
-struct Free {
+struct CompressorDeleter {
     void operator()(libdeflate_compressor* c) const { libdeflate_free_compressor(c); }
 };
 
@@ -48,7 +48,7 @@ struct Free {
 std::string pack(const std::vector<int32_t>& numbers, size_t columns, Differences differences)
 {
     const std::string planes = planes_of(numbers, columns, differences);
-    const std::unique_ptr<libdeflate_compressor, Free> compressor(libdeflate_alloc_compressor(kLevel));
+    const std::unique_ptr<libdeflate_compressor, CompressorDeleter> compressor(libdeflate_alloc_compressor(kPageLevel));
     if (!compressor)
         throw std::bad_alloc();
     std::string packed(libdeflate_zlib_compress_bound(compressor.get(), planes.size()), '\0');

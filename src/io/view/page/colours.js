@@ -1,47 +1,52 @@
-// Colours of labels, which come with the page, and of measures: viridis, whose lightness rises from end to end, so that
-// people with every kind of colour blindness can tell values apart.
+// Colours of labels, which come with the page, and of measures. People with every kind of colour blindness can tell
+// them apart. They are those of `cleft render`: see src/io/render/colour_scale.cpp.
 
-const kViridis = [
-    [68, 1, 84],
-    [71, 44, 122],
-    [59, 81, 139],
-    [44, 113, 142],
-    [33, 144, 141],
-    [39, 173, 129],
-    [92, 200, 99],
-    [170, 220, 50],
-    [253, 231, 37],
+// From poor to good: red over pale yellow to blue. From small to large: lighter and lighter.
+const kPoorToGood = [
+    [165, 15, 40],
+    [233, 112, 56],
+    [251, 235, 170],
+    [135, 190, 225],
+    [45, 90, 170],
+];
+const kSmallToLarge = [
+    [52, 42, 118],
+    [38, 100, 150],
+    [52, 158, 152],
+    [146, 208, 132],
+    [252, 238, 160],
 ];
 
 const mixed = (a, b, share) => a.map((x, i) => Math.round(x + share * (b[i] - x)));
 
-function viridis(share) {
-    const at = clamp(share, 0, 1) * (kViridis.length - 1);
-    const below = Math.min(Math.floor(at), kViridis.length - 2);
-    return mixed(kViridis[below], kViridis[below + 1], at - below);
+function shadeOf(ramp, share) {
+    const at = clamp(share, 0, 1) * (ramp.length - 1);
+    const below = Math.min(Math.floor(at), ramp.length - 2);
+    return mixed(ramp[below], ramp[below + 1], at - below);
 }
 
 const cssColour = ([r, g, b]) => `rgb(${r} ${g} ${b})`;
 // As the bytes of a vertex; which edges of the triangle are drawn goes into the fourth byte.
 const packedColour = ([r, g, b]) => (r | (g << 8) | (b << 16)) >>> 0;
 
-// What is bad is bright: it stands out from the rest, which is dark. `share` maps a value to 0 ... 1.
-function scaleOf(by, meshes, goal) {
-    if (by === "angle") {
-        const high = Math.max(goal, 5) * 2;
-        return {
-            title: "Least dihedral angle, degrees",
-            low: 0,
-            high,
-            share: (x) => 1 - x / high,
-            ticks: [0, goal, high],
-        };
+// `share` is the place of a value between the ends of the ramp. None has a greater least angle than the regular
+// tetrahedron, whose angles are 70.5 degrees.
+function scaleOf(by, meshes, unit) {
+    if (by === "angle")
+        return { title: "Least dihedral angle, degrees", ramp: kPoorToGood, share: (x) => x / 70, ticks: [0, 35, 70] };
+    if (by === "ratio") {
+        const ramp = [...kPoorToGood].reverse();
+        return { title: "Radius ratio", ramp, share: (x) => (x - 1) / 3, ticks: [1, 2, 3, 4] };
     }
-    if (by === "ratio")
-        return { title: "Radius ratio", low: 1, high: 4, share: (x) => (x - 1) / 3, ticks: [1, 2, 3, 4] };
     const [low, high] = rangeOfSizes(meshes);
+    // Sizes differ by factors.
     const share = (x) => (high > low ? Math.log(x / low) / Math.log(high / low) : 0.5);
-    return { title: "Size (edge of a regular one)", low, high, share, ticks: [low, Math.sqrt(low * high), high] };
+    return {
+        title: "Mean edge",
+        ramp: kSmallToLarge,
+        share,
+        ticks: [low, Math.sqrt(low * high), high].map((x) => unit * x),
+    };
 }
 
 // Without the outermost hundredth at both ends, which would leave one colour for all the rest.
@@ -66,7 +71,7 @@ function coloursOf(mesh, by, scale) {
         return colours;
     }
     const kShades = 256;
-    const shades = Array.from({ length: kShades }, (_, i) => packedColour(viridis(i / (kShades - 1))));
+    const shades = Array.from({ length: kShades }, (_, i) => packedColour(shadeOf(scale.ramp, i / (kShades - 1))));
     const values = measured(mesh, by);
     for (let t = 0; t < colours.length; ++t)
         colours[t] = shades[Math.round(clamp(scale.share(values[t]), 0, 1) * (kShades - 1))];

@@ -11,7 +11,7 @@ function sharesOf(mesh) {
 
 function addHistogram(page) {
     const shares = page.meshes.map(sharesOf);
-    const top = Math.max(...shares.flat());
+    const top = Math.max(...shares.flat()) || 1;
     const { width, height, left, low } = kPicture;
     const x = (angle) => left + ((width - left) * angle) / 180;
     const y = (share) => (height - low) * (1 - share / top) + 2;

@@ -7,12 +7,8 @@ function makeLegend() {
         show(scale) {
             root.hidden = !scale;
             if (!scale) return;
-            const stops = Array.from({ length: 9 }, (_, i) => {
-                const value = scaleValue(scale, i / 8);
-                return cssColour(viridis(clamp(scale.share(value), 0, 1)));
-            });
             const ramp = make("div.ramp");
-            ramp.style.background = `linear-gradient(90deg, ${stops.join(", ")})`;
+            ramp.style.background = `linear-gradient(90deg, ${scale.ramp.map(cssColour).join(", ")})`;
             root.replaceChildren(
                 make("div", {}, scale.title),
                 ramp,
@@ -20,10 +16,4 @@ function makeLegend() {
             );
         },
     };
-}
-
-// The value at a place of the legend, from left to right. Sizes are on a logarithmic scale.
-function scaleValue(scale, at) {
-    const isLogarithmic = scale.title.startsWith("Size");
-    return isLogarithmic ? scale.low * (scale.high / scale.low) ** at : scale.low + at * (scale.high - scale.low);
 }

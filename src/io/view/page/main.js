@@ -14,11 +14,11 @@ async function begin() {
     const data = JSON.parse(textOf("data"));
     const reports = data.meshes.map((_, number) => readReport(number));
     const ends = (choose, end) => [0, 1, 2].map((axis) => choose(...data.meshes.map((mesh) => mesh[end][axis])));
-    const origin = times(0.5, plus(ends(Math.min, "low"), ends(Math.max, "high")));
+    const frame = new Frame(ends(Math.min, "low"), ends(Math.max, "high"));
     const meshes = [];
-    for (const [number, mesh] of data.meshes.entries()) meshes.push(await loadMesh(mesh, number, origin, say));
+    for (const [number, mesh] of data.meshes.entries()) meshes.push(await loadMesh(mesh, number, frame, say));
     byId("views").replaceChildren();
-    show(new Page(meshes, reports, origin, data.goal), reports);
+    show(new Page(meshes, reports, frame, data.goal), reports);
 }
 
 function show(page, reports) {
@@ -35,6 +35,8 @@ function show(page, reports) {
     addEventListener("beforeprint", () => page.draw(performance.now()));
     Object.assign(page.state.camera, page.home());
     page.refresh();
+    // A few large tetrahedra may all lie on the side that is cut away.
+    if (page.views.every((view) => view.codes.length === 0)) page.changeCut({ kind: "none" });
     // For a console, and for tests.
     globalThis.cleftPage = Object.assign(page, { anglesOf, cornersOf, measured });
     document.documentElement.dataset.ready = Math.round(performance.now());

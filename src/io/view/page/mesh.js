@@ -2,14 +2,15 @@
 
 const nextFrame = () => new Promise((resolve) => setTimeout(resolve));
 
-function placed(data, steps, origin) {
+function placed(data, steps, frame) {
     const positions = new Float32Array(steps.length);
-    for (let i = 0; i < steps.length; ++i) positions[i] = data.low[i % 3] - origin[i % 3] + data.step * steps[i];
+    const low = frame.toPage(data.low);
+    const step = data.step / frame.unit;
+    for (let i = 0; i < steps.length; ++i) positions[i] = low[i % 3] + step * steps[i];
     return positions;
 }
 
-// `origin` is where the page has its zero, so that places far from that of the file keep their digits.
-async function loadMesh(data, number, origin, say) {
+async function loadMesh(data, number, frame, say) {
     say("Unpacking");
     await nextFrame();
     const steps = await unpack(`points-${number}`, 3, false);
@@ -18,7 +19,7 @@ async function loadMesh(data, number, origin, say) {
     const numbers = await unpack(`numbers-${number}`, 1, false);
     say("Finding faces");
     await nextFrame();
-    const box = { low: minus(data.low, origin), high: minus(data.high, origin) };
+    const box = { low: frame.toPage(data.low), high: frame.toPage(data.high) };
     return {
         data,
         tets,
@@ -28,16 +29,16 @@ async function loadMesh(data, number, origin, say) {
         title: data.title,
         labels: data.labels,
         tetCount: tets.length / 4,
-        positions: placed(data, steps, origin),
+        positions: placed(data, steps, frame),
         neighbours: neighboursOf(tets, steps.length / 3),
         measures: {},
         // Coordinates are rounded to a step, and then to 32 bits.
-        closeness: 4 * data.step + 1e-6 * norm(minus(data.high, data.low)),
+        closeness: (4 * data.step) / frame.unit + 1e-6,
     };
 }
 
 // What is told of a tetrahedron that was picked, in the form of those that come with the page.
-function describedTet(mesh, tet, origin) {
+function describedTet(mesh, tet, frame) {
     const corners = cornersOf(mesh, tet);
     const angles = anglesOf(corners);
     return {
@@ -46,7 +47,7 @@ function describedTet(mesh, tet, origin) {
         least_angle: Math.min(...angles),
         greatest_angle: Math.max(...angles),
         radius_ratio: radiusRatio(corners),
-        volume: Math.abs(volumeOf(corners)),
-        corners: corners.flatMap((corner) => plus(corner, origin)),
+        volume: Math.abs(volumeOf(corners)) * frame.unit ** 3,
+        corners: corners.flatMap((corner) => frame.toFile(corner)),
     };
 }

@@ -1,9 +1,9 @@
 // The page: its meshes, its state, and what changes it.
 
 class Page {
-    constructor(meshes, reports, origin, goal) {
+    constructor(meshes, reports, frame, goal) {
         this.meshes = meshes;
-        this.origin = origin;
+        this.frame = frame;
         this.goal = goal || goalOfReport(reports.find(Boolean));
         this.isComparison = meshes.length > 1;
         this.state = firstState(meshes);
@@ -30,7 +30,7 @@ class Page {
 
     refresh() {
         const { by } = this.state;
-        if (by !== "material") this.scales[by] ??= scaleOf(by, this.meshes, this.goal);
+        if (by !== "material") this.scales[by] ??= scaleOf(by, this.meshes, this.frame.unit);
         for (const view of this.views) view.update();
         this.legend.show(this.scales[by] ?? null);
         for (const update of this.updates) update();
@@ -39,8 +39,8 @@ class Page {
 
     // At the next frame, once for all that happens until then.
     redraw() {
-        this.frame ??= requestAnimationFrame((time) => {
-            this.frame = null;
+        this.nextDraw ??= requestAnimationFrame((time) => {
+            this.nextDraw = null;
             this.draw(time);
         });
     }
@@ -127,7 +127,10 @@ class Page {
 
     placeOfCut() {
         const plane = cutPlane({ ...this.state.cut, flipped: false }, this.box);
-        return plane ? short(plane.offset + dot(plane.normal, this.origin)) : "";
+        if (!plane) return "";
+        // Where the normal of the plane, as an arrow from the zero of the file, meets it.
+        const { unit, origin } = this.frame;
+        return this.frame.text(unit * plane.offset + dot(plane.normal, origin));
     }
 
     // ------------------------------------------------------------------ tetrahedra
@@ -136,7 +139,7 @@ class Page {
         const sum = [0, 1, 2].map(
             (axis) => tet.corners[axis] + tet.corners[3 + axis] + tet.corners[6 + axis] + tet.corners[9 + axis],
         );
-        return minus(times(1 / 4, sum), this.origin);
+        return this.frame.toPage(times(1 / 4, sum));
     }
 
     worstOf(view) {
@@ -148,7 +151,7 @@ class Page {
         for (const view of this.views) {
             const corners =
                 chosen?.view === view
-                    ? [0, 3, 6, 9].map((c) => minus(chosen.tet.corners.slice(c, c + 3), this.origin))
+                    ? [0, 3, 6, 9].map((c) => this.frame.toPage(chosen.tet.corners.slice(c, c + 3)))
                     : null;
             view.picture.setChosen(corners);
             showCard(this, view);
@@ -159,14 +162,14 @@ class Page {
 
     pick(view, clientX, clientY) {
         const found = view.at(clientX, clientY);
-        this.choose(found && { view, tet: describedTet(view.mesh, found.tet, this.origin) });
+        this.choose(found && { view, tet: describedTet(view.mesh, found.tet, this.frame) });
     }
 
     // A cut goes along, so that the tetrahedron is not hidden in the mesh.
     flyTo(view, tet) {
         const centre = this.centreOf(tet);
         const reach = Math.max(
-            ...[0, 3, 6, 9].map((c) => norm(minus(minus(tet.corners.slice(c, c + 3), this.origin), centre))),
+            ...[0, 3, 6, 9].map((c) => norm(minus(this.frame.toPage(tet.corners.slice(c, c + 3)), centre))),
         );
         if (this.state.cut.kind !== "none") this.cutAt(tet);
         this.choose({ view, tet });

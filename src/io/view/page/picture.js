@@ -15,6 +15,7 @@ class Picture {
         this.gl = canvas.getContext("webgl2", { antialias: !software, preserveDrawingBuffer: true, alpha: false });
         if (!this.gl) throw new Error("this browser has no WebGL 2");
         this.canvas = canvas;
+        this.software = software;
         this.make();
     }
 
@@ -27,6 +28,7 @@ class Picture {
         this.surface = this.triangles();
         this.slice = this.triangles();
         this.chosen = this.corners();
+        this.order = gl.createBuffer(); // of vertices; see facing.js
     }
 
     triangles() {
@@ -60,6 +62,9 @@ class Picture {
     setTriangles(surface, slice) {
         this.fill(this.surface, surface.bytes, 3 * surface.triangles);
         this.fill(this.slice, slice.bytes, 3 * slice.triangles);
+        if (!this.software) return;
+        this.planes = planesOf(surface);
+        this.facing = new Uint32Array(3 * surface.triangles);
     }
 
     // Its faces, then its edges; null: none is chosen.
@@ -99,7 +104,16 @@ class Picture {
         gl.uniform1f(place("edges"), settings.edges ? 0.6 : 0);
         gl.uniform3f(place("edgeColour"), ...settings.edgeColour);
         gl.bindVertexArray(set.array);
-        gl.drawArrays(gl.TRIANGLES, 0, set.vertices);
+        if (this.software && set === this.surface) this.drawFacing(camera);
+        else gl.drawArrays(gl.TRIANGLES, 0, set.vertices);
+    }
+
+    drawFacing(camera) {
+        const { gl } = this;
+        const count = putFacing(this.planes, cameraEye(camera), this.facing);
+        gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.order);
+        gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, this.facing.subarray(0, count), gl.STREAM_DRAW);
+        gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 0);
     }
 
     drawChosen(camera, settings) {

@@ -19,20 +19,18 @@ const listOf = (value) => (Array.isArray(value) ? value.filter((row) => row && t
 function labelsOfReport(report) {
     const rows = listOf(report.labels).filter((row) => !row.left_out);
     if (!rows.length) return null;
-    const heads = [["label"], ["name", "text"], ["voxels"], ["mesh"], ["%"], ["parts"]];
-    return scrolling(
-        tableOf(
-            heads,
-            rows.map((row) => [
-                [String(row.label)],
-                [String(row.name ?? ""), "text"],
-                [short(row.voxel_volume)],
-                [short(row.mesh_volume)],
-                [Number(row.difference_percent).toFixed(2), ...(Math.abs(row.difference_percent) > 3 ? ["bad"] : [])],
-                [`${whole(row.voxel_components)} → ${whole(row.mesh_components)}`, ...(row.lost ? ["bad"] : [])],
-            ]),
-        ),
-    );
+    const hasNames = rows.some((row) => row.name);
+    const name = (cell) => (hasNames ? [cell] : []);
+    const heads = [["label"], ...name(["name", "text"]), ["voxels"], ["mesh"], ["%"], ["parts"]];
+    const cells = rows.map((row) => [
+        [String(row.label)],
+        ...name([String(row.name ?? ""), "text"]),
+        [short(row.voxel_volume)],
+        [short(row.mesh_volume)],
+        [Number(row.difference_percent).toFixed(2), ...(Math.abs(row.difference_percent) > 3 ? ["bad"] : [])],
+        [`${whole(row.voxel_components)} → ${whole(row.mesh_components)}`, ...(row.lost ? ["bad"] : [])],
+    ]);
+    return scrolling(tableOf(heads, cells));
 }
 
 function optionsOfReport(report) {
@@ -74,6 +72,18 @@ function timesOfReport(report) {
     );
 }
 
+// How far interfaces are from those of the volume: with --distances. Both ways are looked at; the worse one is told.
+function distancesOfReport(report) {
+    const rows = listOf(report.distances);
+    if (!rows.length) return null;
+    const worse = (row, name) => short(Math.max(Number(row.mesh?.[name]), Number(row.volume?.[name])));
+    const cells = rows.map((row) => [
+        [[].concat(row.labels).join(", "), "text"],
+        ...["mean", "99", "greatest"].map((name) => [worse(row, name)]),
+    ]);
+    return scrolling(tableOf([["labels", "text"], ["mean"], ["99 %"], ["greatest"]], cells));
+}
+
 function addReport(page, mesh, report) {
     if (!report) return;
     const of = page.isComparison ? ` of ${mesh.title}` : "";
@@ -85,6 +95,8 @@ function addReport(page, mesh, report) {
             labels,
             make("p.hint", {}, "Volumes, how far the mesh is off, and parts that hang together."),
         );
+    const distances = distancesOfReport(report);
+    if (distances) addSection(`Distances of interfaces${of}`, false, distances);
     const options = optionsOfReport(report);
     if (options) addSection(`Options${of}`, false, options);
     const times = timesOfReport(report);

@@ -60,13 +60,9 @@ function addCut(page) {
     );
     const face = make("button", { type: "button", id: "cut-face", onclick: () => page.cutFacing() }, "Face me");
     const free = make("div.line", {}, "Direction", yaw, pitch, face);
-    addSection(
-        "Cut",
-        true,
-        make("div.line", {}, kind, at, place),
-        free,
-        make("div.line", {}, flat.label, flipped.label),
-    );
+    const ticks = make("div.line", {}, flat.label, flipped.label);
+    // On paper there is nothing to set.
+    addSection("Cut", true, make("div.line", {}, kind, at, place), free, ticks).section.classList.add("controls");
     return () => {
         kind.value = cut.kind;
         at.value = cut.at;
@@ -90,12 +86,9 @@ function addLooks(page) {
     );
     const edges = tick("edges", "edges", (value) => page.change({ edges: value }));
     const interfaces = tick("interfaces", "interfaces alone", (value) => page.change({ interfaces: value }));
-    addSection(
-        "Show",
-        true,
-        make("div.line", {}, make("label.wide", {}, "Colour by ", by)),
-        make("div.line", {}, edges.label, interfaces.label),
-    );
+    const ticks = make("div.line", {}, edges.label, interfaces.label);
+    const choice = make("div.line", {}, make("label.wide", {}, "Colour by ", by));
+    addSection("Show", true, choice, ticks).section.classList.add("controls");
     return () => {
         by.value = state.by;
         edges.box.checked = state.edges;

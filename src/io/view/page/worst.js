@@ -25,7 +25,7 @@ function worstTable(page, view, by) {
     });
     const table = tableOf(heads, []);
     table.tBodies[0].append(...rows);
-    return scrolling(table);
+    return make("div.worst", {}, scrolling(table));
 }
 
 function addWorst(page) {
@@ -76,7 +76,7 @@ function showCard(page, view) {
     if (card.hidden) return;
     const { tet } = chosen;
     const name = view.mesh.labels.find((row) => row.label === tet.label)?.name ?? "";
-    const centre = page.centreOf(tet).map((x, axis) => short(x + page.origin[axis]));
+    const centre = page.frame.toFile(page.centreOf(tet)).map((x) => page.frame.text(x));
     card.replaceChildren(
         make("button.close", { type: "button", ariaLabel: "Close", onclick: () => page.choose(null) }, "×"),
         make("h3", {}, `Tetrahedron ${whole(tet.tet + 1)}`),
