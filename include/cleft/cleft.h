@@ -219,7 +219,8 @@ enum {
     CLEFT_OPTION_MAX_TETS = 16,
     CLEFT_OPTION_KEEP_THIN = 17,
     CLEFT_OPTION_MIN_ANGLE = 18,
-    CLEFT_OPTION_DELAUNAY = 19
+    CLEFT_OPTION_DELAUNAY = 19,
+    CLEFT_OPTION_SURFACE_ERROR = 20
 };
 
 /** Kinds of background meshes. \since 0.1 */
@@ -509,7 +510,7 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_cleave(cleft_context* context,
  *
  *  CLEFT_ERROR_INVALID_MESH if the mesh is not positively oriented and conforming. Warnings, and failures with
  *  STRICT, are those of cleft_mesh_volume().
- *  Options read: IMPROVE, MIN_ANGLE and STRICT.
+ *  Options read: SURFACE_ERROR, IMPROVE, MIN_ANGLE and STRICT.
  *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volume,
                                                           const cleft_mesh* mesh, const cleft_options* options,

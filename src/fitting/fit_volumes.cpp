@@ -9,6 +9,8 @@
 #include "fitting/relocate_lines.hpp"
 #include "fitting/volume_corrector.hpp"
 
+#include <cmath>
+
 namespace cleft
 {
 
@@ -20,13 +22,17 @@ constexpr int kFitRounds = 3;
 // More rounds while a label is off, see VolumeDeficits.
 // With three rounds alone, sheets and tubes one voxel thick were up to 1.3 % too large: steps converge slowly there.
 constexpr int kMostRounds = 8;
+// A point that moves off its interface takes so much of the error that is allowed. Chords of a ball whose points move
+// by so much are as far off inside as the points are outside.
+constexpr double kShareOfError = 0.5;
 
 // Points of interfaces that are off the tie go back to it. Returns those that have none; only user-supplied fields,
 // which are exact, say that for sure.
-Array<int32_t> relocate(LocalMesh& mesh, const Volume& volume, double floor, const Meetings& meetings, const Run& run)
+Array<int32_t> relocate(LocalMesh& mesh, const Volume& volume, double floor, const Meetings& meetings, const Run& run,
+                        bool looks_around)
 {
     // Lines come first, because gaps are found from the points of lines that have no tie.
-    const LinePoints lines = relocate_lines(mesh, volume, floor, meetings, run);
+    const LinePoints lines = relocate_lines(mesh, volume, floor, meetings, run, looks_around);
     run.note("fitting.off_lines", static_cast<double>(lines.off));
     if (volume.is_label_map())
         return {};
@@ -37,7 +43,7 @@ Array<int32_t> relocate(LocalMesh& mesh, const Volume& volume, double floor, con
 
 }  // namespace
 
-bool fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, const Run& run)
+bool fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, const Run& run, double surface_error)
 {
     if (volume.material_count() < 2)
         return true;
@@ -46,7 +52,7 @@ bool fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, cons
     const double floor = sine_of(least_angle);
     // Fitting changes no connections, so meetings and triangles are found once.
     const Meetings meetings = find_meetings(mesh, of_places);
-    const Array<int32_t> without_tie = relocate(mesh, volume, floor, meetings, of_places);
+    const Array<int32_t> without_tie = relocate(mesh, volume, floor, meetings, of_places, surface_error > 0);
     const Run of_heights = stage.next();
     Array<InterfaceTriangle> triangles = find_triangles(mesh, meetings, of_heights);
     find_heights(mesh, volume, without_tie, triangles, of_heights);
@@ -54,7 +60,8 @@ bool fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, cons
     Array<FitPoint> points = find_points(mesh, without_tie, triangles);
     const TrianglesAt at = triangles_at(triangles, points, of_volumes);
     const Array<SharedArea> shared = find_shared_areas(triangles);
-    VolumeCorrector corrector(mesh, floor, points, of_volumes);
+    const double most_moved = surface_error > 0 ? kShareOfError * surface_error : INFINITY;
+    VolumeCorrector corrector(mesh, floor, most_moved, points, of_volumes);
     VolumeDeficits deficits(mesh, volume, of_volumes);
     int64_t held = 0;  // in the last round
     for (int round = 0; round < kMostRounds; ++round) {

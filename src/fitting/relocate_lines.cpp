@@ -1,10 +1,14 @@
 // Moves points of lines back onto their tie, one after the other, as far as the tetrahedra around allow.
 #include "fitting/relocate_lines.hpp"
 
+#include "improving/tie_constraint.hpp"
+#include "remeshing/contraction.hpp"
 #include "remeshing/smoothing.hpp"
 #include "volume/tie.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace cleft
 {
@@ -19,64 +23,233 @@ constexpr double kLeastStep = 5e-3;
 constexpr double kLeastStepShare = 0.1;
 constexpr int kLineRounds = 3;  // a point that is in the way may have moved on
 
+// Where moving the points around begins, of angle_quality: from less it hardly ever comes to enough.
+constexpr double kLeastStart = 0.02;
+constexpr int kRoundsAround = 3;
+// A neighbour is in the way if it is nearer to the place than so much of its distance from the point.
+constexpr double kBeside = 0.7;
+// Of the worst quality, which a contraction may leave for the moves that follow.
+constexpr double kShare = 0.1;
+
+struct Move {
+    int32_t point;
+    Vec3 from;
+};
+
 class LineRelocator
 {
 public:
-    LineRelocator(LocalMesh& mesh, const Volume& volume, double floor) : mesh_(mesh), volume_(volume), floor_(floor) {}
+    LineRelocator(LocalMesh& mesh, const Volume& volume, double floor, bool looks_around)
+        : mesh_(mesh), volume_(volume), floor_(floor), looks_around_(looks_around), constraint_(volume)
+    {
+    }
 
-    enum class Place { on_tie, off_tie, without_tie };
+    enum class Found { on_tie, off_tie, without_tie };
 
-    Place relocate(int32_t v)
+    Found relocate(int32_t v)
     {
         star_.load(mesh_, v);
         const auto materials = materials_of(star_.tets(), mesh_.materials());
         if (!materials)
-            return Place::without_tie;
+            return Found::without_tie;
         const Vec3 from = mesh_.point(v);
         const double reach = star_.reach(from);
-        const auto on_tie = project_to_tie(volume_, from, from, *materials, mesh_.frozen(v), reach, samples_);
+        const auto on_tie = tie_near(from, *materials, mesh_.frozen(v), reach);
         if (!on_tie)
-            return Place::without_tie;
+            return Found::without_tie;
         if ((*on_tie - from).norm() < kLeastStep * reach)
-            return Place::on_tie;
+            return Found::on_tie;
         const double least = std::min(floor_, star_.worst_at(from, -1));
+        if (looks_around_ && slide(v, *on_tie, least))
+            return Found::on_tie;
         // Halves of the way: each needs one look at the star, and what is left comes in the next round.
         for (double share = 1; share > kLeastStepShare; share *= 0.5) {
             const Vec3 x = from + share * (*on_tie - from);
             if (star_.worst_at(x, least) > least) {
                 mesh_.move(v, x);
-                return share == 1 ? Place::on_tie : Place::off_tie;
+                return share == 1 ? Found::on_tie : Found::off_tie;
             }
         }
-        return Place::off_tie;
+        return Found::off_tie;
     }
 
 private:
+    // Puts the point on its tie, and there to where the shapes let it stay: along its line, and with the points around
+    // moving as well.
+    bool slide(int32_t v, const Vec3& on_tie, double least)
+    {
+        if (star_.worst_at(on_tie, least) > least) {
+            mesh_.move(v, on_tie);
+            return true;
+        }
+        return settle(v, on_tie, least) || settle_without_neighbour(v, on_tie, least);
+    }
+
+    bool settle(int32_t v, const Vec3& on_tie, double least)
+    {
+        const Place place = climb(v, on_tie, least);
+        if (!(place.worst > kLeastStart))
+            return false;
+        moves_.clear();
+        move_and_note(v, place.x);
+        if (place.worst >= least || make_room(v, least))
+            return true;
+        for (size_t i = moves_.size(); i-- > 0;)
+            mesh_.move(moves_[i].point, moves_[i].from);
+        star_.load(mesh_, v);
+        return false;
+    }
+
+    // Often the place is taken: a point of an interface lies there, which cleaving has snapped. The point takes it in.
+    bool settle_without_neighbour(int32_t v, const Vec3& on_tie, double least)
+    {
+        for (const int32_t w : points_around(v)) {
+            if ((mesh_.point(w) - on_tie).norm() > kBeside * (mesh_.point(w) - mesh_.point(v)).norm())
+                continue;
+            const auto star = mesh_.star(v);
+            const auto at_both =
+                std::find_if(star.begin(), star.end(), [&](int32_t t) { return has_corner(mesh_.tet(t), w); });
+            const int32_t t = *at_both;
+            if (!contraction_.find(mesh_, t, mesh_.corner_of(t, w), mesh_.corner_of(t, v), cavity_, kShare))
+                continue;
+            cavity_.apply(mesh_);
+            star_.load(mesh_, v);
+            if (settle(v, on_tie, least))
+                return true;
+            cavity_.undo(mesh_);
+            star_.load(mesh_, v);
+        }
+        return false;
+    }
+
+    // The star that is loaded is that of the point.
+    Place climb(int32_t v, const Vec3& from, double least)
+    {
+        constraint_.set(mesh_, star_.tets(), from, from, mesh_.frozen(v), star_.reach(from), 0);
+        if (constraint_.fixed())
+            return {from, star_.worst_at(from, -1)};
+        return smoother_.climb(star_, from, least, constraint_.tangent(),
+                               [&](Vec3& x) { return constraint_.project(x); });
+    }
+
+    void move_and_note(int32_t v, const Vec3& x)
+    {
+        moves_.push_back({v, mesh_.point(v)});
+        mesh_.move(v, x);
+    }
+
+    // The points around a point move on their ties until all tetrahedra are good enough.
+    bool make_room(int32_t v, double least)
+    {
+        const Array<int32_t> around = points_around(v);
+        for (int round = 0; round < kRoundsAround; ++round) {
+            for (const int32_t w : around) {
+                star_.load(mesh_, w);
+                const Vec3 from = mesh_.point(w);
+                const double before = star_.worst_at(from, -1);
+                if (before >= least)
+                    continue;
+                const Place place = climb(w, from, least);
+                if (place.worst > before)
+                    move_and_note(w, place.x);
+            }
+            if (is_good(v, least))
+                return std::all_of(moves_.begin(), moves_.end(),
+                                   [&](const Move& m) { return is_good(m.point, least); });
+        }
+        return false;
+    }
+
+    bool is_good(int32_t v, double least)
+    {
+        star_.load(mesh_, v);
+        return star_.worst_at(mesh_.point(v), -1) >= least;
+    }
+
+    Array<int32_t> points_around(int32_t v) const
+    {
+        Array<int32_t> points;
+        for (const int32_t t : mesh_.star(v))
+            for (const int32_t w : mesh_.tet(t))
+                if (w != v)
+                    points.push_back(w);
+        std::sort(points.begin(), points.end());
+        points.erase(std::unique(points.begin(), points.end()), points.end());
+        return points;
+    }
+
+    std::optional<Vec3> tie_near(const Vec3& x, const MaterialSet& materials, uint8_t frozen, double reach)
+    {
+        const auto near = project_to_tie(volume_, x, x, materials, frozen, reach, samples_);
+        if (near || !looks_around_)
+            return near;
+        const auto start = place_of_all(x, materials, frozen, reach);
+        return start ? project_to_tie(volume_, x, *start, materials, frozen, reach, samples_) : std::nullopt;
+    }
+
+    // Of the places up to two voxels from x, that where the least of the materials has the greatest share.
+    std::optional<Vec3> place_of_all(const Vec3& x, const MaterialSet& materials, uint8_t frozen, double reach)
+    {
+        const Mat3 free = free_axes(frozen) * volume_.grid().spacing.asDiagonal();
+        double best = 0;
+        std::optional<Vec3> place;
+        for (int step = 0; step < 2 * 27; ++step) {
+            const Vec3 way(step % 3 - 1, step / 3 % 3 - 1, step / 9 % 3 - 1);
+            const double radius = 1 + step / 27;
+            const Vec3 to = free * (radius / std::max(1.0, way.norm()) * way);
+            if (to.norm() > reach)
+                continue;
+            if (const double share = least_share(x + to, materials); share > best) {
+                best = share;
+                place = x + to;
+            }
+        }
+        return place;
+    }
+
+    double least_share(const Vec3& x, const MaterialSet& materials)
+    {
+        volume_.sample(x, samples_);
+        double least = INFINITY;
+        for (const Material m : materials) {
+            const int at = samples_.find(m);
+            least = std::min(least, at < 0 ? 0 : samples_.value[at]);
+        }
+        return least;
+    }
+
     LocalMesh& mesh_;
     const Volume& volume_;
     const double floor_;
+    const bool looks_around_;
     TetStar star_;
+    TieConstraint constraint_;
+    Smoother smoother_;
+    Array<Move> moves_;
+    Contraction contraction_;
+    Cavity cavity_;
     Samples samples_;
 };
 
 }  // namespace
 
-LinePoints relocate_lines(LocalMesh& mesh, const Volume& volume, double floor, const Meetings& meetings, const Run& run)
+LinePoints relocate_lines(LocalMesh& mesh, const Volume& volume, double floor, const Meetings& meetings, const Run& run,
+                          bool looks_around)
 {
     LinePoints out;
     Array<int32_t> points;
     for (int32_t v = 0; v < mesh.point_count(); ++v)
         if (meetings[v] == Meeting::line)
             points.push_back(v);
-    LineRelocator relocator(mesh, volume, floor);
+    LineRelocator relocator(mesh, volume, floor, looks_around);
     for (int round = 0; round < kLineRounds; ++round) {
         Array<int32_t> left;
         for (size_t i = 0; i < points.size(); ++i) {
             run.check_at(i, 1 << 8);
-            const LineRelocator::Place place = relocator.relocate(points[i]);
-            if (place == LineRelocator::Place::off_tie)
+            const LineRelocator::Found found = relocator.relocate(points[i]);
+            if (found == LineRelocator::Found::off_tie)
                 left.push_back(points[i]);
-            else if (place == LineRelocator::Place::without_tie)
+            else if (found == LineRelocator::Found::without_tie)
                 out.without_tie.push_back(points[i]);
         }
         points.swap(left);

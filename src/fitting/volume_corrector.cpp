@@ -54,8 +54,9 @@ VisitLevels levels_of(const LocalMesh& mesh, const Array<FitPoint>& points, cons
 
 }  // namespace
 
-VolumeCorrector::VolumeCorrector(LocalMesh& mesh, double floor, const Array<FitPoint>& points, const Run& run)
-    : mesh_(mesh), floor_(floor), levels_(levels_of(mesh, points, run))
+VolumeCorrector::VolumeCorrector(LocalMesh& mesh, double floor, double most_moved, const Array<FitPoint>& points,
+                                 const Run& run)
+    : mesh_(mesh), floor_(floor), most_moved_(most_moved), levels_(levels_of(mesh, points, run))
 {
 }
 
@@ -87,7 +88,10 @@ void VolumeCorrector::visit(int32_t i, const Residual& residual, FitPoint& point
     if (point.is_fixed)
         return;
     const int32_t v = point.number;
-    const FitMove move = move_of(residual, mesh_.frozen(v));
+    FitMove move = move_of(residual, mesh_.frozen(v));
+    const Vec3 moved = point.moved + move.shift;
+    if (moved.norm() > most_moved_)
+        move.shift = most_moved_ / moved.norm() * moved - point.moved;
     if (move.shift.isZero(0))
         return;
     const Applied applied = place_for(v, move, scratch);

@@ -19,8 +19,9 @@ struct FitMove {
 class VolumeCorrector
 {
 public:
-    // The points are those that all calls of apply() are about, since fitting changes no connections.
-    VolumeCorrector(LocalMesh& mesh, double floor, const Array<FitPoint>& points, const Run& run);
+    // The points are those that all calls of apply() are about, since fitting changes no connections. None moves
+    // further than `most_moved` in all.
+    VolumeCorrector(LocalMesh& mesh, double floor, double most_moved, const Array<FitPoint>& points, const Run& run);
 
     // Moves points one after the other, as far as the shapes around allow. Returns the number that could not move.
     // What materials gain is taken off their deficits, if there are any.
@@ -52,7 +53,7 @@ private:
     void count_gains(int32_t i, const Vec3& shift, Scratch& scratch) const;
 
     LocalMesh& mesh_;
-    const double floor_;
+    const double floor_, most_moved_;
     const VisitLevels levels_;
 };
 

@@ -63,19 +63,20 @@ void require_kept(const LabelledMesh& mesh, const PipelineOptions& options)
 
 // Where a part is hardly thicker than its tetrahedra, shapes at the target leave the interface no room to move. So it
 // moves first, with worse shapes, and these are improved again.
-void fit_with_more_room(LocalMesh& mesh, const Volume& volume, const ImproveOptions& options, const Run& run)
+void fit_with_more_room(LocalMesh& mesh, const Volume& volume, const ImproveOptions& options, double surface_error,
+                        const Run& run)
 {
     // Shells one voxel thick came from 5 % to 3 % of their volume at 25 degrees. A second turn brought no more.
     constexpr double kRoom = 0.8;
     Steps steps(run, {{nullptr, 1}, {nullptr, 2}, {nullptr, 1}});
     const double target = target_angle(options);
-    fit_volumes(mesh, volume, kRoom * target, steps.next());
+    fit_volumes(mesh, volume, kRoom * target, steps.next(), surface_error);
     // The figures of improving are to be those of the first time, which had the work.
     Metrics noted;
     Run again = steps.next();
     again.metrics = &noted;
     improve(mesh, volume, options, again);
-    fit_volumes(mesh, volume, target, steps.next());
+    fit_volumes(mesh, volume, target, steps.next(), surface_error);
 }
 
 LabelledMesh improve_and_fit(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options,
@@ -86,9 +87,10 @@ LabelledMesh improve_and_fit(const Volume& volume, const Cleaved& cleaved, const
     // Fitting comes second: it keeps the angles that improving has reached, whereas improving would undo volumes.
     Steps steps(run, {{nullptr, 74}, {nullptr, 26}, {nullptr, 0}});
     LocalMesh mesh = best_of_tries(volume, cleaved, options, steps.next());
-    const bool is_met = fit_volumes(mesh, volume, target_angle(options.improve), steps.next());
+    const double surface_error = options.sizing.surface_error;
+    const bool is_met = fit_volumes(mesh, volume, target_angle(options.improve), steps.next(), surface_error);
     if (!is_met)
-        fit_with_more_room(mesh, volume, options.improve, steps.next());
+        fit_with_more_room(mesh, volume, options.improve, surface_error, steps.next());
     return mesh.take();
 }
 

@@ -24,6 +24,7 @@ void check_options(const SizingOptions& options)
     check_size("size_min", options.size_min);
     check_size("size_max", options.size_max);
     check_size("interface_size", options.interface_size);
+    check_size("surface_error", options.surface_error);
     if (!(options.max_tets >= 0) || !std::isfinite(options.max_tets))
         throw Error(CLEFT_ERROR_OPTION, "max_tets must be 0 or a positive, finite number");
     check_size_range(options);
@@ -117,6 +118,12 @@ void lower_to_features(const FeatureSizes& features, const SizingOptions& option
     }
 }
 
+void lower_to_limits(const Array<SizeLimit>& sizes, const Limits& limits, Array<float>& h)
+{
+    for (const SizeLimit& limit : sizes)
+        h[limit.voxel] = std::min(h[limit.voxel], std::max(limit.size, static_cast<float>(limits.least_feature)));
+}
+
 void lower_to_one_voxel_parts(const Labelling& labelling, const Limits& limits, Array<float>& h, const Run& run)
 {
     // Half a voxel puts two edges across a part, so that snapping need not pull both of its sides onto one point.
@@ -151,6 +158,7 @@ void note_field(const SizingField& field, const Run& run)
 struct Sources {
     const Labelling& labelling;
     const SizingOptions& options;
+    const Array<SizeLimit>& limits;
     FeatureSizes features;
 };
 
@@ -163,6 +171,7 @@ SizingField field_of(const Sources& from, const Limits& limits, const Run& run)
                       {"sizing: gradation", 90}});
     const Run of_labels = steps.next(), of_thin = steps.next(), of_gradation = steps.next();
     lower_to_features(from.features, from.options, limits, field.h);
+    lower_to_limits(from.limits, limits, field.h);
     if (!from.options.material_sizes.empty())
         lower_to_material_sizes(from.labelling, greatest_sizes(from.options, limits), field.h, of_labels);
     if (from.options.keep_thin)
@@ -240,13 +249,14 @@ void check_size_range(const SizingOptions& options)
                                             number_text(options.size_min));
 }
 
-SizingField compute_sizing(const Labelling& labelling, const SizingOptions& options, const Run& run)
+SizingField compute_sizing(const Labelling& labelling, const SizingOptions& options, const Run& run,
+                           const Array<SizeLimit>& given_limits)
 {
     Stage stage(run, "sizing", {{"sizing: features", 60}, {"sizing: field", 40}, {"sizing: number of tetrahedra", 0}});
     check_options(options);
     const Limits limits = limits_of(labelling.grid, options);
 
-    Sources from{labelling, options, {}};
+    Sources from{labelling, options, given_limits, {}};
     const Run of_features = stage.next();
     if (options.size <= 0 || options.interface_size > 0)
         // No feature asks for more than the greatest size.

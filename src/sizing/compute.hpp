@@ -18,6 +18,14 @@ void check_size(const std::string& name, double value);
 // Throws if the greatest wanted size is less than the least.
 void check_size_range(const SizingOptions& options);
 
-SizingField compute_sizing(const Labelling& labelling, const SizingOptions& options, const Run& run);
+// A greatest size at a voxel.
+struct SizeLimit {
+    int64_t voxel;
+    float size;
+};
+
+// `limits` come on top of what the materials ask for; size_min bounds them, as it does features.
+SizingField compute_sizing(const Labelling& labelling, const SizingOptions& options, const Run& run,
+                           const Array<SizeLimit>& limits = {});
 
 }  // namespace cleft

@@ -23,6 +23,7 @@ struct SizingOptions {
     double feature_scale = 1;   // size at an interface = feature_scale * local feature size
     double gradation = 0.3;     // Lipschitz constant of h
     double interface_size = 0;  // greatest size at an interface; 0: none
+    double surface_error = 0;   // greatest distance of triangles from their interface; 0: no limit
     bool keep_thin = false;     // half the least spacing where a material is one voxel thick
     double max_tets = 0;        // where size_min is 0, sizes from features are at least as large as keeps the expected
                                 // number of background tetrahedra to about this; 0: no limit

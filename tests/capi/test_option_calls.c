@@ -21,11 +21,13 @@ enum { SETTINGS = sizeof kSettings / sizeof *kSettings };
 
 /* For each option a value that makes a difference where it is read. */
 static const char* const kValues[][2] = {
-    {"background", "octree"}, {"size", "3"},         {"size_min", "1.5"},     {"size_max", "1.5"},
-    {"feature_scale", "3"},   {"gradation", "0.05"}, {"interface_size", "1"}, {"keep_thin", "true"},
-    {"tets", "3000"},         {"max_tets", "1000"},  {"smooth", "2"},         {"snap", "none"},
-    {"improve", "fast"},      {"steps", "1"},        {"seed", "7"},           {"strict", "true"},
-    {"repair", "0"},          {"min_angle", "35"},
+    {"background", "octree"},  {"size", "3"},          {"size_min", "1.5"},
+    {"size_max", "1.5"},       {"feature_scale", "3"}, {"gradation", "0.05"},
+    {"interface_size", "1"},   {"keep_thin", "true"},  {"tets", "3000"},
+    {"max_tets", "1000"},      {"smooth", "2"},        {"snap", "none"},
+    {"improve", "fast"},       {"steps", "1"},         {"seed", "7"},
+    {"strict", "true"},        {"repair", "0"},        {"min_angle", "35"},
+    {"surface_error", "0.02"},
 };
 /* Those whose values make no difference by design. */
 static const char* const kSameMesh[] = {"delaunay"};

@@ -90,6 +90,17 @@ namespace Cleft
         }
 
         /// <summary>
+        /// Greatest distance, in world units, that triangles of an interface shall have from it. Sizes follow the
+        /// curvature of the interface. Half a voxel shows a smooth surface; a label map says no more. 0: no limit (at
+        /// least 0; default 0).
+        /// </summary>
+        public double SurfaceError
+        {
+            get { return Real(CleftNative.CLEFT_OPTION_SURFACE_ERROR); }
+            set { Set(CleftNative.CLEFT_OPTION_SURFACE_ERROR, value); }
+        }
+
+        /// <summary>
         /// Use edges of half the least voxel spacing, or of SizeMin, where a label is one voxel thick. The mesh then
         /// keeps such parts whole (on or off; default off).
         /// </summary>

@@ -25,6 +25,7 @@ class OptionKeywords(TypedDict, total=False):
     feature_scale: float
     gradation: float
     interface_size: float
+    surface_error: float
     keep_thin: bool
     tets: int
     max_tets: int

@@ -167,6 +167,29 @@ public final class Options extends NativeObject {
     }
 
     /**
+     * Sets {@code surfaceError}: greatest distance, in world units, that triangles of an interface shall have from it.
+     * Sizes follow the curvature of the interface. Half a voxel shows a smooth surface; a label map says no more. 0: no
+     * limit (at least 0; default 0).
+     *
+     * @param value the new value
+     * @return these options
+     */
+    public Options surfaceError(double value) {
+        return set(CleftNative.CLEFT_OPTION_SURFACE_ERROR, value);
+    }
+
+    /**
+     * {@code surfaceError}: greatest distance, in world units, that triangles of an interface shall have from it. Sizes
+     * follow the curvature of the interface. Half a voxel shows a smooth surface; a label map says no more. 0: no limit
+     * (at least 0; default 0).
+     *
+     * @return the value
+     */
+    public double surfaceError() {
+        return real(CleftNative.CLEFT_OPTION_SURFACE_ERROR);
+    }
+
+    /**
      * Sets {@code keepThin}: use edges of half the least voxel spacing, or of sizeMin, where a label is one voxel
      * thick. The mesh then keeps such parts whole (on or off; default off).
      *
