@@ -265,33 +265,7 @@ def write_picture(
     """
     from .meshes import Mesh
 
-    io = _io()
-    look = io.NativePicture()
-    look.by = _choice(
-        by,
-        "by",
-        {
-            "label": io.CLEFT_IO_BY_LABEL,
-            "angle": io.CLEFT_IO_BY_ANGLE,
-            "ratio": io.CLEFT_IO_BY_RATIO,
-            "size": io.CLEFT_IO_BY_SIZE,
-        },
-    )
-    look.backdrop = _choice(
-        background,
-        "background",
-        {
-            "light": io.CLEFT_IO_BACKDROP_LIGHT,
-            "dark": io.CLEFT_IO_BACKDROP_DARK,
-            "none": io.CLEFT_IO_BACKDROP_NONE,
-        },
-    )
-    for name, pair in (("size", size), ("range", range)):
-        if pair is not None and np.shape(pair) != (2,):
-            raise InvalidArgument(f"{name} is {pair!r}; it must be two numbers")
-    look.width, look.height = (whole_number(side, "size", 1, 2**31 - 1) for side in size)
-    look.zoom = real_number(zoom, "zoom")
-    look.line_width = real_number(line_width, "line_width")
+    look = _look(by, background, size, zoom, line_width)  # a NativePicture
     look.no_edges = int(not true_or_false(edges, "edges"))
     look.legend = int(true_or_false(legend, "legend"))
     for axis, share in (cut or {}).items():
@@ -299,19 +273,13 @@ def write_picture(
     for name, values, put in (("view", view, look.set_view), ("up", up, look.set_up)):
         for axis, part in enumerate(() if values is None else triple(values, name)):
             put(axis, float(part))
-    for end, measure in enumerate(range or ()):
+    for end, measure in enumerate(() if range is None else _pair(range, "range")):
         look.set_range(end, real_number(measure, "range"))
-    lists = int32_array(strip, "strip"), int32_array(whole, "whole")
+    out, whole_ones = int32_array(strip, "strip"), int32_array(whole, "whole")
+    of = required(mesh, Mesh, "mesh")
     with writing(path):
         mesher_or_plain(mesher)._call(
-            io.cleft_io_write_picture,
-            required(mesh, Mesh, "mesh"),
-            lists[0],
-            len(lists[0]),
-            lists[1],
-            len(lists[1]),
-            look,
-            path_bytes(path),
+            _io().cleft_io_write_picture, of, out, len(out), whole_ones, len(whole_ones), look, path_bytes(path)
         )
 
 
@@ -373,6 +341,34 @@ def _closed(text: str, name: str) -> bytes:
     if "\0" in text:
         raise InvalidArgument(f"{name} has a zero character in it")
     return text.encode("utf-8", "replace") + b"\0"
+
+
+def _look(by: str, background: str, size: tuple[int, int], zoom: float, line_width: float) -> Any:
+    io = _io()
+    look = io.NativePicture()
+    numbers = {
+        "label": io.CLEFT_IO_BY_LABEL,
+        "angle": io.CLEFT_IO_BY_ANGLE,
+        "ratio": io.CLEFT_IO_BY_RATIO,
+        "size": io.CLEFT_IO_BY_SIZE,
+    }
+    look.by = _choice(by, "by", numbers)
+    numbers = {
+        "light": io.CLEFT_IO_BACKDROP_LIGHT,
+        "dark": io.CLEFT_IO_BACKDROP_DARK,
+        "none": io.CLEFT_IO_BACKDROP_NONE,
+    }
+    look.backdrop = _choice(background, "background", numbers)
+    look.width, look.height = (whole_number(side, "size", 1, 2**31 - 1) for side in _pair(size, "size"))
+    look.zoom = real_number(zoom, "zoom")
+    look.line_width = real_number(line_width, "line_width")
+    return look
+
+
+def _pair(values: Any, name: str) -> Any:
+    if np.shape(values) != (2,):
+        raise InvalidArgument(f"{name} is {values!r}; it must be two numbers")
+    return values
 
 
 def _world(name: str) -> int:

@@ -100,7 +100,7 @@ Array<DrawnFace> drawn_faces(const MeshView& mesh, const Array<OuterFace>& faces
         const Vector3 normal = outward_normal(a, camera.in_frame(face.corners[1]), camera.in_frame(face.corners[2]),
                                               camera.in_frame(face.inner));
         // A face that looks away is hidden by the tetrahedron that it bounds.
-        if (!(dot(normal, minus(camera.eye(), a)) > 0))
+        if (!(dot(normal, minus(Camera::eye(), a)) > 0))
             return;
         const Colour own = scale ? scale->of(measures[f]) : colour_of_label(mesh.tet_labels[face.tet]);
         const Colour lit = mixed(own, kShade, static_cast<int>((1 - light_on(normal)) * kWhole));
