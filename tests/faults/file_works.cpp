@@ -128,6 +128,23 @@ Work writes_picture(const fs::path& folder)
             {"a.png"}};
 }
 
+// Two meshes, of which a part is shown, so that the surface is made, too.
+Work writes_view(const fs::path& folder)
+{
+    const std::string path = (folder / "a.html").string();
+    return {"writes a view",
+            [path](Bench& bench) {
+                cleft_io_view view{};
+                view.struct_size = sizeof view;
+                view.max_tets = 50;
+                view.title = "a";
+                view.report = "{}";
+                view.other = bench.mesh;
+                return cleft_io_write_view(bench.context, bench.mesh, &view, path.c_str());
+            },
+            {"a.html"}};
+}
+
 }  // namespace
 
 std::vector<Work> file_works(const fs::path& inputs, const fs::path& outputs)
@@ -148,6 +165,7 @@ std::vector<Work> file_works(const fs::path& inputs, const fs::path& outputs)
     for (const char* name : {"a.nrrd", "a.nii", "a.nii.gz", "a.mha", "a.vtk"})
         works.push_back(writes_sizing(outputs, name));
     works.push_back(writes_picture(outputs));
+    works.push_back(writes_view(outputs));
     const std::string sizing = (inputs / "sizing.nrrd").string();
     if (cleft_io_write_sizing(bench.context, bench.sizing, sizing.c_str(), CLEFT_IO_WORLD_LPS) == CLEFT_OK)
         works.push_back(reads_sizing(sizing));

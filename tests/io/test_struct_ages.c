@@ -122,6 +122,30 @@ static void readings_of_all_ages_are_followed(void** state)
     assert_int_equal(unlink(path), 0);
 }
 
+static void views_of_all_ages_are_written(void** state)
+{
+    fixture* f = *state;
+    static const double points[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    static const int32_t tet[] = {0, 1, 2, 3};
+    cleft_mesh* mesh = NULL;
+    assert_int_equal(cleft_mesh_create(f->context, 4, points, 1, tet, NULL, 0, &mesh), CLEFT_OK);
+    const first_io_view older = {.struct_size = sizeof older, .title = "a", .other = mesh};
+    struct {
+        cleft_io_view known;
+        int64_t later;
+    } newer = {{.struct_size = sizeof newer, .title = "a"}, 0};
+    char path[40];
+    snprintf(path, sizeof path, "%s.html", f->path);
+    assert_int_equal(cleft_io_write_view(f->context, mesh, (const cleft_io_view*)&older, path), CLEFT_OK);
+    assert_int_equal(cleft_io_write_view(f->context, mesh, &newer.known, path), CLEFT_OK);
+    newer.later = 1;
+    assert_int_equal(cleft_io_write_view(f->context, mesh, &newer.known, path), CLEFT_ERROR_ARGUMENT);
+    assert_string_equal(cleft_context_last_error(f->context),
+                        "the cleft_io_view has a field set that this version of the library does not know");
+    assert_int_equal(unlink(path), 0);
+    cleft_mesh_destroy(mesh);
+}
+
 static void pictures_of_all_ages_are_drawn(void** state)
 {
     fixture* f = *state;
@@ -181,6 +205,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(raw_layouts_of_all_ages_are_read, set_up, tear_down),
         cmocka_unit_test_setup_teardown(readings_of_all_ages_are_followed, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(views_of_all_ages_are_written, set_up, tear_down),
         cmocka_unit_test_setup_teardown(pictures_of_all_ages_are_drawn, set_up, tear_down),
         cmocka_unit_test(rows_of_formats_go_to_all_ages),
     };
