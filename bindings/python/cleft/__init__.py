@@ -45,7 +45,6 @@ from .files import (
     write_mesh,
     write_picture,
     write_sizing,
-    write_view,
 )
 from .meshes import Mesh, cleave, estimate, improve, make_background, mesh, strip_labels
 from .mesher import Mesher
@@ -53,6 +52,7 @@ from .options import OptionDescription, OptionKeywords, Options, option_table
 from .results import Contact, Distance, Estimate, LabelReport, Quality, Report, Validation
 from .sizing import Sizing
 from .surface import SIDES, Surface
+from .views import View, write_view
 from .volume import Volume
 
 __version__: str = _native.cleft_version(None, None, None)
@@ -92,6 +92,7 @@ __all__ = [
     "TooLarge",
     "Unsupported",
     "Validation",
+    "View",
     "Volume",
     "cleave",
     "estimate",

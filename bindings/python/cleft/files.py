@@ -1,7 +1,6 @@
 """Reading and writing files. The file component is loaded when the first of these functions is called."""
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Mapping, Sequence, Unpack
 
@@ -10,7 +9,7 @@ import numpy.typing as npt
 
 from . import native
 from ._arrays import affine_from, int32_array, real_number, triple, true_or_false, type_named, whole_number
-from ._handle import Handle, native_of, required, view
+from ._handle import Handle, required, view
 from ._paths import Path, path_bytes, path_list, reading, writing
 from .errors import InvalidArgument, Unsupported, raise_for
 from .mesher import Mesher, mesher_or_plain
@@ -281,66 +280,6 @@ def write_picture(
         mesher_or_plain(mesher)._call(
             _io().cleft_io_write_picture, of, out, len(out), whole_ones, len(whole_ones), look, path_bytes(path)
         )
-
-
-def write_view(
-    mesh: Mesh,
-    path: Path,
-    *,
-    title: str = "",
-    report: Mapping[str, Any] | str | None = None,
-    names: Path | None = None,
-    goal: float = 0,
-    max_tets: int = 0,
-    other: Mesh | None = None,
-    other_title: str = "",
-    other_report: Mapping[str, Any] | str | None = None,
-    mesher: Mesher | None = None,
-) -> None:
-    """Writes a page of HTML that shows a mesh in any browser, in one file that needs no network.
-
-    `report`: what `cleft mesh --json` reported, as text or as read by json. `names`: a table of the names of labels.
-    `goal`: the least dihedral angle that is marked, in degrees; 0 for that of the report, else 25. `max_tets`: how many
-    tetrahedra the page has at most; 0 for 3,000,000. `other`: a second mesh to compare with.
-    """
-    from .meshes import Mesh
-
-    texts = [
-        _closed(text, name)
-        for text, name in (
-            (title, "title"),
-            (_json(report), "report"),
-            (other_title, "other_title"),
-            (_json(other_report), "other_report"),
-        )
-    ]
-    with writing(path):
-        mesher_or_plain(mesher)._call(
-            _io().cleft_io_write_view,
-            required(mesh, Mesh, "mesh"),
-            whole_number(max_tets, "max_tets", 0, 2**62),
-            real_number(goal, "goal"),
-            texts[0],
-            texts[1],
-            b"\0" if names is None else path_bytes(names),
-            native_of(other, Mesh, "other"),
-            texts[2],
-            texts[3],
-            path_bytes(path),
-        )
-
-
-def _json(report: Mapping[str, Any] | str | None) -> str:
-    return "" if report is None else report if isinstance(report, str) else json.dumps(report)
-
-
-def _closed(text: str, name: str) -> bytes:
-    """A text as the library reads it."""
-    if not isinstance(text, str):
-        raise TypeError(f"{name} must be a text, not {type(text).__name__}")
-    if "\0" in text:
-        raise InvalidArgument(f"{name} has a zero character in it")
-    return text.encode("utf-8", "replace") + b"\0"
 
 
 def _look(by: str, background: str, size: tuple[int, int], zoom: float, line_width: float) -> Any:

@@ -18,7 +18,7 @@ from .options import OptionKeywords, Options, lists_options, options_of
 from .results import Contact, Distance, Estimate, LabelReport, Quality, Report, Validation, from_struct
 from .sizing import Sizing
 from .surface import Surface
-from .views import View
+from .views import View, write_view
 from .volume import Volume
 
 if TYPE_CHECKING:
@@ -165,11 +165,9 @@ class Mesh(Named):
 
     def view(self, **keywords: Any) -> View:
         """A page that shows the mesh, in a notebook at once; the keywords are those of `cleft.write_view()`."""
-        from . import files
-
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "view.html")
-            files.write_view(self, path, **keywords)
+            write_view(self, path, **keywords)
             with open(path, encoding="utf-8", newline="") as file:
                 return View(file.read())
 
