@@ -102,7 +102,7 @@ public:
 
     TetMesh take()
     {
-        LabelledMesh mesh = mesh_.take();
+        LabelledMesh mesh = mesh_.take(run_);
         return {std::move(mesh.points), std::move(mesh.tets)};
     }
 

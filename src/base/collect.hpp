@@ -1,8 +1,7 @@
 // Lists that a loop makes on all threads.
 #pragma once
 
-#include "base/large_pages.hpp"
-#include "base/parallel.hpp"
+#include "base/touched_array.hpp"
 
 namespace cleft
 {
@@ -17,7 +16,7 @@ Array<T> collect(const Run& run, int64_t n, int64_t grain, const Body& body)
     Array<int64_t> first{0};  // of each part
     for (const Array<T>& part : parts)
         first.push_back(first.back() + part.count());
-    Array<T> all = large_array<T>(first.back());
+    Array<T> all = large_array<T>(run, first.back());
     parallel_for(run, parts.count(), 1, [&](int64_t begin, int64_t end) {
         for (int64_t p = begin; p < end; ++p) {
             std::copy(parts[p].begin(), parts[p].end(), all.begin() + first[p]);

@@ -1,8 +1,7 @@
 // A counting sort on all threads: values that items give to keys, grouped by key.
 #pragma once
 
-#include "base/large_pages.hpp"
-#include "base/parallel.hpp"
+#include "base/touched_array.hpp"
 
 #include <algorithm>
 
@@ -42,7 +41,7 @@ public:
             counts.resize(keys + 1);
             for_items(run, begin, end, visit, [&](int64_t key, const Value&) { ++counts[key + 1]; });
         });
-        Array<Value> values = array_with_room<Value>(find_places(run, keys));
+        Array<Value> values = array_with_room<Value>(run, find_places(run, keys));
         parallel_chunks(run, items, grain, [&](int64_t part, int64_t begin, int64_t end) {
             Array<Number>& places = places_[part];
             for_items(run, begin, end, visit,

@@ -29,7 +29,7 @@ void add_shared(T& value, T more)
 template <class T>
 bool replace_shared(T& value, T from, T to)
 {
-    return __atomic_compare_exchange_n(&value, &from, to, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
+    return __atomic_compare_exchange(&value, &from, &to, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
 }
 
 // To the lesser of both.
@@ -37,7 +37,7 @@ template <class T>
 void lower_shared(T& value, T to)
 {
     T before = load_shared(value);
-    while (to < before && !__atomic_compare_exchange_n(&value, &before, to, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
+    while (to < before && !__atomic_compare_exchange(&value, &before, &to, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
         ;
 }
 

@@ -1,8 +1,8 @@
 // Writes the output mesh: numbers the points that are in use, and splits every background tetrahedron by its fan.
 #include "cleaving/assemble.hpp"
 
-#include "base/large_pages.hpp"
 #include "base/parallel.hpp"
+#include "base/touched_array.hpp"
 #include "cleaving/choose_material.hpp"
 #include "cleaving/split_tet.hpp"
 #include "mesh/predicates.hpp"
@@ -181,8 +181,8 @@ LabelledMesh assemble(const Centres& c, const Run& run)
     LabelledMesh mesh;
     mesh.points = std::move(numbering.points);
     // Improving adds some.
-    mesh.tets = array_with_room<Tet>(plan.tets);
-    mesh.material = array_with_room<Material>(mesh.tets.size());
+    mesh.tets = array_with_room<Tet>(run, plan.tets);
+    mesh.material = array_with_room<Material>(run, mesh.tets.size());
     parallel_chunks(run, c.tets.count(), kTetsWritten, [&](int64_t chunk, int64_t begin, int64_t end) {
         TetWriter writer(c, numbering, mesh);
         int64_t out = plan.begin[chunk];

@@ -30,7 +30,7 @@ SampledVertices sample_vertices(const Volume& volume, const Array<Vec3>& points,
 {
     const auto n = points.count();
     SampledVertices out;
-    out.materials = large_array<MaterialSet>(points.size());
+    out.materials = large_array<MaterialSet>(run, points.size());
     out.count.resize(points.size());
     Array<Array<MaterialValue>> chunks(chunk_count(n, kVerticesSampled));
     parallel_chunks(run, n, kVerticesSampled, [&](int64_t chunk, int64_t begin, int64_t end) {
@@ -76,7 +76,7 @@ public:
         list_mixed();
         list_faces();
         c_.fans.resize(c_.mixed.size());
-        c_.kept = large_array<uint16_t>(c_.tets.size(), Centres::kNoMaterial);
+        c_.kept = large_array<uint16_t>(run_, c_.tets.size(), Centres::kNoMaterial);
         c_.doubtful.assign(c_.points.size(), 0);
     }
 
@@ -147,8 +147,8 @@ private:
         int64_t all = 0;
         for (int64_t& of_chunk : first)
             all += std::exchange(of_chunk, all);
-        c_.mixed_of = large_array<int32_t>(c_.tets.size());
-        c_.mixed = large_array<MixedTet>(all);
+        c_.mixed_of = large_array<int32_t>(run_, c_.tets.size());
+        c_.mixed = large_array<MixedTet>(run_, all);
         parallel_chunks(run_, tets, kTetsListed, [&](int64_t chunk, int64_t begin, int64_t end) {
             auto next = static_cast<int32_t>(first[chunk]);
             for (int64_t t = begin; t < end; ++t) {

@@ -59,7 +59,7 @@ SnapCounts snap_vertices(Centres& c, Snap rule, const Run& run)
     const int passes = rule == Snap::quality ? kPasses : 1;
     Steps steps(run, Array<Step>(passes, {nullptr, 1}));
     for (int pass = 0; pass < passes; ++pass) {
-        const Array<int32_t> order = vertices_to_visit(c, kSnapReach, state.touched, run);
+        const Array<int32_t> order = vertices_to_visit(state, kSnapReach, run);
         levels_of(state, order, run).visit_all(steps.next(), [&](int worker, int32_t i) {
             visitors[worker].visit(order[i]);
         });

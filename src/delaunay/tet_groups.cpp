@@ -1,8 +1,8 @@
 // A counting sort by the least point, and a small sort in each group.
 #include "delaunay/tet_groups.hpp"
 
-#include "base/large_pages.hpp"
 #include "base/parallel.hpp"
+#include "base/touched_array.hpp"
 
 #include <algorithm>
 
@@ -34,7 +34,7 @@ Array<Tet> grouped(Array<Array<Tet>>& parts, int64_t point_count, const Run& run
     });
     for (int64_t v = 0; v < point_count; ++v)
         begin[v + 1] += begin[v];
-    Array<Tet> tets = large_array<Tet>(begin[point_count]);
+    Array<Tet> tets = large_array<Tet>(run, begin[point_count]);
     Array<int64_t> next(begin.begin(), begin.end());
     parallel_for(run, parts.count(), 1, [&](int64_t first, int64_t last) {
         for (int64_t part = first; part < last; ++part) {

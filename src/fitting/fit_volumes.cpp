@@ -83,7 +83,7 @@ bool fit_volumes(LabelledMesh& mesh, const Volume& volume, double least_angle, c
 {
     LocalMesh local(std::move(mesh), run);
     const bool is_met = fit_volumes(local, volume, least_angle, run);
-    mesh = local.take();
+    mesh = local.take(run);
     return is_met;
 }
 

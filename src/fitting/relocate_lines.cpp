@@ -1,8 +1,11 @@
-// Moves points of lines back onto their tie, one after the other, as far as the tetrahedra around allow.
+// Moves points of lines back onto their tie, in a fixed order, as far as the tetrahedra around allow.
 #include "fitting/relocate_lines.hpp"
 
+#include "base/collect.hpp"
+#include "base/per_worker.hpp"
 #include "improving/tie_constraint.hpp"
 #include "remeshing/contraction.hpp"
+#include "remeshing/point_levels.hpp"
 #include "remeshing/smoothing.hpp"
 #include "volume/tie.hpp"
 
@@ -22,6 +25,8 @@ constexpr double kLeastStep = 5e-3;
 // The last share tried is an eighth. Less of the way would hardly bring the point nearer.
 constexpr double kLeastStepShare = 0.1;
 constexpr int kLineRounds = 3;  // a point that is in the way may have moved on
+// Points that a thread looks at. The number changes the time alone.
+constexpr int64_t kAtOnce = 1 << 14;
 
 // Where moving the points around begins, of angle_quality: from less it hardly ever comes to enough.
 constexpr double kLeastStart = 0.02;
@@ -44,7 +49,7 @@ public:
     {
     }
 
-    enum class Found { on_tie, off_tie, without_tie };
+    enum class Found : uint8_t { on_tie, off_tie, without_tie };
 
     Found relocate(int32_t v)
     {
@@ -236,20 +241,29 @@ private:
 LinePoints relocate_lines(LocalMesh& mesh, const Volume& volume, double floor, const Meetings& meetings, const Run& run,
                           bool looks_around)
 {
+    using Found = LineRelocator::Found;
+    auto points = collect<int32_t>(run, mesh.point_count(), kAtOnce, [&](int64_t begin, int64_t end, auto& list) {
+        for (auto v = static_cast<int32_t>(begin); v < end; ++v)
+            if (meetings[v] == Meeting::line)
+                list.push_back(v);
+    });
     LinePoints out;
-    Array<int32_t> points;
-    for (int32_t v = 0; v < mesh.point_count(); ++v)
-        if (meetings[v] == Meeting::line)
-            points.push_back(v);
-    LineRelocator relocator(mesh, volume, floor, looks_around);
+    PerWorker<LineRelocator> relocators(run, mesh, volume, floor, looks_around);
     for (int round = 0; round < kLineRounds; ++round) {
+        Array<Found> found(points.size(), Found::on_tie);
+        const auto visit = [&](int worker, int64_t i) { found[i] = relocators[worker].relocate(points[i]); };
+        // Who makes room around a point moves others, and changes connections.
+        if (looks_around)
+            run.for_each(points.count(), [&](int64_t i) { visit(0, i); });
+        else
+            levels_of_points(
+                mesh, points.count(), [&](int64_t i) { return points[i]; }, run)
+                .visit_all(run, visit);
         Array<int32_t> left;
-        for (size_t i = 0; i < points.size(); ++i) {
-            run.check_at(i, 1 << 8);
-            const LineRelocator::Found found = relocator.relocate(points[i]);
-            if (found == LineRelocator::Found::off_tie)
+        for (int64_t i = 0; i < points.count(); ++i) {
+            if (found[i] == Found::off_tie)
                 left.push_back(points[i]);
-            else if (found == LineRelocator::Found::without_tie)
+            else if (found[i] == Found::without_tie)
                 out.without_tie.push_back(points[i]);
         }
         points.swap(left);

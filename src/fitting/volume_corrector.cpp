@@ -3,6 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include "remeshing/point_levels.hpp"
 
 namespace cleft
 {
@@ -41,22 +42,15 @@ FitMove move_of(const Residual& residual, uint8_t frozen)
     return move;
 }
 
-// A move changes the tetrahedra at its point, and looks at no others.
-VisitLevels levels_of(const LocalMesh& mesh, const Array<FitPoint>& points, const Run& run)
-{
-    VisitLevels levels(mesh.slot_count(), run);
-    for (size_t i = 0; i < points.size(); ++i) {
-        run.check_at(i, 1 << 12);
-        levels.add(mesh.star(points[i].number));
-    }
-    return levels;
-}
-
 }  // namespace
 
 VolumeCorrector::VolumeCorrector(LocalMesh& mesh, double floor, double most_moved, const Array<FitPoint>& points,
                                  const Run& run)
-    : mesh_(mesh), floor_(floor), most_moved_(most_moved), levels_(levels_of(mesh, points, run))
+    : mesh_(mesh),
+      floor_(floor),
+      most_moved_(most_moved),
+      levels_(levels_of_points(
+          mesh, points.count(), [&](int64_t i) { return points[i].number; }, run))
 {
 }
 
@@ -66,24 +60,26 @@ int64_t VolumeCorrector::apply(const Array<Residual>& residuals, Array<FitPoint>
     CLEFT_ASSERT(residuals.size() == points.size());
     // In a fixed order: each move changes the shapes that limit the next.
     Array<Scratch> scratch(worker_count(run));
-    levels_.visit_all(
-        run, [&](int worker, int32_t i) { visit(i, residuals[i], points[i], !deficits.empty(), scratch[worker]); });
-    Array<Gain> gains;
-    int64_t held = 0;
-    for (const Scratch& one : scratch) {
-        gains.insert(gains.end(), one.gains.begin(), one.gains.end());
-        held += one.held;
-    }
-    // Sums depend on their order.
-    std::sort(gains.begin(), gains.end(), [](const Gain& a, const Gain& b) {
-        return a.point != b.point ? a.point < b.point : a.material < b.material;
+    Array<GainsOfVisit> gained(deficits.empty() ? 0 : points.size());
+    levels_.visit_all(run, [&](int worker, int32_t i) {
+        GainsOfVisit* const gains = deficits.empty() ? nullptr : &gained[i];
+        visit(residuals[i], points[i], gains, scratch[worker]);
+        if (gains)
+            gains->worker = worker;
     });
-    for (const Gain& gain : gains)
-        deficits.gain(gain.material, gain.volume);
+    // Sums depend on their order: that of the visits, not of the threads.
+    for (const GainsOfVisit& of_visit : gained)
+        for (int64_t k = of_visit.begin; k < of_visit.end; ++k) {
+            const Gain& gain = scratch[of_visit.worker].gains[k];
+            deficits.gain(gain.material, gain.volume);
+        }
+    int64_t held = 0;
+    for (const Scratch& one : scratch)
+        held += one.held;
     return held;
 }
 
-void VolumeCorrector::visit(int32_t i, const Residual& residual, FitPoint& point, bool with_gains, Scratch& scratch)
+void VolumeCorrector::visit(const Residual& residual, FitPoint& point, GainsOfVisit* gains, Scratch& scratch)
 {
     if (point.is_fixed)
         return;
@@ -99,14 +95,14 @@ void VolumeCorrector::visit(int32_t i, const Residual& residual, FitPoint& point
         ++scratch.held;
         return;
     }
-    if (with_gains)
-        count_gains(i, applied.x - mesh_.point(v), scratch);
+    if (gains)
+        *gains = count_gains(applied.x - mesh_.point(v), scratch);
     mesh_.move(v, applied.x);
     point.moved += applied.share * move.shift;
 }
 
 // The star that is loaded is that of the point.
-void VolumeCorrector::count_gains(int32_t i, const Vec3& shift, Scratch& scratch) const
+VolumeCorrector::GainsOfVisit VolumeCorrector::count_gains(const Vec3& shift, Scratch& scratch) const
 {
     Array<Gain>& gains = scratch.gains;
     const int64_t first = gains.count();
@@ -118,8 +114,9 @@ void VolumeCorrector::count_gains(int32_t i, const Vec3& shift, Scratch& scratch
         if (found != gains.end())
             found->volume += volume;
         else
-            gains.push_back({i, material, volume});
+            gains.push_back({material, volume});
     }
+    return {0, first, gains.count()};
 }
 
 // All of the move, or a half, a quarter ...; where the place itself is bad, there may be a good one beside it along the

@@ -35,9 +35,13 @@ private:
     };
     // What a material gains by the move of a point.
     struct Gain {
-        int32_t point;
         Material material;
         double volume;
+    };
+    // Those of one visit, in the list of the thread that made it.
+    struct GainsOfVisit {
+        int worker = 0;
+        int64_t begin = 0, end = 0;
     };
 
     // What one thread needs.
@@ -48,9 +52,9 @@ private:
         int64_t held = 0;
     };
 
-    void visit(int32_t i, const Residual& residual, FitPoint& point, bool with_gains, Scratch& scratch);
+    void visit(const Residual& residual, FitPoint& point, GainsOfVisit* gains, Scratch& scratch);
     Applied place_for(int32_t v, const FitMove& move, Scratch& scratch) const;
-    void count_gains(int32_t i, const Vec3& shift, Scratch& scratch) const;
+    GainsOfVisit count_gains(const Vec3& shift, Scratch& scratch) const;
 
     LocalMesh& mesh_;
     const double floor_, most_moved_;

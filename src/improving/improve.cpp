@@ -120,7 +120,7 @@ void improve(LabelledMesh& mesh, const Volume& volume, const ImproveOptions& opt
     // The mesh is moved in and out, so that it is never held twice.
     LocalMesh local(std::move(mesh), run);
     improve(local, volume, options, run);
-    mesh = local.take();
+    mesh = local.take(run);
 }
 
 }  // namespace cleft

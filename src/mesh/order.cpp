@@ -69,8 +69,8 @@ void order_tets(LabelledMesh& mesh, const Run& run)
         [&](int64_t t, const auto& give) { give(mesh.tets[t][0], static_cast<int32_t>(t)); });
     sort_each(mesh.tets, start, order, run);
 
-    Array<Tet> tets = large_array<Tet>(mesh.tets.size());
-    Array<Material> material = large_array<Material>(mesh.material.size());
+    Array<Tet> tets = large_array<Tet>(run, mesh.tets.size());
+    Array<Material> material = large_array<Material>(run, mesh.material.size());
     const Array<int32_t>& from = order;
     parallel_for(run, from.count(), kItemsOrdered, [&](int64_t begin, int64_t end) {
         for (int64_t t = begin; t < end; ++t) {
@@ -91,7 +91,7 @@ void order_spatially(LabelledMesh& mesh, const Run& run)
     Array<int32_t> order = used_points(mesh, of_points);
     order_along_curve(mesh.points, order, of_points);
     Array<int32_t> new_number(mesh.points.size(), -1);
-    Array<Vec3> points = large_array<Vec3>(order.size(), Vec3::Zero());
+    Array<Vec3> points = large_array<Vec3>(of_points, order.size(), Vec3::Zero());
     parallel_for(of_points, order.count(), kItemsOrdered, [&](int64_t begin, int64_t end) {
         for (int64_t i = begin; i < end; ++i) {
             new_number[order[i]] = static_cast<int32_t>(i);

@@ -47,7 +47,7 @@ void PointStars::fill(const Array<Tet>& tets, size_t point_count, const Run& run
                 give(v, static_cast<int32_t>(t));
         });
     pool_ = std::move(stars.values);
-    lists_ = array_with_room<List>(point_count);
+    lists_ = array_with_room<List>(run, point_count);
     parallel_for(run, points, kPointsListed, [&](int64_t begin, int64_t end) {
         for (int64_t v = begin; v < end; ++v) {
             const auto size = static_cast<uint32_t>(stars.start[v + 1] - stars.start[v]);

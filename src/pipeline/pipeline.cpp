@@ -91,7 +91,7 @@ LabelledMesh improve_and_fit(const Volume& volume, const Cleaved& cleaved, const
     const bool is_met = fit_volumes(mesh, volume, target_angle(options.improve), steps.next(), surface_error);
     if (!is_met)
         fit_with_more_room(mesh, volume, options.improve, surface_error, steps.next());
-    return mesh.take();
+    return mesh.take(run);
 }
 
 // Of a background of the user.

@@ -2,9 +2,9 @@
 // search.
 #include "remeshing/local_mesh.hpp"
 
-#include "base/large_pages.hpp"
-#include "base/parallel.hpp"
+#include "base/collect.hpp"
 #include "base/shared_access.hpp"
+#include "base/touched_array.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/angle_qualities.hpp"
 #include "mesh/quality.hpp"
@@ -17,6 +17,8 @@ namespace cleft
 namespace
 {
 
+// Points or tetrahedra that a thread takes. The number changes the time alone.
+constexpr int64_t kAtOnce = 1 << 14;
 // Qualities are sines, at most 1.
 constexpr double kUnknown = 2;  // no quality
 
@@ -43,7 +45,7 @@ LocalMesh::LocalMesh(Array<Vec3> points, Array<Tet> tets, Array<Material> materi
       tets_(std::move(tets)),
       materials_(std::move(material)),
       stars_(tets_, points_.size(), run),
-      quality_(array_with_room(tets_.size(), kUnknown))
+      quality_(array_with_room(run, tets_.size(), kUnknown))
 {
     CLEFT_ASSERT(materials_.empty() || materials_.size() == tets_.size());
     freeze_hull(run);
@@ -221,9 +223,8 @@ double LocalMesh::quality(int32_t t) const
 
 void LocalMesh::find_qualities(const Run& run) const
 {
-    // Slots of one thread are its own, so writing qualities takes no lock. The number changes the time alone.
-    constexpr int64_t kGrain = 1 << 14;
-    parallel_for(run, slot_count(), kGrain, [&](int64_t begin, int64_t end) {
+    // Slots of one thread are its own, so writing qualities takes no lock.
+    parallel_for(run, slot_count(), kAtOnce, [&](int64_t begin, int64_t end) {
         Foursome four;
         for (auto t = static_cast<int32_t>(begin); t < end; ++t)
             if (alive(t) && quality_[t] == kUnknown && four.add(t, tet(t), points_))
@@ -240,22 +241,42 @@ double LocalMesh::worst(const Array<int32_t>& tets) const
     return least;
 }
 
-LabelledMesh LocalMesh::take()
+LabelledMesh LocalMesh::take(const Run& run)
 {
     LabelledMesh mesh;
-    reserve_large(mesh.points, points_.size());
-    Array<int32_t> number = large_array(points_.size(), -1);
-    for (int32_t v = 0; v < point_count(); ++v)
-        if (!star(v).empty()) {
-            number[v] = static_cast<int32_t>(mesh.points.size());
-            mesh.points.push_back(point(v));
+    const auto used = collect<int32_t>(run, point_count(), kAtOnce, [&](int64_t begin, int64_t end, auto& list) {
+        for (auto v = static_cast<int32_t>(begin); v < end; ++v)
+            if (!star(v).empty())
+                list.push_back(v);
+    });
+    mesh.points = array_with_room<Vec3>(run, used.size());
+    Array<int32_t> number = array_with_room<int32_t>(run, points_.size());
+    parallel_for(run, used.count(), kAtOnce, [&](int64_t begin, int64_t end) {
+        for (int64_t i = begin; i < end; ++i) {
+            mesh.points[i] = point(used[i]);
+            number[used[i]] = static_cast<int32_t>(i);
         }
-    // Tetrahedra move down in their own array: a second one would double the peak of memory.
-    size_t kept = 0;
-    for (int32_t t = 0; t < slot_count(); ++t)
+    });
+    parallel_for(run, slot_count(), kAtOnce, [&](int64_t begin, int64_t end) {
+        for (auto t = static_cast<int32_t>(begin); t < end; ++t)
+            if (alive(t))
+                for (int32_t& v : tets_[t])
+                    v = number[v];
+    });
+    remove_dead_slots();
+    mesh.tets = std::move(tets_);
+    mesh.material = std::move(materials_);
+    return mesh;
+}
+
+// Tetrahedra move down in their own array: a second one would double the peak of memory.
+void LocalMesh::remove_dead_slots()
+{
+    int32_t kept = 0;
+    while (kept < slot_count() && alive(kept))
+        ++kept;
+    for (int32_t t = kept; t < slot_count(); ++t)
         if (alive(t)) {
-            for (int32_t& v : tets_[t])
-                v = number[v];
             tets_[kept] = tets_[t];
             if (!materials_.empty())
                 materials_[kept] = materials_[t];
@@ -264,9 +285,6 @@ LabelledMesh LocalMesh::take()
     tets_.resize(kept);
     if (!materials_.empty())
         materials_.resize(kept);
-    mesh.tets = std::move(tets_);
-    mesh.material = std::move(materials_);
-    return mesh;
 }
 
 }  // namespace cleft

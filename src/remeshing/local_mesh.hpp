@@ -92,11 +92,12 @@ public:
     double worst(const Array<int32_t>& tets) const;
 
     // Gives the mesh back without dead tetrahedra and points that a removal left unused; numbering keeps its order.
-    LabelledMesh take();
+    LabelledMesh take(const Run& run);
 
 private:
     void freeze_hull(const Run& run);
     int32_t take_slot();
+    void remove_dead_slots();
 
     Array<Vec3> points_;
     Array<Tet> tets_;

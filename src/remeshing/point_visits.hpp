@@ -3,8 +3,7 @@
 
 #include "base/array.hpp"
 #include "base/collect.hpp"
-#include "base/visit_levels.hpp"
-#include "remeshing/local_mesh.hpp"
+#include "remeshing/point_levels.hpp"
 
 namespace cleft
 {
@@ -39,10 +38,9 @@ public:
                     if (place[v] == Place::at_border)
                         list.push_back(v);
             });
-        VisitLevels levels(mesh_.slot_count(), run_);
-        for (const int32_t v : border)
-            levels.add(mesh_.star(v));
-        levels.visit_all(run_, [&](int worker, int32_t i) { do_visit(worker, border[i]); });
+        levels_of_points(
+            mesh_, border.count(), [&](int64_t i) { return border[i]; }, run_)
+            .visit_all(run_, [&](int worker, int32_t i) { do_visit(worker, border[i]); });
     }
 
 private:

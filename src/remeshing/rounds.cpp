@@ -18,8 +18,9 @@ namespace
 // threads wait for each other more often.
 constexpr size_t kPointsEach = 500, kRounds = 64;
 constexpr size_t kFewest = 4;
-// Visits that a thread takes at once, of some ten microseconds each. The number changes the time alone.
-constexpr int64_t kFoundAtOnce = 8, kMadeAtOnce = 64;
+// Visits that a thread takes at once: to find a change takes some ten microseconds, to make it one. The numbers change
+// the time alone.
+constexpr int64_t kFoundAtOnce = 8, kCheckedAtOnce = 256, kMadeAtOnce = 64;
 
 // In the place of a step: the tetrahedron is good now, or nothing has changed since it was last tried.
 constexpr int kNotTried = -1;
@@ -39,6 +40,7 @@ bool Rounds::visit(size_t begin, size_t end, double target, const Find& find, co
             visits_.push_back({next++});
         run.report(done + share * static_cast<double>(next - begin) / static_cast<double>(end - begin));
         find_all(target, find, run);
+        check_claims(run);
         choose();
         make_all(made, run);
         changed = changed || !chosen_.empty();
@@ -83,6 +85,16 @@ void Rounds::claim(const Proposal& proposal, uint32_t rank)
             lower_shared(claimed_by_[v], rank);
 }
 
+void Rounds::check_claims(const Run& run)
+{
+    has_all_.assign(visits_.size(), 0);
+    parallel_for(run, visits_.count(), kCheckedAtOnce, [&](int64_t begin, int64_t end) {
+        for (int64_t i = begin; i < end; ++i)
+            if (proposals_[i].kind != Proposal::Kind::none)
+                has_all_[i] = has_all(proposals_[i], ranks_left_ + static_cast<uint32_t>(i)) ? 1 : 0;
+    });
+}
+
 bool Rounds::has_all(const Proposal& proposal, uint32_t rank) const
 {
     return std::all_of(proposal.cavity.old_tets.begin(), proposal.cavity.old_tets.end(), [&](int32_t t) {
@@ -102,7 +114,7 @@ void Rounds::choose()
         if (proposal.kind == Proposal::Kind::none) {
             tried_ += next_step_[i] != kNotTried || visit.moved;
             bad_.give_back(visit.item, next_step_[i] != kNotTried && !visit.moved);
-        } else if (!has_all(proposal, ranks_left_ + static_cast<uint32_t>(i))) {
+        } else if (!has_all_[i]) {
             waiting_.push_back(visit);
         } else {
             chosen_.push_back(i);

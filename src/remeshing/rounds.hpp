@@ -38,6 +38,7 @@ private:
 
     void find_all(double target, const Find& find, const Run& run);
     void claim(const Proposal& proposal, uint32_t rank);
+    void check_claims(const Run& run);
     bool has_all(const Proposal& proposal, uint32_t rank) const;
     void choose();
     void make_all(const Made& made, const Run& run);
@@ -47,6 +48,7 @@ private:
     Array<Visit> visits_;         // of the round
     Array<Proposal> proposals_;   // by visit
     Array<int> next_step_;        // by visit
+    Array<uint8_t> has_all_;      // by visit: all that it claimed
     Array<size_t> chosen_;        // visits whose changes are made
     Array<Visit> waiting_;        // for the next round
     Array<uint32_t> claimed_by_;  // by point: the least rank of a proposal that would change something at it

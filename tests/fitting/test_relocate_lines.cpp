@@ -70,7 +70,7 @@ void triple_points_of_every_rule_come_to_the_line(void**)
         LocalMesh local(std::move(mesh), Run());
         const int64_t left =
             relocate_lines(local, volume, rule == Snap::none ? 1e-3 : 0.2, find_meetings(local, Run()), Run()).off;
-        mesh = local.take();
+        mesh = local.take(Run());
         const Distances after = distances_of(mesh);
         assert_true(before.count > 10 && after.count == before.count);
         assert_true(left <= before.count);

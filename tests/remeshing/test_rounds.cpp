@@ -105,7 +105,7 @@ Result search(int threads)
         for (const int32_t t : mesh.star(v))
             assert_true(mesh.corner_of(t, v) < 4);
     }
-    LabelledMesh taken = mesh.take();
+    LabelledMesh taken = mesh.take(run);
     result.points = std::move(taken.points);
     result.tets = std::move(taken.tets);
     return result;
