@@ -97,16 +97,20 @@ void a_lack_of_memory_ends_nothing_halfway(void**)
     }
 }
 
-// A loop that threads can share adds its time, one of a single chunk does not.
+// A loop that threads can share adds the time of its thread, one of a single chunk does not.
 void time_of_loops_of_several_chunks_is_counted(void**)
 {
     std::atomic<int64_t> time{0};
     Run run = with_threads(1);
     run.loop_time = &time;
-    const auto wait = [](int64_t, int64_t) { std::this_thread::sleep_for(std::chrono::milliseconds(1)); };
-    parallel_for(run, 10, 10, wait);
+    const auto work = [](int64_t, int64_t) {
+        const double begin = thread_cpu_seconds();
+        while (thread_cpu_seconds() < begin + 1e-3)
+            ;
+    };
+    parallel_for(run, 10, 10, work);
     assert_int_equal(time.load(), 0);
-    parallel_for(run, 20, 1, wait);
+    parallel_for(run, 20, 1, work);
     assert_true(time.load() >= 20'000'000);
 }
 
