@@ -18,7 +18,8 @@ test_packages="
     gfortran make abigail-tools freefem++ man-db lintian locales
     python3-numpy python3-meshio python3-vtk9 python3-nibabel python3-pydicom
     python3-pil python3-skimage python3-tifffile
-    chromium"
+    chromium
+    mkdocs-material doxygen"
 
 benchmark_packages="
     libcgal-dev libtbb-dev
