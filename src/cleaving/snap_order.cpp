@@ -18,8 +18,8 @@ namespace
 constexpr int kClasses = 8;
 
 // Vertices or edges that a thread looks at. The number changes the time alone.
-constexpr int64_t kAtOnce = 1 << 12;
-constexpr auto kNone = std::numeric_limits<float>::infinity();
+constexpr int64_t kCutsAtOnce = 1 << 12;
+constexpr auto kNoCut = std::numeric_limits<float>::infinity();
 
 // The square of the length of the shortest edge at a vertex.
 double shortest_edge(const SnapState& state, int32_t v)
@@ -35,8 +35,8 @@ double shortest_edge(const SnapState& state, int32_t v)
 // The square of the distance of the nearest cut of each vertex. Single precision is enough to choose a class.
 Array<float> nearest_cuts(const Centres& c, const Run& run)
 {
-    Array<float> nearest(c.points.size(), kNone);
-    parallel_for(run, c.edges.count(), kAtOnce, [&](int64_t begin, int64_t end) {
+    Array<float> nearest(c.points.size(), kNoCut);
+    parallel_for(run, c.edges.count(), kCutsAtOnce, [&](int64_t begin, int64_t end) {
         for (int64_t i = begin; i < end; ++i) {
             const CutEdge& e = c.edges[i];
             if (!e.is_cut)
@@ -59,9 +59,9 @@ struct Ranked {
 Array<int32_t> vertices_to_visit(const SnapState& state, double reach, const Run& run)
 {
     const Array<float> nearest = nearest_cuts(state.c, run);
-    const auto ranked = collect<Ranked>(run, nearest.count(), kAtOnce, [&](int64_t begin, int64_t end, auto& list) {
+    const auto ranked = collect<Ranked>(run, nearest.count(), kCutsAtOnce, [&](int64_t begin, int64_t end, auto& list) {
         for (auto v = static_cast<int32_t>(begin); v < end; ++v) {
-            if (!state.touched[v] || !(nearest[v] < kNone))
+            if (!state.touched[v] || !(nearest[v] < kNoCut))
                 continue;
             const double ratio = std::sqrt(static_cast<double>(nearest[v]) / shortest_edge(state, v)) / reach;
             if (ratio <= 1)

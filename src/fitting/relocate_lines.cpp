@@ -26,7 +26,7 @@ constexpr double kLeastStep = 5e-3;
 constexpr double kLeastStepShare = 0.1;
 constexpr int kLineRounds = 3;  // a point that is in the way may have moved on
 // Points that a thread looks at. The number changes the time alone.
-constexpr int64_t kAtOnce = 1 << 14;
+constexpr int64_t kLinePointsAtOnce = 1 << 14;
 
 // Where moving the points around begins, of angle_quality: from less it hardly ever comes to enough.
 constexpr double kLeastStart = 0.02;
@@ -34,7 +34,7 @@ constexpr int kRoundsAround = 3;
 // A neighbour is in the way if it is nearer to the place than so much of its distance from the point.
 constexpr double kBeside = 0.7;
 // Of the worst quality, which a contraction may leave for the moves that follow.
-constexpr double kShare = 0.1;
+constexpr double kContractedShare = 0.1;
 
 struct Move {
     int32_t point;
@@ -115,7 +115,7 @@ private:
             const auto at_both =
                 std::find_if(star.begin(), star.end(), [&](int32_t t) { return has_corner(mesh_.tet(t), w); });
             const int32_t t = *at_both;
-            if (!contraction_.find(mesh_, t, mesh_.corner_of(t, w), mesh_.corner_of(t, v), cavity_, kShare))
+            if (!contraction_.find(mesh_, t, mesh_.corner_of(t, w), mesh_.corner_of(t, v), cavity_, kContractedShare))
                 continue;
             cavity_.apply(mesh_);
             star_.load(mesh_, v);
@@ -242,11 +242,12 @@ LinePoints relocate_lines(LocalMesh& mesh, const Volume& volume, double floor, c
                           bool looks_around)
 {
     using Found = LineRelocator::Found;
-    auto points = collect<int32_t>(run, mesh.point_count(), kAtOnce, [&](int64_t begin, int64_t end, auto& list) {
-        for (auto v = static_cast<int32_t>(begin); v < end; ++v)
-            if (meetings[v] == Meeting::line)
-                list.push_back(v);
-    });
+    auto points =
+        collect<int32_t>(run, mesh.point_count(), kLinePointsAtOnce, [&](int64_t begin, int64_t end, auto& list) {
+            for (auto v = static_cast<int32_t>(begin); v < end; ++v)
+                if (meetings[v] == Meeting::line)
+                    list.push_back(v);
+        });
     LinePoints out;
     PerWorker<LineRelocator> relocators(run, mesh, volume, floor, looks_around);
     for (int round = 0; round < kLineRounds; ++round) {

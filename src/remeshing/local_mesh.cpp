@@ -18,7 +18,7 @@ namespace
 {
 
 // Points or tetrahedra that a thread takes. The number changes the time alone.
-constexpr int64_t kAtOnce = 1 << 14;
+constexpr int64_t kSlotsAtOnce = 1 << 14;
 // Qualities are sines, at most 1.
 constexpr double kUnknown = 2;  // no quality
 
@@ -224,7 +224,7 @@ double LocalMesh::quality(int32_t t) const
 void LocalMesh::find_qualities(const Run& run) const
 {
     // Slots of one thread are its own, so writing qualities takes no lock.
-    parallel_for(run, slot_count(), kAtOnce, [&](int64_t begin, int64_t end) {
+    parallel_for(run, slot_count(), kSlotsAtOnce, [&](int64_t begin, int64_t end) {
         Foursome four;
         for (auto t = static_cast<int32_t>(begin); t < end; ++t)
             if (alive(t) && quality_[t] == kUnknown && four.add(t, tet(t), points_))
@@ -244,20 +244,20 @@ double LocalMesh::worst(const Array<int32_t>& tets) const
 LabelledMesh LocalMesh::take(const Run& run)
 {
     LabelledMesh mesh;
-    const auto used = collect<int32_t>(run, point_count(), kAtOnce, [&](int64_t begin, int64_t end, auto& list) {
+    const auto used = collect<int32_t>(run, point_count(), kSlotsAtOnce, [&](int64_t begin, int64_t end, auto& list) {
         for (auto v = static_cast<int32_t>(begin); v < end; ++v)
             if (!star(v).empty())
                 list.push_back(v);
     });
     mesh.points = array_with_room<Vec3>(run, used.size());
     Array<int32_t> number = array_with_room<int32_t>(run, points_.size());
-    parallel_for(run, used.count(), kAtOnce, [&](int64_t begin, int64_t end) {
+    parallel_for(run, used.count(), kSlotsAtOnce, [&](int64_t begin, int64_t end) {
         for (int64_t i = begin; i < end; ++i) {
             mesh.points[i] = point(used[i]);
             number[used[i]] = static_cast<int32_t>(i);
         }
     });
-    parallel_for(run, slot_count(), kAtOnce, [&](int64_t begin, int64_t end) {
+    parallel_for(run, slot_count(), kSlotsAtOnce, [&](int64_t begin, int64_t end) {
         for (auto t = static_cast<int32_t>(begin); t < end; ++t)
             if (alive(t))
                 for (int32_t& v : tets_[t])

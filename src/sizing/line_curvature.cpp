@@ -14,18 +14,18 @@ namespace
 
 // Voxels of the window to each side. Lines have fewer points than interfaces have, so that a window of 5 would leave
 // more of the steps of the voxels.
-constexpr int kWindow = 6;
+constexpr int kLineWindow = 6;
 // A parabola through fewer points says nothing.
-constexpr int kLeastPoints = 6;
+constexpr int kLeastLinePoints = 6;
 // Of the window, squared: the points must lie along the axis, or they are of several lines.
-constexpr double kLeastSpread = 0.02, kMostAcross = 0.3;
+constexpr double kLeastLineSpread = 0.02, kMostAcross = 0.3;
 
 bool is_same_line(const TiePoint& a, const TiePoint& b) { return a.of == b.of; }
 
 // Of the points of one line, relative to the middle of the window; 0 where they tell none.
 double curvature_of(const Array<Vec3>& points, double window)
 {
-    if (points.count() < kLeastPoints)
+    if (points.count() < kLeastLinePoints)
         return 0;
     Vec3 mean = Vec3::Zero();
     for (const Vec3& x : points)
@@ -36,7 +36,7 @@ double curvature_of(const Array<Vec3>& points, double window)
     Eigen::SelfAdjointEigenSolver<Mat3> axes;
     axes.computeDirect(spread);
     const double along = axes.eigenvalues()[2];
-    if (!(along > kLeastSpread * window * window) || axes.eigenvalues()[1] > kMostAcross * along)
+    if (!(along > kLeastLineSpread * window * window) || axes.eigenvalues()[1] > kMostAcross * along)
         return 0;
     // x(s) = c0 + c1 s + c2 s^2 by least squares: the curvature is the length of 2 c2.
     const Vec3 axis = axes.eigenvectors().col(2);
@@ -56,7 +56,7 @@ double curvature_of(const Array<Vec3>& points, double window)
 Array<CurvedPoint> line_curvatures(const Volume& volume, const Run& run)
 {
     const Array<TiePoint> points = find_line_points(volume, run);
-    const PointBlocks blocks(volume.grid(), kWindow, points, run);
+    const PointBlocks blocks(volume.grid(), kLineWindow, points, run);
     const auto curvature_at = [&](int64_t block, const TiePoint& middle) {
         Array<Vec3> near;
         blocks.for_each_around(block, [&](int32_t i) {
