@@ -17,7 +17,7 @@ namespace
 // changes are found in vain, since others are made near by: a change is about some twenty points. In smaller ones,
 // threads wait for each other more often.
 constexpr size_t kPointsEach = 500, kRounds = 64;
-constexpr size_t kFewest = 4;
+constexpr size_t kFewest = 1;
 // Visits that a thread takes at once: to find a change takes some ten microseconds, to make it one. The numbers change
 // the time alone.
 constexpr int64_t kFoundAtOnce = 8, kCheckedAtOnce = 256, kMadeAtOnce = 64;
