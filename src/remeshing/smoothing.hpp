@@ -25,8 +25,8 @@ public:
     // `target` or cannot be made better; every trial position goes through `projection` if there is one.
     Place climb(const TetStar& star, const Vec3& x, double target, const Mat3& tangent, const Projection& projection);
 
-    // ridge.
     // The best of a fixed set of places around x, up to a quarter of the reach away: for stars where climbing ends on a
+    // ridge.
     Place explore(const TetStar& star, const Vec3& x, const Mat3& tangent, const Projection& projection) const;
 
 private:
