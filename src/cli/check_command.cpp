@@ -40,7 +40,7 @@ int run_check(const CheckArguments& arguments)
     // Before the mesh is read: a report that cannot be written must not cost the reading of a large
     // file.
     check_json_output(arguments.run.json);
-    Session session(arguments.run);
+    Session session(arguments.run, {{"read", 1}, {"check", 1}});
     Mesh mesh;
     session.timed("read", "reading the mesh", [&] { mesh = read_mesh(session, arguments.mesh); });
     CheckedMesh checked;

@@ -43,7 +43,7 @@ int run_convert(const ConvertArguments& arguments)
     // All mistakes of usage are found before a file is read.
     const OutputFile output = checked_mesh_output(arguments.to, arguments.msh_version);
     check_json_output(arguments.run.json);
-    Session session(arguments.run);
+    Session session(arguments.run, {{"read", 2}, {"strip", 1}, {"write", 1}});
     Mesh mesh;
     session.timed("read", "reading the mesh", [&] { mesh = read_mesh(session, arguments.from); });
     session.timed("strip", "leaving labels out", [&] {

@@ -105,7 +105,7 @@ Command add_info_command(CLI::App& app)
     const auto run = [arguments] {
         refuse_conflicts(arguments->input.inputs, {}, arguments->run.json);
         check_json_output(arguments->run.json);
-        Session session(arguments->run);
+        Session session(arguments->run, {{"read", 1}});
         return is_mesh(*arguments) ? tell_mesh(session, *arguments) : tell_volume(session, *arguments);
     };
     return {&parser, [arguments, run] { return guarded("info", arguments->run, run); }};

@@ -5,16 +5,17 @@
 #include "guarded.hpp"
 #include "json_report.hpp"
 #include "label_warnings.hpp"
+#include "mesh_arguments.hpp"
 #include "mesh_files.hpp"
-#include "option_arguments.hpp"
 #include "output_conflicts.hpp"
 #include "standard_output.hpp"
 #include "summary.hpp"
+#include "terminal.hpp"
 #include "text.hpp"
-#include "view_page.hpp"
-#include "volume_arguments.hpp"
 
 #include <CLI/CLI.hpp>
+
+#include <unistd.h>
 
 #include <algorithm>
 #include <memory>
@@ -26,23 +27,6 @@ namespace
 
 // The table of labels then fits one screen with the rest of the summary.
 constexpr std::size_t kLabelsShown = 20;
-
-struct MeshArguments {
-    VolumeArguments input;
-    OptionArguments options;
-    RunArguments run;
-    std::vector<std::string> outputs;
-    std::string msh_version = "4.1";
-    std::string sizing_file;
-    std::string background_file;
-    PageArguments view;
-    bool combine = false;
-    bool check = false;
-    bool estimate = false;
-    bool distances = false;
-
-    bool left_out(int32_t label) const { return options.leaves_out(label); }
-};
 
 struct Inputs {
     Volume volume;
@@ -183,6 +167,13 @@ ReportFindings kept_contacts(const MeshArguments& arguments, ReportFindings foun
     return found;
 }
 
+// Who waited for a run at a terminal wants to know what took so long.
+bool shows_stages(const Session& session, const MeshArguments& arguments)
+{
+    constexpr double kLongSeconds = 5;
+    return arguments.run.verbose || (is_terminal(STDOUT_FILENO) && session.elapsed_seconds() >= kLongSeconds);
+}
+
 void print_summary(const Session& session, const MeshArguments& arguments, const Result& result,
                    const StagedOutputs& staged)
 {
@@ -192,7 +183,7 @@ void print_summary(const Session& session, const MeshArguments& arguments, const
                        dihedral_histogram(result.mesh.quality) + "\n" +
                        label_report_table(result.report.labels, left_out, limit) +
                        distances_table(result.report.distances, result.volume, limit) + "\n";
-    if (arguments.run.verbose)
+    if (shows_stages(session, arguments))
         text += stages_table(session) + "\n";
     text += time_line(session, result.mesh.tets);
     std::vector<std::string> written;
@@ -241,6 +232,7 @@ void look_at_result(Session& session, const MeshArguments& arguments, const clef
         result.volume = look_at_volume(session, volume);
         if (!arguments.check)
             result.mesh = look_at_mesh(session, mesh);
+        session.begin_part("labels", "looking at the labels");
         result.report = kept_contacts(arguments, look_at_labels(session, volume, mesh, arguments.distances));
     });
     warn_of_labels(session, result.report, [&](int32_t label) { return arguments.left_out(label); });
@@ -279,7 +271,7 @@ int run_mesh(MeshArguments& arguments)
     const Options options = arguments.options.make();
     Result result;
     result.outputs = checked_outputs(arguments);
-    Session session(arguments.run);
+    Session session(arguments.run, arguments.parts());
 
     Inputs inputs = read_inputs(session, arguments, options.get());
     if (arguments.estimate)
@@ -291,67 +283,12 @@ int run_mesh(MeshArguments& arguments)
     inputs.background.reset();
     if (arguments.check)
         result.mesh = checked_findings(session, arguments, inputs.volume.get(), mesh.get());
-    // With --quiet and no report nobody sees the figures, so they are not computed.
-    if (arguments.run.prints() || !arguments.run.json.empty() || !arguments.view.output.empty())
+    if (arguments.has_report())
         look_at_result(session, arguments, inputs.volume.get(), mesh.get(), result);
     // The voxels have been compared with the mesh. Writers need memory for the surface.
     inputs.volume.reset();
     write_result(session, arguments, mesh.get(), options.get(), result);
     return EXIT_OK;
-}
-
-std::string mesh_footer()
-{
-    return "Formats of OUTPUT, by extension:\n" + format_help(CLEFT_IO_WRITES_MESH) +
-           "\nExamples:\n"
-           "  cleft mesh atlas.nii.gz -o atlas.vtu --json atlas.json\n"
-           "  cleft mesh head.nrrd -o head.vtu --view head.html   and look at it in a browser\n"
-           "  cleft mesh head.nrrd -o head.msh -o skin.stl --strip 0 --tets 500000\n"
-           "  cleft mesh head.nrrd -o head.inp --size-max 8 --label-size 3=1.5 --gradation 0.2\n"
-           "  cleft mesh a.nrrd b.nrrd c.nrrd -o scene.vtu        indicator functions, the largest wins\n"
-           "  cleft mesh voxels.raw --dims 256 256 256 --type uint8 --spacing 0.1 0.1 0.1 -o rock.vtu\n"
-           "  cleft mesh head.nrrd --estimate                     how many tetrahedra, how much memory\n"
-           "  cleft sizing head.nrrd -o h.nrrd; cleft mesh head.nrrd --sizing h.nrrd -o head.vtu\n\n" +
-           exit_code_help();
-}
-
-void add_results_to(CLI::App& parser, MeshArguments& arguments)
-{
-    parser
-        .add_option("-o,--output", arguments.outputs,
-                    "The mesh; may be repeated for several formats. Missing folders\n"
-                    "and unknown extensions are refused before the work begins")
-        ->allow_extra_args(false)
-        ->type_name("OUTPUT");
-    add_msh_version_to(parser, arguments.msh_version);
-    parser
-        .add_option("--view", arguments.view.output,
-                    "A page that shows the mesh in any browser, with this run's report")
-        ->type_name("FILE.html");
-    parser.add_flag("--check", arguments.check, "Validate the mesh before it is written; exit code 1 if it fails");
-    parser.add_flag("--distances", arguments.distances,
-                    "Measure how far the interfaces of the mesh are from those of the\n"
-                    "volume. It takes about half as long as meshing");
-    parser.add_flag("--estimate", arguments.estimate,
-                    "Tell the expected number of tetrahedra and the memory needed,\n"
-                    "and stop there");
-}
-
-// --sizing and --combine are no options of the library, but belong among the sizes in help.
-void add_sizing_field_to(CLI::App& parser, MeshArguments& arguments)
-{
-    const std::string sizes = parser.get_option("--size")->get_group();
-    parser
-        .add_option("--sizing", arguments.sizing_file,
-                    "Your own sizing field: a volume on the same grid, with an edge\n"
-                    "length for each voxel (see `cleft sizing`)")
-        // The description would stand behind the type in the help.
-        ->check(CLI::ExistingFile.description(""))
-        ->type_name("FILE")
-        ->group(sizes);
-    parser
-        .add_flag("--combine", arguments.combine, "With --sizing: take the smaller of your field and the computed one")
-        ->group(sizes);
 }
 
 }  // namespace
@@ -360,18 +297,7 @@ Command add_mesh_command(CLI::App& app)
 {
     auto arguments = std::make_shared<MeshArguments>();
     CLI::App& parser = *app.add_subcommand("mesh", "Make a mesh of a volume");
-    arguments->input.add_inputs_to(parser);
-    add_results_to(parser, *arguments);
-    arguments->options.add_to(parser, {"volume", "mesh"});
-    arguments->options.add_label_sizes_to(parser);
-    // The command also takes a file here; the table of the library knows the kinds only.
-    CLI::Option& background = *parser.get_option("--background");
-    background.type_name(background.get_type_name() + "|FILE");
-    add_sizing_field_to(parser, *arguments);
-    arguments->options.add_label_lists_to(parser);
-    arguments->input.add_reading_to(parser);
-    arguments->run.add_to(parser);
-    parser.footer(mesh_footer());
+    arguments->add_to(parser);
     return {&parser, [arguments] { return guarded("mesh", arguments->run, [&] { return run_mesh(*arguments); }); }};
 }
 

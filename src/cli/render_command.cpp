@@ -56,7 +56,7 @@ int run_render(const RenderArguments& arguments)
     refuse_conflicts({arguments.mesh}, {arguments.output}, arguments.run.json);
     check_picture_output(arguments.output);
     check_json_output(arguments.run.json);
-    Session session(arguments.run);
+    Session session(arguments.run, {{"read", 1}, {"render", 1}});
     Mesh mesh;
     session.timed("read", "reading the mesh", [&] { mesh = read_mesh(session, arguments.mesh); });
     StagedOutputs staged;

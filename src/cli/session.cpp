@@ -6,10 +6,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include <unistd.h>
-
 #include <chrono>
 #include <cstdio>
+#include <utility>
 
 namespace cleft_cli
 {
@@ -66,6 +65,13 @@ void RunArguments::add_to(CLI::App& app)
         ->type_name("FILE")
         ->group("Run");
     app.add_flag("-q,--quiet", quiet, "Print nothing but errors")->group("Run");
+    app.add_option("--progress", progress,
+                   "How far the work is, on standard error: a bar, lines, or nothing.\n"
+                   "auto: a bar on a terminal, elsewhere lines after ten seconds (default\n"
+                   "auto)")
+        ->check(CLI::IsMember({"auto", "bar", "lines", "none"}).description(""))
+        ->type_name("auto|bar|lines|none")
+        ->group("Run");
     app.add_flag("-v,--verbose", verbose, "Print all labels and all remarks of the library")->group("Run");
 }
 
@@ -78,11 +84,10 @@ StageFigures process_figures()
     return figures;
 }
 
-Session::Session(const RunArguments& arguments)
+Session::Session(const RunArguments& arguments, std::vector<Part> parts)
     : quiet_(arguments.quiet),
       verbose_(arguments.verbose),
-      // In a log file the control characters of the bar would be noise.
-      bar_(!arguments.quiet && isatty(STDERR_FILENO) == 1),
+      progress_(progress_style(arguments.progress, arguments.quiet), std::move(parts)),
       context_(make_context(arguments.threads)),
       interrupts_(context_.get())
 {
@@ -124,7 +129,7 @@ void Session::warn(const std::string& sentence)
     // Kept with --quiet, too: the JSON report has all warnings.
     warnings_.push_back(sentence);
     if (!quiet_) {
-        bar_.clear();
+        progress_.clear();
         std::fprintf(stderr, "cleft: warning: %s\n", sentence.c_str());
     }
 }
@@ -146,15 +151,16 @@ void Session::note_stages(const char* name, const StageFigures& before, int64_t 
         if (!ends_with(metric, end))
             continue;
         const std::string stage = metric.substr(0, metric.size() - end.size());
-        stages_.push_back({stage, value_of(stage + ".seconds"), all[i].second, value_of(stage + ".peak_bytes")});
+        stages_.push_back({stage, true, value_of(stage + ".seconds"), all[i].second, value_of(stage + ".peak_bytes")});
     }
     const StageFigures now = process_figures();
-    stages_.push_back({name, now.seconds - before.seconds, now.cpu_seconds - before.cpu_seconds, now.peak_bytes});
+    stages_.push_back(
+        {name, false, now.seconds - before.seconds, now.cpu_seconds - before.cpu_seconds, now.peak_bytes});
 }
 
 int Session::on_progress(double fraction, const char* stage, void* user)
 {
-    static_cast<Session*>(user)->bar_.show(fraction, stage);
+    static_cast<Session*>(user)->progress_.show(fraction, stage);
     // A second way to cancel, for a signal that came before the library's call began.
     return interrupt_signal() != 0;
 }
@@ -165,7 +171,7 @@ void Session::on_log(int32_t level, const char* sentence, void* user)
     if (level == CLEFT_LOG_WARNING) {
         session.warn(sentence);
     } else if (session.verbose_ && !session.quiet_) {
-        session.bar_.clear();
+        session.progress_.clear();
         std::fprintf(stderr, "cleft: %s\n", sentence);
     }
 }

@@ -4,7 +4,7 @@
 #include "exit_code.hpp"
 #include "handles.hpp"
 #include "interrupt.hpp"
-#include "progress_bar.hpp"
+#include "progress.hpp"
 
 #include <string>
 #include <utility>
@@ -23,6 +23,7 @@ struct RunArguments {
     int threads = 0;
     bool quiet = false;
     bool verbose = false;
+    std::string progress = "auto";
     std::string json;  // path of the machine-readable report; "-": standard output; "": none
 
     void add_to(CLI::App& app);
@@ -31,6 +32,7 @@ struct RunArguments {
 
 struct StageFigures {
     std::string name;
+    bool is_inner = false;  // a part of the next one that is not
     double seconds = 0;
     double cpu_seconds = 0;  // of all threads
     double peak_bytes = 0;   // of the process, up to the end of the stage
@@ -43,7 +45,8 @@ StageFigures process_figures();
 class Session
 {
 public:
-    explicit Session(const RunArguments& arguments);
+    // `parts`: what is timed below, and how much of the time it takes.
+    Session(const RunArguments& arguments, std::vector<Part> parts);
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
@@ -63,17 +66,20 @@ public:
         return owner;
     }
 
-    // Runs body() with `words` on the progress bar and notes its figures: those of the stages that the library
-    // measured in it, then those of the whole under `name`.
+    // Runs body(), which is the part `name` of the run and called by `words`, and notes its figures: those of the
+    // stages that the library measured in it, then those of the whole under `name`.
     template <class Body>
     void timed(const char* name, const char* words, const Body& body)
     {
-        bar_.show(0, words);
+        begin_part(name, words);
         const StageFigures before = process_figures();
         const int64_t metrics_before = cleft_context_metric_count(context());
         body();
         note_stages(name, before, metrics_before);
     }
+
+    // For a part that is not timed by itself.
+    void begin_part(const char* name, const char* words) { progress_.begin(name, words); }
 
     const std::vector<StageFigures>& stages() const { return stages_; }
     // All figures of the library, in the order in which they were noted.
@@ -84,7 +90,7 @@ public:
     // Since the session began, by a clock that is never set.
     double elapsed_seconds() const;
     // To be called before anything is printed.
-    void clear_progress() { bar_.clear(); }
+    void clear_progress() { progress_.clear(); }
 
 private:
     void note_stages(const char* name, const StageFigures& before, int64_t metrics_before);
@@ -95,7 +101,7 @@ private:
     // the guard.
     double start_ = process_figures().seconds;
     bool quiet_, verbose_;
-    ProgressBar bar_;
+    Progress progress_;
     Context context_;
     InterruptGuard interrupts_;
     std::vector<std::string> warnings_;

@@ -94,7 +94,7 @@ int run_sizing(const SizingArguments& arguments)
     refuse_conflicts(arguments.input.inputs, {arguments.output}, arguments.run.json);
     check_sizing_output(arguments.output);
     check_json_output(arguments.run.json);
-    Session session(arguments.run);
+    Session session(arguments.run, {{"read", 1}, {"sizing", 8}, {"write", 1}});
     Volume volume;
     session.timed("read", "reading the volume", [&] { volume = arguments.input.read(session, options.get()); });
     const Sizing sizing = make_sizing(session, volume.get(), options.get());

@@ -237,12 +237,31 @@ std::string time_line(const Session& session, int64_t tets)
     return summary_line("Time", text) + summary_line("Memory", bytes_text(process.peak_bytes) + " at the peak");
 }
 
+namespace
+{
+
+std::string stage_row(const StageFigures& stage, double all_seconds)
+{
+    return left((stage.is_inner ? "    " : "  ") + stage.name, 26) + right(seconds_text(stage.seconds), 12) +
+           right(decimals(100 * stage.seconds / all_seconds, 1) + " %", 10) +
+           right(seconds_text(stage.cpu_seconds), 12) + " of CPU" + right(bytes_text(stage.peak_bytes), 10) + "\n";
+}
+
+}  // namespace
+
 std::string stages_table(const Session& session)
 {
-    std::string text = "Stages\n";
-    for (const StageFigures& stage : session.stages())
-        text += "  " + left(stage.name, 24) + right(seconds_text(stage.seconds), 12) +
-                right(seconds_text(stage.cpu_seconds), 12) + " of CPU" + right(bytes_text(stage.peak_bytes), 10) + "\n";
+    const double all_seconds = session.elapsed_seconds();
+    std::string text = "Stages\n", inner;
+    // Inner ones are noted first, as they end first.
+    for (const StageFigures& stage : session.stages()) {
+        if (stage.is_inner) {
+            inner += stage_row(stage, all_seconds);
+        } else {
+            text += stage_row(stage, all_seconds) + inner;
+            inner.clear();
+        }
+    }
     return text;
 }
 

@@ -32,7 +32,8 @@ std::string distances_table(std::vector<cleft_distance> rows, const VolumeFindin
 
 // Seconds by the clock and of all threads, and the peak of memory of the process.
 std::string time_line(const Session& session, int64_t tets);
-// Seconds by the clock and of all threads, and the peak of memory up to the end of each stage.
+// Seconds by the clock, their share of the run, seconds of all threads, and the peak of memory up to the end of each
+// stage. Stages within another one stand under it.
 std::string stages_table(const Session& session);
 // `first_fault` is the library's sentence, "" for a valid mesh.
 std::string validation_lines(const cleft_validation& validation, const std::string& first_fault);

@@ -67,7 +67,7 @@ void write_report(const Session& session, const ViewArguments& arguments, const 
 int run_view(const ViewArguments& arguments)
 {
     refuse_mistakes(arguments);
-    Session session(arguments.run);
+    Session session(arguments.run, {{"read", 1}, {"write", 1}});
     std::vector<Mesh> meshes;
     std::vector<ShownMesh> shown;
     session.timed("read", "reading the mesh", [&] {

@@ -3,6 +3,7 @@ import array
 import json
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -17,7 +18,23 @@ HANGS = 300  # seconds after which a run is taken to hang
 
 def cleft(*arguments, **keywords):
     """Runs the command and answers a CompletedProcess with texts."""
-    return subprocess.run([CLEFT, *map(str, arguments)], capture_output=True, text=True, timeout=HANGS, **keywords)
+    done = subprocess.run([CLEFT, *map(str, arguments)], capture_output=True, text=True, timeout=HANGS, **keywords)
+    # A run that takes long says so, on a slow machine any. Tests may not depend on it.
+    if "--progress" not in arguments:
+        done.stderr = re.sub(r"^cleft: \d+ % after .*\n", "", done.stderr, flags=re.MULTILINE)
+    return done
+
+
+def read_terminal(terminal):
+    """All that comes from a terminal until the last program has left it."""
+    text = b""
+    try:
+        while piece := os.read(terminal, 1 << 16):
+            text += piece
+    except OSError:  # that is how Linux tells the end
+        pass
+    os.close(terminal)
+    return text.decode()
 
 
 def write_nrrd(path, dims, labels, kind="uint8", spacing=(1, 1, 1), origin=(0, 0, 0)):

@@ -29,6 +29,7 @@ class Interrupt(CommandTest):
             ],
             stdout=subprocess.PIPE,
             stderr=stderr,
+            env={**os.environ, "TERM": "xterm"},
         )
         self.addCleanup(run.stdout.close)
         self.addCleanup(run.kill)
