@@ -17,7 +17,7 @@ test_packages="
     gmsh calculix-ccx openfoam getdp python3-dolfinx-real python3-gmsh
     gfortran make abigail-tools freefem++ man-db lintian locales
     python3-numpy python3-meshio python3-vtk9 python3-nibabel python3-pydicom
-    python3-pil python3-skimage python3-tifffile
+    python3-pil python3-skimage python3-tifffile python3-tqdm
     chromium
     mkdocs-material doxygen"
 

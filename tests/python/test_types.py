@@ -20,6 +20,7 @@ def show(fraction: float, stage: str) -> bool:
 
 options = cleft.Options(size_max=3.0, strip=[0])
 volume = cleft.Volume(np.zeros((4, 4, 4), np.uint8), spacing=(1, 1, 2))
+shown = cleft.Mesher(progress=True)
 with cleft.mesh(volume, size=2.0, label_sizes={1: 0.5}, mesher=cleft.Mesher(threads=2, progress=show)) as mesh:
     points: npt.NDArray[np.float64] = mesh.points
     tets: npt.NDArray[np.int32] = mesh.tets
@@ -34,6 +35,7 @@ WRONG = (
     "cleft.Options(colour=1)",
     'cleft.Volume(labels, spacing="abc", smooth=2.5)',
     "cleft.Mesher(progress=lambda: True)",
+    "cleft.Mesher(progress=1)",
     "mesh.quality().angle",
     "mesh.write(3)",
     'cleft.cleave(volume, background="octree")',

@@ -8,6 +8,7 @@ from typing import Any, Callable, Iterator
 from . import native
 from ._arrays import whole_number
 from ._handle import Handle
+from ._shown_progress import ShownProgress
 from .errors import Busy, Closed, CleftError, raise_for, warn
 
 #: Called with the fraction done and the stage in words. An answer that is false stops the call (False, numpy.False_,
@@ -30,14 +31,17 @@ class Mesher:
 
     `threads` is 1 to 1024, or 0 for as many as the machine has; the result does not depend on it. `progress` and `log`
     are called on the thread that made the call; an exception that they raise stops the call and comes out of it. Ctrl-C
-    stops the call with KeyboardInterrupt. Without a `log`, warnings come as CleftWarning through Python's `warnings`.
+    stops the call with KeyboardInterrupt. `progress=True` shows a bar of tqdm, in a notebook too, or lines on standard
+    error if tqdm is not installed. Without a `log`, warnings come as CleftWarning through Python's `warnings`.
 
     One call runs on a Mesher at a time; another thread that tries gets Busy, a RuntimeError. cancel() is for other
     threads.
     """
 
-    def __init__(self, threads: int = 1, progress: Progress | None = None, log: Log | None = None) -> None:
-        for name, function in (("progress", progress), ("log", log)):
+    def __init__(self, threads: int = 1, progress: Progress | bool | None = None, log: Log | None = None) -> None:
+        self._shown = ShownProgress() if progress is True else None
+        function_of_progress = None if isinstance(progress, bool) else progress
+        for name, function in (("progress", function_of_progress), ("log", log)):
             if function is not None and not callable(function):
                 raise TypeError(f"{name} must be a function, not {type(function).__name__}")
         status, address = native.cleft_context_create()
@@ -45,7 +49,7 @@ class Mesher:
         self._handle: Handle | None = Handle(address, native.cleft_context_destroy)
         self._busy = threading.Lock()
         # The library borrows the two functions: they must live as long as the context.
-        self._progress = progress
+        self._progress = self._shown or function_of_progress
         self._log = _warn if log is None else lambda level, sentence: log(_LEVELS.get(level, "info"), sentence)
         self.threads = threads
         self._check(native.cleft_context_set_progress(self._native, self._progress))
@@ -122,7 +126,11 @@ class Mesher:
         """Runs a function of the library on this context, and answers what it answers besides the status."""
         with self._running():
             handle = self._native
-            answer = function(handle, *arguments)
+            try:
+                answer = function(handle, *arguments)
+            finally:
+                if self._shown is not None:
+                    self._shown.end()
             status, *made = answer if isinstance(answer, (list, tuple)) else (answer,)
             if status:
                 raise_for(status, _sentence_of(status, handle))
