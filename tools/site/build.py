@@ -2,10 +2,13 @@
 """Builds the site: all pages, and the references of the languages, with a search. No library need be built.
 
     tools/site/build.py [FOLDER]   writes the site into FOLDER, in place of a site that is there; build/site without one
+    tools/site/build.py --views VIEWS [FOLDER]
+        also puts the views that `benchmarks/gallery.py --views VIEWS` wrote beside the gallery
 
 It needs mkdocs-material, Doxygen, SWIG, Java and Mono (tools/setup.sh), and no network. `index.html` can be opened as a
 file; browsers allow the search only to pages of a server, as `python3 -m http.server -d build/site`.
 """
+import argparse
 import os
 import pathlib
 import re
@@ -62,10 +65,11 @@ def java_reference(work, output):
     subprocess.run(command, check=True)
 
 
-def build(work, output):
+def build(work, output, views):
     staged = work / "pages"
     staged.mkdir()
     pages.copy_all(ROOT, staged)
+    pages.link_views(staged / "docs/gallery.md", views)
     reference = staged / "reference"
     c_reference.make(ROOT, work, reference, version())
     python_reference.make(ROOT, reference / "python")
@@ -91,15 +95,17 @@ def main():
     missing = [program for program in PROGRAMS if not shutil.which(program)]
     if missing:
         sys.exit(f"build.py: {', '.join(missing)} missing; tools/setup.sh lists the packages")
-    if len(sys.argv) > 2 or sys.argv[1:2] and sys.argv[1].startswith("-"):
-        sys.exit(__doc__)
-    output = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/site").resolve()
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("output", nargs="?", type=pathlib.Path, default=ROOT / "build/site", metavar="FOLDER")
+    parser.add_argument("--views", type=pathlib.Path)
+    arguments = parser.parse_args()
+    output = arguments.output.resolve()
     # mkdocs empties the folder.
     if output.exists() and any(output.iterdir()) and not (output / "search/search_index.json").exists():
         sys.exit(f"build.py: {output} has something else than a site in it")
     with tempfile.TemporaryDirectory() as work:
         try:
-            build(pathlib.Path(work), output)
+            build(pathlib.Path(work), output, arguments.views)
         except subprocess.CalledProcessError as error:
             sys.exit(f"build.py: {error.cmd[0]} failed")
     print(f"{output}/index.html is written")

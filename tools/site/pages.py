@@ -8,6 +8,7 @@ import shutil
 
 PATTERNS = ("*.md", "docs/*.md", "docs/decisions/*.md", "examples/*.md", "bindings/*.md", "tests/*/README.md")
 LINK = re.compile(r"(!?\]\()([^)\s#]+)(#[^)\s]*)?\)")
+VIEW = re.compile(r"^<!-- view: (\w+) -->\n", re.MULTILINE)
 FENCE = re.compile(r"(^```.*?^```$)", re.DOTALL | re.MULTILINE)
 LEXERS = {".h": "c", ".hpp": "cpp", ".csproj": "xml", ".abi": "xml", ".map": "text", ".f90": "fortran", ".cff": "yaml"}
 
@@ -57,6 +58,21 @@ class Copier:
         copy = self.output / page.relative_to(self.root)
         copy.parent.mkdir(parents=True, exist_ok=True)
         copy.write_text("".join(parts))
+
+
+def link_views(page, views):
+    """Puts the views of a folder beside the gallery, where the page has a comment for each, with a link."""
+
+    def link(found):
+        view = views / f"{found[1]}.html"
+        if not view.exists():
+            raise SystemExit(f"{view} is missing: benchmarks/gallery.py --views {views}")
+        (page.parent / "gallery").mkdir(exist_ok=True)
+        shutil.copy(view, page.parent / "gallery")
+        return f"[Open the view of {found[1]}](gallery/{view.name})\n\n"
+
+    if views:
+        page.write_text(VIEW.sub(link, page.read_text()))
 
 
 def copy_all(root, output):
