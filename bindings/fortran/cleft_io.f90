@@ -10,7 +10,7 @@ module cleft_io
   implicit none
   private
   public :: cleft_read_volume, cleft_read_raw, cleft_read_field, cleft_write_mesh, cleft_read_mesh, &
-    cleft_write_sizing, cleft_read_sizing, cleft_guess, cleft_write_picture, cleft_write_view
+    cleft_write_sizing, cleft_read_sizing, cleft_guess, cleft_write_picture, cleft_write_view, cleft_read_names
   ! <numbers> made by tools/generate.py from include/cleft/cleft_io.h
   public :: CLEFT_TYPE_UINT8, CLEFT_TYPE_UINT16, CLEFT_TYPE_INT16, CLEFT_TYPE_UINT32, CLEFT_TYPE_INT32, &
     CLEFT_TYPE_FLOAT32, CLEFT_TYPE_FLOAT64, CLEFT_FORMAT_BY_NAME, CLEFT_FORMAT_VTU, CLEFT_FORMAT_VTP, &
@@ -29,6 +29,11 @@ module cleft_io
   ! The same of files that hold voxels and no header.
   interface cleft_read_raw
     module procedure read_one_raw, read_several_raw
+  end interface
+
+  ! Names the labels by a table: a label and its name a line, or a table of ITK-SNAP, FreeSurfer or MRIcron.
+  interface cleft_read_names
+    module procedure read_volume_names, read_mesh_names
   end interface
 
 contains
@@ -192,6 +197,25 @@ contains
     status = cleft_io_read_mesh(context%c_handle(), c_text(path), made)
     call mesh%adopt(made)
     call context%conclude(status, stat, errmsg)
+  end subroutine
+
+  subroutine read_volume_names(context, path, volume, stat, errmsg)
+    type(cleft_context), intent(inout) :: context
+    character(len=*), intent(in) :: path
+    type(cleft_volume), intent(inout) :: volume
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call context%conclude( &
+      cleft_io_read_volume_names(context%c_handle(), c_text(path), volume%c_handle()), stat, errmsg)
+  end subroutine
+
+  subroutine read_mesh_names(context, path, mesh, stat, errmsg)
+    type(cleft_context), intent(inout) :: context
+    character(len=*), intent(in) :: path
+    type(cleft_mesh), intent(inout) :: mesh
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call context%conclude(cleft_io_read_mesh_names(context%c_handle(), c_text(path), mesh%c_handle()), stat, errmsg)
   end subroutine
 
   subroutine cleft_write_sizing(context, sizing, path, world, stat, errmsg)

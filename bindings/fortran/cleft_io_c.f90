@@ -206,6 +206,24 @@ module cleft_io_c
       integer(c_int32_t) :: answer
     end function
 
+    ! ----------------------------------------------------------------------------------------------------------- names
+
+    function cleft_io_read_volume_names(context, path, volume) bind(C) result(answer)
+      import
+      type(c_ptr), value :: context
+      character(kind=c_char), intent(in) :: path(*)
+      type(c_ptr), value :: volume
+      integer(c_int32_t) :: answer
+    end function
+
+    function cleft_io_read_mesh_names(context, path, mesh) bind(C) result(answer)
+      import
+      type(c_ptr), value :: context
+      character(kind=c_char), intent(in) :: path(*)
+      type(c_ptr), value :: mesh
+      integer(c_int32_t) :: answer
+    end function
+
     ! -------------------------------------------------------------------------------------------------------- pictures
 
     function cleft_io_write_picture(context, mesh, strip, strip_count, whole, whole_count, picture, path) bind(C) &

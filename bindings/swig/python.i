@@ -29,6 +29,8 @@
 %thread cleft_io_read_sizing;
 %thread cleft_io_write_mesh;
 %thread cleft_io_read_mesh;
+%thread cleft_io_read_volume_names;
+%thread cleft_io_read_mesh_names;
 %thread cleft_io_write_picture;
 %thread cleft_write_view_of;
 

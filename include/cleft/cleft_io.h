@@ -227,6 +227,23 @@ CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_write_mesh(cleft_context* con
 CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_read_mesh(cleft_context* context, const char* path,
                                                              cleft_mesh** out) CLEFT_NOEXCEPT;
 
+/* --------------------------------------------------------------------------------------------------- names -- */
+
+/** Names the labels of a volume by a table. A table has a label and its name on each line. Label descriptions of
+ *  ITK-SNAP, colour tables of FreeSurfer and tables of MRIcron are read too (docs/formats.md). Labels that are not in
+ *  the table keep their names, and names of other labels are left out.
+ *
+ *  The function warns if the table names no label of the volume, or calls labels otherwise than the volume did. It also
+ *  warns if the table has two names for a label, or may have another form than it is taken for.
+ *
+ *  CLEFT_ERROR_FILE if the table cannot be read. CLEFT_ERROR_FORMAT if it is malformed; the message names the line.
+ *  \since 0.1 */
+CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_read_volume_names(cleft_context* context, const char* path,
+                                                                     cleft_volume* volume) CLEFT_NOEXCEPT;
+/** Names the labels of a mesh by a table, as cleft_io_read_volume_names() names those of a volume. \since 0.1 */
+CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_read_mesh_names(cleft_context* context, const char* path,
+                                                                   cleft_mesh* mesh) CLEFT_NOEXCEPT;
+
 /* ------------------------------------------------------------------------------------------------ pictures -- */
 
 /** What gives a tetrahedron its colour. \since 0.1 */
@@ -303,8 +320,7 @@ typedef struct cleft_io_view {
  *  It has the materials, cuts through the mesh, the shapes and the worst of its tetrahedra. `view` may be NULL for the
  *  defaults.
  *
- *  A table of names has a label and its name on each line. Label descriptions of ITK-SNAP and colour tables of
- *  FreeSurfer are read too. Labels that are not in the table keep the names of the mesh.
+ *  A table of names is one of cleft_io_read_mesh_names(). Labels that are not in the table keep the names of the mesh.
  *
  *  CLEFT_ERROR_FILE if the page cannot be written or the table cannot be read. CLEFT_ERROR_FORMAT if the table is
  *  malformed; the message names the line. CLEFT_ERROR_ARGUMENT if the mesh has no tetrahedra. \since 0.1 */

@@ -62,6 +62,18 @@ inline void write_mesh(const Context& context, const Mesh& mesh, const std::stri
     context.check(cleft_io_write_mesh(context.get(), mesh.get(), path.c_str(), format));
 }
 
+/** Names the labels of a volume by a table: cleft_io_read_volume_names(). */
+inline void read_names(const Context& context, const std::string& path, Volume& volume)
+{
+    context.check(cleft_io_read_volume_names(context.get(), path.c_str(), volume.get()));
+}
+
+/** Names the labels of a mesh by a table: cleft_io_read_mesh_names(). */
+inline void read_names(const Context& context, const std::string& path, Mesh& mesh)
+{
+    context.check(cleft_io_read_mesh_names(context.get(), path.c_str(), mesh.get()));
+}
+
 /** Returns the default cleft_io_picture. */
 inline cleft_io_picture default_picture()
 {

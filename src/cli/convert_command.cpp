@@ -2,6 +2,7 @@
 #include "commands.hpp"
 #include "guarded.hpp"
 #include "json_report.hpp"
+#include "label_names.hpp"
 #include "mesh_files.hpp"
 #include "option_arguments.hpp"
 #include "output_conflicts.hpp"
@@ -18,7 +19,7 @@ namespace
 {
 
 struct ConvertArguments {
-    std::string from, to;
+    std::string from, to, names;
     std::string msh_version = "4.1";
     OptionArguments options;
     RunArguments run;
@@ -39,13 +40,16 @@ void write_report(const Session& session, const ConvertArguments& arguments, con
 int run_convert(const ConvertArguments& arguments)
 {
     const Options options = arguments.options.make();
-    refuse_conflicts({arguments.from}, {arguments.to}, arguments.run.json);
+    refuse_conflicts({arguments.from, arguments.names}, {arguments.to}, arguments.run.json);
     // All mistakes of usage are found before a file is read.
     const OutputFile output = checked_mesh_output(arguments.to, arguments.msh_version);
     check_json_output(arguments.run.json);
     Session session(arguments.run, {{"read", 2}, {"strip", 1}, {"write", 1}});
     Mesh mesh;
-    session.timed("read", "reading the mesh", [&] { mesh = read_mesh(session, arguments.from); });
+    session.timed("read", "reading the mesh", [&] {
+        mesh = read_mesh(session, arguments.from);
+        read_names(session, arguments.names, mesh.get());
+    });
     session.timed("strip", "leaving labels out", [&] {
         // Also without lists of labels: the call then copies the mesh, and the code has one way.
         mesh = session.make<Mesh>(EXIT_MESHING_FAILED, [&](cleft_mesh** out) {
@@ -75,6 +79,7 @@ Command add_convert_command(CLI::App& app)
     parser.add_option("A", arguments->from, "The mesh to read")->required()->type_name("");
     parser.add_option("B", arguments->to, "The file to write")->required()->type_name("");
     add_msh_version_to(parser, arguments->msh_version);
+    add_names_to(parser, arguments->names, "Names of labels in the file");
     arguments->options.add_label_lists_to(parser);
     arguments->run.add_to(parser);
     parser.footer(

@@ -2,6 +2,7 @@
 #include "mesh_arguments.hpp"
 
 #include "exit_code.hpp"
+#include "label_names.hpp"
 #include "mesh_files.hpp"
 
 #include <CLI/CLI.hpp>
@@ -17,6 +18,7 @@ std::string mesh_footer()
            "\nExamples:\n"
            "  cleft mesh atlas.nii.gz -o atlas.vtu --json atlas.json\n"
            "  cleft mesh head.nrrd -o head.vtu --view head.html   and look at it in a browser\n"
+           "  cleft mesh aparc+aseg.nii.gz --names FreeSurferColorLUT.txt --strip 0 -o brain.vtu\n"
            "  cleft mesh head.nrrd -o head.msh -o skin.stl --strip 0 --tets 500000\n"
            "  cleft mesh head.nrrd -o head.inp --size-max 8 --label-size 3=1.5 --gradation 0.2\n"
            "  cleft mesh a.nrrd b.nrrd c.nrrd -o scene.vtu        indicator functions, the largest wins\n"
@@ -39,6 +41,7 @@ void add_results_to(CLI::App& parser, MeshArguments& arguments)
         .add_option("--view", arguments.view.output,
                     "A page that shows the mesh in any browser, with this run's report")
         ->type_name("FILE.html");
+    add_names_to(parser, arguments.names, "Names of labels in the summary and in all files");
     parser.add_flag("--check", arguments.check, "Validate the mesh before it is written; exit code 1 if it fails");
     parser.add_flag("--distances", arguments.distances,
                     "Measure how far the interfaces of the mesh are from those of the\n"

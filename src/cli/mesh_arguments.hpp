@@ -21,6 +21,7 @@ struct MeshArguments {
     std::string msh_version = "4.1";
     std::string sizing_file;
     std::string background_file;
+    std::string names;  // path of a table, or ""
     PageArguments view;
     bool combine = false;
     bool check = false;

@@ -4,6 +4,7 @@
 #include "findings.hpp"
 #include "guarded.hpp"
 #include "json_report.hpp"
+#include "label_names.hpp"
 #include "label_warnings.hpp"
 #include "mesh_arguments.hpp"
 #include "mesh_files.hpp"
@@ -48,7 +49,7 @@ std::vector<OutputFile> checked_outputs(const MeshArguments& arguments)
         throw usage_failure("--output is required (or --view, or --estimate)");
     std::vector<std::string> inputs = arguments.input.inputs;
     // Files that are read later are inputs, too: an output must not replace them.
-    inputs.insert(inputs.end(), {arguments.sizing_file, arguments.background_file});
+    inputs.insert(inputs.end(), {arguments.sizing_file, arguments.background_file, arguments.names});
     std::vector<std::string> written = arguments.outputs;
     if (!arguments.view.output.empty())
         written.push_back(arguments.view.output);
@@ -77,7 +78,10 @@ Sizing read_sizing(const Session& session, const MeshArguments& arguments, const
 Inputs read_inputs(Session& session, const MeshArguments& arguments, const cleft_options* options)
 {
     Inputs inputs;
-    session.timed("read", "reading the volume", [&] { inputs.volume = arguments.input.read(session, options); });
+    session.timed("read", "reading the volume", [&] {
+        inputs.volume = arguments.input.read(session, options);
+        read_names(session, arguments.names, inputs.volume.get());
+    });
     if (!arguments.sizing_file.empty())
         session.timed("read_sizing", "reading the sizing field",
                       [&] { inputs.sizing = read_sizing(session, arguments, inputs.volume.get(), options); });
@@ -207,6 +211,8 @@ nlohmann::ordered_json report_of(const Session& session, const MeshArguments& ar
     report["outputs"] = arguments.outputs;
     if (!arguments.view.output.empty())
         report["view"] = arguments.view.output;
+    if (!arguments.names.empty())
+        report["names"] = arguments.names;
     report["world"] = arguments.input.world;
     report["options"] = arguments.options.as_json(options);
     // The option holds the name of a kind, and the run used the file instead.

@@ -2,6 +2,7 @@
 #include "commands.hpp"
 #include "guarded.hpp"
 #include "json_report.hpp"
+#include "label_names.hpp"
 #include "mesh_files.hpp"
 #include "output_conflicts.hpp"
 #include "picture_arguments.hpp"
@@ -18,7 +19,7 @@ namespace
 {
 
 struct RenderArguments {
-    std::string mesh, output;
+    std::string mesh, output, names;
     PictureArguments picture;
     RunArguments run;
 };
@@ -53,12 +54,15 @@ void write_report(const Session& session, const RenderArguments& arguments, cons
 int run_render(const RenderArguments& arguments)
 {
     const cleft_io_picture picture = arguments.picture.make();
-    refuse_conflicts({arguments.mesh}, {arguments.output}, arguments.run.json);
+    refuse_conflicts({arguments.mesh, arguments.names}, {arguments.output}, arguments.run.json);
     check_picture_output(arguments.output);
     check_json_output(arguments.run.json);
     Session session(arguments.run, {{"read", 1}, {"render", 1}});
     Mesh mesh;
-    session.timed("read", "reading the mesh", [&] { mesh = read_mesh(session, arguments.mesh); });
+    session.timed("read", "reading the mesh", [&] {
+        mesh = read_mesh(session, arguments.mesh);
+        read_names(session, arguments.names, mesh.get());
+    });
     StagedOutputs staged;
     session.timed("render", "drawing", [&] { write_picture(session, arguments, mesh.get(), picture, staged); });
     session.clear_progress();
@@ -80,6 +84,7 @@ Command add_render_command(CLI::App& app)
     CLI::App& parser = *app.add_subcommand("render", "Draw a mesh as a picture, without a screen");
     parser.add_option("MESH", arguments->mesh, "A mesh of tetrahedra")->required()->type_name("");
     parser.add_option("-o,--output", arguments->output, "The picture, a PNG file")->required()->type_name("PICTURE");
+    add_names_to(parser, arguments->names, "Names of labels in the legend");
     arguments->picture.add_to(parser);
     arguments->run.add_to(parser);
     parser.footer("Formats of MESH, by extension:\n" + format_help(CLEFT_IO_READS_MESH) +

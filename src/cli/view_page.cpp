@@ -1,6 +1,8 @@
 // Writes pages by the file component.
 #include "view_page.hpp"
 
+#include "label_names.hpp"
+
 #include "cleft/cleft_io.h"
 
 #include <CLI/CLI.hpp>
@@ -12,11 +14,7 @@ namespace cleft_cli
 
 void PageArguments::add_to(CLI::App& app)
 {
-    app.add_option("--names", names,
-                   "Names of labels in the view: a label and its name a line,\n"
-                   "or a table of ITK-SNAP or FreeSurfer")
-        ->check(CLI::ExistingFile.description(""))
-        ->type_name("FILE");
+    add_names_to(app, names, "Names of labels in the view");
     app.add_option("--goal", goal,
                    "Least dihedral angle that the view marks, in degrees (default:\n"
                    "that of the report, else 25)")

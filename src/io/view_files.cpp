@@ -1,8 +1,9 @@
 // Entry: a page that shows a mesh, or two.
 #include "base/struct_size.hpp"
 #include "cleft/cleft_io.h"
+#include "io/create_volume.hpp"
 #include "io/entry.hpp"
-#include "io/view/name_table.hpp"
+#include "io/name_table.hpp"
 #include "io/view/write_page.hpp"
 
 #include <cmath>
@@ -76,7 +77,7 @@ void use_names(const std::map<int32_t, std::string>& names, PageMesh& page)
 {
     for (size_t l = 0; l < page.view.labels.size(); ++l) {
         const auto found = names.find(page.view.labels[l]);
-        if (found != names.end())
+        if (found != names.end() && !found->second.empty())
             page.view.names[l] = found->second;
     }
 }
@@ -101,9 +102,11 @@ cleft_status cleft_io_write_view(cleft_context* context, const cleft_mesh* mesh,
         if (other)
             pages.push_back(page_mesh(context, other, surfaces[1].get(), options.other_title, options.other_report));
         if (options.names) {
-            const auto names = read_name_table(options.names);
+            const NameTable table = read_name_table(options.names);
+            for (const std::string& note : table.notes)
+                report(context, "'" + std::string(options.names) + "': " + note);
             for (PageMesh& page : pages)
-                use_names(names, page);
+                use_names(table.names, page);
         }
         write_page(pages, {options.max_tets, options.goal, cleft_context_threads(context)}, path);
     });

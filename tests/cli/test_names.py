@@ -3,7 +3,7 @@ import json
 import unittest
 from xml.sax.saxutils import quoteattr
 
-from support import CANNOT_READ, CommandTest, cleft
+from support import CANNOT_READ, USAGE, CommandTest, cleft
 
 NAME = 'Linke Niere "größer" & <ok>'
 PLAIN = "Linke_Niere_gr_er_ok"
@@ -72,6 +72,58 @@ class Names(CommandTest):
         broken = self.path("named.vtu").read_bytes().replace("größer".encode(), b"gr\xff\xfe", 1)
         self.path("broken.vtu").write_bytes(broken)
         self.assert_fails(CANNOT_READ, cleft("info", self.path("broken.vtu")), "name of label 3")
+
+    def table(self, text="0 air\n3 right lung\n7 left lung\n"):
+        self.path("names.txt").write_text(text)
+        return self.path("names.txt")
+
+    def test_a_table_names_the_labels_of_a_run(self):
+        outputs = [word for name in ("a.vtu", "a.msh", "a.inp") for word in ("-o", self.path(name))]
+        report, page = self.path("r.json"), self.path("page.html")
+        done = self.run_ok(
+            "mesh", self.volume, *outputs, "--view", page, "--json", report, "--names", self.table(), "--strip", "0"
+        )
+        self.assertEqual(done.stderr, "")
+        table = done.stdout.splitlines()
+        self.assertTrue([row for row in table if row.split()[:1] == ["3"] and row.endswith("  right lung")])
+        found = json.loads(report.read_text())
+        self.assertEqual(found["names"], str(self.path("names.txt")))
+        self.assertEqual([row["name"] for row in found["labels"]], ["air", "right lung", "left lung"])
+        self.assertEqual([row["name"] for row in found["volume"]["labels"]], ["air", "right lung", "left lung"])
+        self.assertEqual(self.names("a.vtu"), {3: "right lung", 7: "left lung"})
+        self.assertIn('"material_3_right_lung"', self.text("a.msh"))
+        self.assertIn("MATERIAL_7_LEFT_LUNG", self.text("a.inp"))
+        self.assertIn('"name":"right lung"', self.text("page.html"))
+
+    def test_a_table_goes_before_the_file(self):
+        names = self.table("3 lung\n")
+        done = self.run_ok("convert", self.path("named.vtu"), self.path("a.vtu"), "--names", names)
+        self.assertIn(f"names.txt': it calls label 3 'lung', and the mesh '{NAME}'; the names of the", done.stderr)
+        self.assertEqual(self.names("a.vtu"), {0: "", 3: "lung", 7: ""})
+        done = self.run_ok("mesh", self.volume, "-o", self.path("b.vtu"), "--names", self.table("5 bone\n"))
+        self.assertIn("names.txt': it has no name for any label of the volume\n", done.stderr)
+
+    def test_a_legend_has_the_names_of_a_table(self):
+        pictures = []
+        for names in ([], ["--names", self.table()]):
+            arguments = ["-o", self.path("p.png"), "--size", "300x200", "--legend", *names]
+            self.run_ok("render", self.path("plain.vtu"), *arguments)
+            pictures.append(self.path("p.png").read_bytes())
+        self.assertNotEqual(*pictures)
+
+    def test_tables_that_cannot_be(self):
+        names = self.table("lung 3\n")
+        for arguments in (
+            ["mesh", self.volume, "-o", self.path("x.vtu")],
+            ["convert", self.path("plain.vtu"), self.path("x.msh")],
+            ["render", self.path("plain.vtu"), "-o", self.path("x.png")],
+        ):
+            self.assert_fails(CANNOT_READ, cleft(*arguments, "--names", names), "names.txt", "line 1")
+            self.assert_fails(USAGE, cleft(*arguments, "--names", self.path("none.txt")), "--names")
+        copy = self.path("names.vtu")
+        copy.write_text("3 precious\n")
+        self.assert_fails(USAGE, cleft("mesh", self.volume, "-o", copy, "--names", copy))
+        self.assertEqual(copy.read_text(), "3 precious\n")
 
 
 if __name__ == "__main__":

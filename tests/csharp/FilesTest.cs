@@ -30,6 +30,12 @@ sealed class FilesTest
                 Checks.Equal(Content.Mesh, MeshFiles.Guess(path(name)));
                 Checks.Equal(mesh.TetCount, MeshFiles.ReadMesh(mesher, path(name)).TetCount);
             }
+            File.WriteAllText(path("names.txt"), "1 heart\n7 slab\n");
+            MeshFiles.ReadLabelNames(mesher, mesh, path("names.txt"));
+            Checks.Equal("slab", mesh.LabelNames[7]);
+            Volume volume = Checks.BallVolume(mesher);
+            MeshFiles.ReadLabelNames(mesher, volume, path("names.txt"));
+            Checks.Equal("heart", volume.LabelNames[1]);
             MeshFiles.WriteMesh(mesher, mesh, path("b.dat"), "msh22");
             Checks.Check(File.ReadAllText(path("b.dat")).Contains("2.2"), "no msh 2.2");
             Checks.Thrown<ArgumentException>(() => MeshFiles.WriteMesh(mesher, mesh, path("b"), "jpeg"));

@@ -23,6 +23,7 @@ program test_files
   call cleft_write_mesh(context, mesh, mesh_file)
   call cleft_read_mesh(context, mesh_file, again)
   call check(all(again%tets() == mesh%tets()) .and. all(again%labels() == [0, 5, 9]), 'a mesh comes back as it was')
+  call tables_name_labels()
   call what_is_not_there_is_named()
   call raw_voxels_are_read()
   call fields_are_read()
@@ -106,6 +107,18 @@ contains
       answer = answer .and. abs(map(axis, axis) - lengths(axis)) < 1d-9 * lengths(axis)
     end do
   end function
+
+  subroutine tables_name_labels()
+    integer :: unit
+    open(newunit=unit, file='test_files_names.txt', action='write')
+    write(unit, '(a)') '5 left kidney', '9 liver'
+    close(unit)
+    call cleft_read_names(context, 'test_files_names.txt', mesh)
+    call cleft_read_names(context, 'test_files_names.txt', volume)
+    call check(mesh%label_name(5) == 'left kidney' .and. volume%label_name(9) == 'liver', 'a table names labels')
+    call cleft_read_names(context, 'no_such_table.txt', mesh, stat, errmsg)
+    call check(stat == CLEFT_ERROR_FILE .and. index(errmsg, 'no_such_table.txt') > 0, 'a missing table is named')
+  end subroutine
 
   subroutine what_is_not_there_is_named()
     call cleft_read_volume(context, 'no_such_file.nrrd', volume, stat=stat, errmsg=errmsg)

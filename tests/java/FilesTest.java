@@ -4,6 +4,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.Map;
 import org.cleft.*;
 
 /** Reading and writing. */
@@ -39,6 +40,13 @@ final class FilesTest {
                 Checks.equal(MeshFiles.Content.MESH, MeshFiles.guess(folder.resolve(name)));
                 Checks.equal(mesh.tetCount(), MeshFiles.readMesh(mesher, folder.resolve(name)).tetCount());
             }
+            Path table = folder.resolve("names.txt");
+            Files.writeString(table, "1 heart\n7 slab\n");
+            MeshFiles.readLabelNames(mesher, mesh, table);
+            Checks.equal(Map.of(1, "heart", 7, "slab"), mesh.labelNames());
+            Volume volume = Checks.ballVolume(mesher);
+            MeshFiles.readLabelNames(mesher, volume, table);
+            Checks.equal(mesh.labelNames(), volume.labelNames());
             MeshFiles.writeMesh(mesher, mesh, folder.resolve("b.dat"), "msh22");
             Checks.check(Files.readString(folder.resolve("b.dat")).contains("2.2"), "no msh 2.2");
             Checks.thrown(IllegalArgumentException.class,

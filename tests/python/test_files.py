@@ -33,6 +33,24 @@ class Files(unittest.TestCase):
         mesh.write(str(self.folder / "b.dat"), "msh22")
         self.assertIn(b"2.2", (self.folder / "b.dat").read_bytes()[:100])
 
+    def test_tables_of_names(self):
+        table = self.folder / "names.txt"
+        table.write_text("1 heart\n7\tslab\n")
+        volume = ball_volume()
+        volume.read_label_names(table)
+        self.assertEqual(volume.label_names, {1: "heart", 7: "slab"})
+        mesh = ball_mesh()
+        mesh.read_label_names(str(table), mesher=cleft.Mesher())
+        self.assertEqual(mesh.label_names, {1: "heart", 7: "slab"})
+        table.write_text("7 plate\n")
+        with self.assertWarnsRegex(cleft.CleftWarning, "calls label 7 'plate'"):
+            mesh.read_label_names(table)
+        table.write_text("plate 7\n")
+        with self.assertRaises(cleft.FormatError):
+            mesh.read_label_names(table)
+        with self.assertRaises(FileNotFoundError):
+            mesh.read_label_names(self.folder / "none.txt")
+
     def test_formats(self):
         table = {row.name: row for row in cleft.formats()}
         self.assertTrue(table["vtu"].writes_mesh and table["vtu"].reads_mesh)

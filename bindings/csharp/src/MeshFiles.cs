@@ -233,6 +233,29 @@ namespace Cleft
             mesher.Run(context => CleftIoNative.cleft_io_write_mesh(context, of, name, number));
         }
 
+        /// <summary>
+        /// Names the labels of a volume by a table: a label and its name a line, or a table of ITK-SNAP, FreeSurfer or
+        /// MRIcron. Not while another thread uses the volume.
+        /// </summary>
+        public static void ReadLabelNames(Mesher mesher, Volume volume, string path)
+        {
+            Arguments.NotNull(mesher, nameof(mesher));
+            byte[] name = Utf8.Write(path, nameof(path));
+            NativeModules.Files();
+            NativeHandle of = NativeObject.Required(volume, nameof(volume));
+            mesher.Run(context => CleftIoNative.cleft_io_read_volume_names(context, name, of));
+        }
+
+        /// <summary>Names the labels of a mesh by such a table. Not while another thread uses the mesh.</summary>
+        public static void ReadLabelNames(Mesher mesher, Mesh mesh, string path)
+        {
+            Arguments.NotNull(mesher, nameof(mesher));
+            byte[] name = Utf8.Write(path, nameof(path));
+            NativeModules.Files();
+            NativeHandle of = NativeObject.Required(mesh, nameof(mesh));
+            mesher.Run(context => CleftIoNative.cleft_io_read_mesh_names(context, name, of));
+        }
+
         /// <summary>Draws a mesh as PNG, without a screen.</summary>
         public static void WritePicture(Mesher mesher, Mesh mesh, string path, Picture picture = null)
         {

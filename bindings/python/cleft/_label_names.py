@@ -6,7 +6,9 @@ import unicodedata
 from typing import Any, Callable, ClassVar, Mapping
 
 from ._handle import Owner
+from ._paths import Path, path_bytes, reading
 from .errors import InvalidArgument, raise_for
+from .mesher import Mesher, mesher_or_plain
 
 
 class Named(Owner):
@@ -14,6 +16,7 @@ class Named(Owner):
 
     _get_name: ClassVar[Callable[[Any, int], str]]
     _set_name: ClassVar[Callable[[Any, int, str], int]]
+    _read_names: ClassVar[str]  # a function of native_io
 
     def _own_labels(self) -> list[int]:
         raise NotImplementedError
@@ -45,3 +48,14 @@ class Named(Owner):
                 )
         for label in known:
             raise_for(put(handle, label, names.get(label, "")), f"label {label} cannot be called {names.get(label)!r}")
+
+    def read_label_names(self, path: Path, *, mesher: Mesher | None = None) -> None:
+        """Names the labels by a table: a label and its name a line, or a table of ITK-SNAP, FreeSurfer or MRIcron.
+
+        Labels that are not in the table keep their names.
+        """
+        from .files import _io
+
+        handle, name = self._native, path_bytes(path)
+        with reading(path):
+            mesher_or_plain(mesher)._call(getattr(_io(), type(self)._read_names), name, handle)

@@ -34,6 +34,7 @@ class Mesh(Named):
 
     _get_name = staticmethod(native.cleft_mesh_label_name)
     _set_name = staticmethod(native.cleft_mesh_set_label_name)
+    _read_names = "cleft_io_read_mesh_names"
 
     def _own_labels(self) -> list[int]:
         return self.different_labels.tolist()

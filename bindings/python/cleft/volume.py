@@ -44,6 +44,7 @@ class Volume(Named):
 
     _get_name = staticmethod(native.cleft_volume_label_name)
     _set_name = staticmethod(native.cleft_volume_set_label_name)
+    _read_names = "cleft_io_read_volume_names"
 
     def _own_labels(self) -> list[int]:
         return self.labels.tolist()

@@ -357,6 +357,39 @@ public final class MeshFiles {
     }
 
     /**
+     * Names the labels of a volume by a table: a label and its name a line, or a table of ITK-SNAP, FreeSurfer or
+     * MRIcron. Not while another thread uses the volume.
+     *
+     * @param mesher who reads
+     * @param volume the volume
+     * @param path the table
+     */
+    public static void readLabelNames(Mesher mesher, Volume volume, Path path) {
+        Objects.requireNonNull(mesher, "mesher");
+        Objects.requireNonNull(volume, "volume");
+        NativeLibrary.files();
+        byte[] name = bytes("path", path);
+        mesher.run((context, arguments, out) ->
+                CleftIoNative.cleft_io_read_volume_names(context, name, arguments[0]), volume);
+    }
+
+    /**
+     * Names the labels of a mesh by such a table. Not while another thread uses the mesh.
+     *
+     * @param mesher who reads
+     * @param mesh the mesh
+     * @param path the table
+     */
+    public static void readLabelNames(Mesher mesher, Mesh mesh, Path path) {
+        Objects.requireNonNull(mesher, "mesher");
+        Objects.requireNonNull(mesh, "mesh");
+        NativeLibrary.files();
+        byte[] name = bytes("path", path);
+        mesher.run((context, arguments, out) ->
+                CleftIoNative.cleft_io_read_mesh_names(context, name, arguments[0]), mesh);
+    }
+
+    /**
      * Draws a mesh as PNG, without a screen.
      *
      * @param mesher who draws

@@ -1,6 +1,6 @@
 // Reads a table of names. The form is told by all lines together: a name in quotes at the end is ITK-SNAP's, four
 // numbers behind a word are FreeSurfer's, and one is MRIcron's, if the words alone are different names.
-#include "io/view/name_table.hpp"
+#include "io/name_table.hpp"
 
 #include "io/text_scanner.hpp"
 
@@ -92,6 +92,22 @@ std::string plain_name(const std::string& text)
     throw Error(CLEFT_ERROR_FORMAT, "'" + path + "', line " + std::to_string(line) + ": " + what);
 }
 
+// What is behind a label: its name, with numbers in some forms. Tabs stand for blanks.
+std::string checked_rest(const std::string& path, size_t number, std::string_view behind)
+{
+    std::string rest = trimmed(behind);
+    std::replace(rest.begin(), rest.end(), '\t', ' ');
+    for (std::string_view left = rest; !left.empty();) {
+        const Character next = first_character(left);
+        if (next.bytes == 0)
+            fail(path, number, "the name is not UTF-8");
+        if (next.is_control())
+            fail(path, number, "the name has a control character in it");
+        left.remove_prefix(next.bytes);
+    }
+    return rest;
+}
+
 // One line, or nothing of it.
 bool read_row(const std::string& path, size_t number, std::string_view line, Row& row)
 {
@@ -103,13 +119,7 @@ bool read_row(const std::string& path, size_t number, std::string_view line, Row
     const std::string_view behind(read.ptr, static_cast<size_t>(end - read.ptr));
     if (read.ec != std::errc() || (!behind.empty() && std::string_view(" \t,;=").find(behind[0]) == std::string::npos))
         fail(path, number, "it begins with no label, which is a whole number");
-    for (std::string_view left = behind; !left.empty();) {
-        const Character next = first_character(left);
-        if (next.bytes == 0)
-            fail(path, number, "the name is not UTF-8");
-        left.remove_prefix(next.bytes);
-    }
-    row.rest = trimmed(behind);
+    row.rest = checked_rest(path, number, behind);
     return true;
 }
 
@@ -132,19 +142,43 @@ std::vector<Row> read_rows(const std::string& path)
     return rows;
 }
 
+// A few words that are all followed by a number may also be names that end with one: "Left 5", "Right 6".
+void note_doubt(const std::vector<Row>& rows, NameTable& table)
+{
+    constexpr size_t kFew = 5;
+    if (rows.size() < kFew && is_table(rows, 1))
+        table.notes.push_back(
+            "the numbers behind the names are taken for no parts of them, as in tables of MRIcron: '" +
+            rows.front().rest + "' is '" + words_of(rows.front().rest).front() + "'");
+}
+
+// The last line of a label holds.
+void add_name(int32_t label, const std::string& name, NameTable& table)
+{
+    std::string& place = table.names[label];
+    if (!place.empty() && place != name)
+        table.notes.push_back("label " + std::to_string(label) + " is called '" + place + "' and then '" + name +
+                              "', which is taken");
+    place = name;
+}
+
 }  // namespace
 
-std::map<int32_t, std::string> read_name_table(const std::string& path)
+NameTable read_name_table(const std::string& path)
 {
     const std::vector<Row> rows = read_rows(path);
     const bool snap = std::all_of(rows.begin(), rows.end(), is_quoted);
     const bool first_word = is_table(rows, 4) || is_table(rows, 1);
-    std::map<int32_t, std::string> names;
+    NameTable table;
+    if (!snap)
+        note_doubt(rows, table);
     for (const Row& row : rows)
-        names[row.label] = snap         ? name_in_quotes(row.rest)
-                           : first_word ? words_of(row.rest).front()
-                                        : plain_name(row.rest);
-    return names;
+        add_name(row.label,
+                 snap         ? name_in_quotes(row.rest)
+                 : first_word ? words_of(row.rest).front()
+                              : plain_name(row.rest),
+                 table);
+    return table;
 }
 
 }  // namespace cleft::io

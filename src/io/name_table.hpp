@@ -4,9 +4,15 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace cleft::io
 {
+
+struct NameTable {
+    std::map<int32_t, std::string> names;
+    std::vector<std::string> notes;  // what is uncertain, a sentence each
+};
 
 // Reads one of four forms, which a file has throughout:
 // - a label and its name a line, with blanks, a tab, a comma or "=" between them;
@@ -14,6 +20,6 @@ namespace cleft::io
 // - FreeSurfer's colour table: label, name without blanks, and four numbers;
 // - ITK-SNAP's label descriptions: label, six numbers, and the name in quotes.
 // Lines that begin with "#" and blank lines are passed over. Throws Error with the file and the line.
-std::map<int32_t, std::string> read_name_table(const std::string& path);
+NameTable read_name_table(const std::string& path);
 
 }  // namespace cleft::io
