@@ -321,6 +321,14 @@ module cleft_c
       integer(c_int32_t) :: answer
     end function
 
+    function cleft_context_report(context, fraction, end, stage) bind(C) result(answer)
+      import
+      type(c_ptr), value :: context
+      real(c_double), value :: fraction, end
+      character(kind=c_char), intent(in) :: stage(*)
+      integer(c_int32_t) :: answer
+    end function
+
     subroutine cleft_context_end(context) bind(C)
       import
       type(c_ptr), value :: context

@@ -176,6 +176,13 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_context_log(cleft_context* context,
  *  clears the last error and earlier requests to cancel. Calls may be nested. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_context_begin(cleft_context* context, const void* const* handles,
                                                            int64_t count) CLEFT_NOEXCEPT;
+/** Tells how far a call between cleft_context_begin() and cleft_context_end() is, and asks whether it shall stop. It is
+ *  meant for components that build on this library, on the thread that began the call. The progress callback, if one is
+ *  set, receives `fraction` and `stage`. Calls of this library until the next report are the part of the component's
+ *  call from `fraction` to `end`, and report their own progress within it. CLEFT_ERROR_CANCELLED if the callback or
+ *  cleft_context_cancel() asks to stop. CLEFT_ERROR_ARGUMENT unless 0 <= fraction <= end <= 1. \since 0.1 */
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_context_report(cleft_context* context, double fraction, double end,
+                                                            const char* stage) CLEFT_NOEXCEPT;
 /** Ends the call that cleft_context_begin() began on the same thread. \since 0.1 */
 CLEFT_API void cleft_context_end(cleft_context* context) CLEFT_NOEXCEPT;
 

@@ -288,7 +288,7 @@ typedef struct cleft_io_picture {
  *  names listed labels that the mesh does not have.
  *
  *  The pixels are the same on every machine and for any number of threads. The bytes of the file are the same for the
- *  same version of libdeflate, which compresses them.
+ *  same version of libdeflate, which compresses them. The call reports its progress, and can be cancelled.
  *
  *  CLEFT_ERROR_ARGUMENT if the extension of the path is not .png, or if nothing would be drawn. CLEFT_ERROR_FILE if
  *  the file cannot be written. \since 0.1 */
@@ -318,7 +318,7 @@ typedef struct cleft_io_view {
 
 /** Writes a page of HTML that shows the mesh in any browser. It is one file, which needs no network and no other file.
  *  It has the materials, cuts through the mesh, the shapes and the worst of its tetrahedra. `view` may be NULL for the
- *  defaults.
+ *  defaults. The call reports its progress, and can be cancelled.
  *
  *  A table of names is one of cleft_io_read_mesh_names(). Labels that are not in the table keep the names of the mesh.
  *

@@ -79,6 +79,24 @@ cleft_status cleft_context_begin(cleft_context* context, const void* const* hand
     return status;
 }
 
+cleft_status cleft_context_report(cleft_context* context, double fraction, double end, const char* stage) noexcept
+{
+    return guarded_call(context, [&](cleft_context& sound) {
+        required(stage, "stage");
+        if (!(0 <= fraction && fraction <= end && end <= 1))
+            throw cleft::Error(CLEFT_ERROR_ARGUMENT, "fraction and end must be in 0 .. 1, and fraction not above end");
+        sound.part_begin = fraction;
+        sound.part_end = end;
+        bool cancel = sound.cancel;
+        if (!cancel && sound.progress) {
+            const Occupancy::Callback callback(sound.occupancy);
+            cancel = sound.progress(fraction, stage, sound.progress_user) != 0;
+        }
+        if (cancel)
+            throw cleft::Error(CLEFT_ERROR_CANCELLED, "the run was cancelled");
+    });
+}
+
 void cleft_context_end(cleft_context* context) noexcept
 {
     // A component calls this in its cleanup, whether its cleft_context_begin() succeeded or not.

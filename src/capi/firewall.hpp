@@ -146,8 +146,11 @@ inline void begin(cleft_context& context) noexcept
 {
     context.message[0] = '\0';
     // A user's cancel must also reach the later calls of a component, so only the outermost call forgets requests.
-    if (context.occupancy.is_outermost())
+    if (context.occupancy.is_outermost()) {
         context.cancel = false;
+        context.part_begin = 0;
+        context.part_end = 1;
+    }
 }
 
 // Hands a sentence to the caller's log, if there is one.

@@ -72,6 +72,7 @@ struct cleft_context : cleft::capi::Handle<cleft::capi::Mark::context> {
     cleft_log_callback log = nullptr;
     void* log_user = nullptr;
     std::atomic<bool> cancel{false};
+    double part_begin = 0, part_end = 1;  // of a component's call, which the calls within it are
     cleft::capi::Occupancy occupancy;
     cleft::Array<cleft::Array<const void*>> kept;  // handles that components keep alive, a list for each call of theirs
     // They stay from call to call, so that a caller can run all stages and read their figures at the end.

@@ -44,7 +44,8 @@ private:
     {
         // From here on the context answers calls of the callback with CLEFT_ERROR_BUSY.
         const Occupancy::Callback callback(context_.occupancy);
-        const bool cancel = context_.progress(fraction_, stage_, context_.progress_user) != 0;
+        const double begin = context_.part_begin, end = context_.part_end;
+        const bool cancel = context_.progress(begin + (end - begin) * fraction_, stage_, context_.progress_user) != 0;
         // After the callback: a slow one must not be due again at once.
         last_ = Clock::now();
         return cancel;

@@ -1,6 +1,8 @@
 // Entry: a page that shows a mesh, or two.
+#include "base/stage.hpp"
 #include "base/struct_size.hpp"
 #include "cleft/cleft_io.h"
+#include "io/call_run.hpp"
 #include "io/create_volume.hpp"
 #include "io/entry.hpp"
 #include "io/name_table.hpp"
@@ -82,6 +84,15 @@ void use_names(const std::map<int32_t, std::string>& names, PageMesh& page)
     }
 }
 
+void read_names(cleft_context* context, const char* path, std::vector<PageMesh>& pages)
+{
+    const NameTable table = read_name_table(path);
+    for (const std::string& note : table.notes)
+        report(context, "'" + std::string(path) + "': " + note);
+    for (PageMesh& page : pages)
+        use_names(table.names, page);
+}
+
 }  // namespace
 
 }  // namespace cleft::io
@@ -96,18 +107,26 @@ cleft_status cleft_io_write_view(cleft_context* context, const cleft_mesh* mesh,
         required(path, "path");
         const cleft_io_view options = checked_view(view);
         const cleft_mesh* other = options.other;
-        const SurfaceHandle surfaces[] = {surface_for(context, mesh, options.max_tets),
-                                          other ? surface_for(context, other, options.max_tets) : nullptr};
-        std::vector<PageMesh> pages = {page_mesh(context, mesh, surfaces[0].get(), options.title, options.report)};
+        // The core measures each mesh first, and finds the surface of a large one.
+        constexpr double kCoreShare = 0.1;
+        const double each = kCoreShare / (other ? 4 : 2);
+        CallRun call(context, "page");
+        SurfaceHandle surfaces[2];
+        std::vector<PageMesh> pages;
+        const auto add = [&](const cleft_mesh* shown, const char* title, const char* report) {
+            SurfaceHandle& surface = surfaces[pages.size()];
+            call.begin_inner(each, "page: surface");
+            surface = surface_for(context, shown, options.max_tets);
+            call.begin_inner(each, "page: quality");
+            pages.push_back(page_mesh(context, shown, surface.get(), title, report));
+        };
+        add(mesh, options.title, options.report);
         if (other)
-            pages.push_back(page_mesh(context, other, surfaces[1].get(), options.other_title, options.other_report));
-        if (options.names) {
-            const NameTable table = read_name_table(options.names);
-            for (const std::string& note : table.notes)
-                report(context, "'" + std::string(options.names) + "': " + note);
-            for (PageMesh& page : pages)
-                use_names(table.names, page);
-        }
-        write_page(pages, {options.max_tets, options.goal, cleft_context_threads(context)}, path);
+            add(other, options.other_title, options.other_report);
+        if (options.names)
+            read_names(context, options.names, pages);
+        cleft::Steps steps(call.run(), {{nullptr, kCoreShare}, {nullptr, 1 - kCoreShare}});
+        steps.next();
+        write_page(pages, {options.max_tets, options.goal}, path, steps.next());
     });
 }

@@ -1,13 +1,14 @@
 // Writes PNG: a header, the filtered and compressed rows, an end. The rows are compressed by libdeflate, as all that is
-// written is. libpng, which reads such files, would report failures by long jumps.
+// written is, on all threads. libpng, which reads such files, would report failures by long jumps.
 #include "io/write_png.hpp"
 
+#include "base/parallel.hpp"
 #include "io/atomic_file.hpp"
+#include "io/zlib_stream.hpp"
 
 #include <libdeflate.h>
+#include <algorithm>
 #include <cstdlib>
-#include <memory>
-#include <new>
 
 namespace cleft::io
 {
@@ -43,8 +44,21 @@ uint8_t predicted(int filter, uint8_t left, uint8_t above, uint8_t diagonal)
     }
 }
 
-// Appends the row with the filter whose differences are least, as the specification advises.
-void append_filtered(const Array<uint8_t>& row, const Array<uint8_t>& above, int pixel_bytes, Array<uint8_t>& out)
+Array<uint8_t> row_of(const Canvas& canvas, int y, bool has_cover)
+{
+    Array<uint8_t> row;
+    row.reserve(int64_t{canvas.width} * (has_cover ? 4 : 3));
+    for (int x = 0; x < canvas.width; ++x) {
+        const Pixel& pixel = canvas.pixels[canvas.at(x, y)];
+        row.insert(row.end(), {pixel.colour.red, pixel.colour.green, pixel.colour.blue});
+        if (has_cover)
+            row.push_back(pixel.cover);
+    }
+    return row;
+}
+
+// The row with the filter whose differences are least, as the specification advises.
+Array<uint8_t> filtered(const Array<uint8_t>& row, const Array<uint8_t>& above, int pixel_bytes)
 {
     Array<uint8_t> best, line;
     int64_t least = INT64_MAX;
@@ -63,37 +77,25 @@ void append_filtered(const Array<uint8_t>& row, const Array<uint8_t>& above, int
             best.swap(line);
         }
     }
-    out.insert(out.end(), best.begin(), best.end());
+    return best;
 }
 
-Array<uint8_t> filtered_rows(const Canvas& canvas, bool has_cover)
+Array<uint8_t> filtered_rows(const Canvas& canvas, bool has_cover, const Run& run)
 {
     const int pixel_bytes = has_cover ? 4 : 3;
-    Array<uint8_t> out;
-    out.reserve(canvas.height * (int64_t{canvas.width} * pixel_bytes + 1));
-    Array<uint8_t> row, above(int64_t{canvas.width} * pixel_bytes);
-    for (int y = 0; y < canvas.height; ++y) {
-        row.clear();
-        for (int x = 0; x < canvas.width; ++x) {
-            const Pixel& pixel = canvas.pixels[canvas.at(x, y)];
-            row.insert(row.end(), {pixel.colour.red, pixel.colour.green, pixel.colour.blue});
-            if (has_cover)
-                row.push_back(pixel.cover);
+    const int64_t row_bytes = int64_t{canvas.width} * pixel_bytes;
+    Array<uint8_t> out(canvas.height * (row_bytes + 1));
+    constexpr int64_t kRowsFiltered = 16;  // a chunk
+    parallel_for(run, canvas.height, kRowsFiltered, [&](int64_t begin, int64_t end) {
+        Array<uint8_t> above =
+            begin > 0 ? row_of(canvas, static_cast<int>(begin) - 1, has_cover) : Array<uint8_t>(row_bytes);
+        for (int64_t y = begin; y < end; ++y) {
+            Array<uint8_t> row = row_of(canvas, static_cast<int>(y), has_cover);
+            const Array<uint8_t> line = filtered(row, above, pixel_bytes);
+            std::copy(line.begin(), line.end(), out.begin() + y * (row_bytes + 1));
+            above.swap(row);
         }
-        append_filtered(row, above, pixel_bytes, out);
-        above.swap(row);
-    }
-    return out;
-}
-
-std::string zlib_stream(const Array<uint8_t>& bytes)
-{
-    const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
-        libdeflate_alloc_compressor(kPngLevel), libdeflate_free_compressor);
-    if (!compressor)
-        throw std::bad_alloc();
-    std::string out(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()), '\0');
-    out.resize(libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), out.data(), out.size()));
+    });
     return out;
 }
 
@@ -114,7 +116,7 @@ void write_chunk(AtomicFile& file, const std::string& name, const std::string& d
 
 }  // namespace
 
-void write_png(const std::string& path, const Canvas& canvas, bool has_cover)
+void write_png(const std::string& path, const Canvas& canvas, bool has_cover, const Run& run)
 {
     AtomicFile file(path);
     file.print("\x89PNG\r\n\x1a\n");
@@ -123,8 +125,11 @@ void write_png(const std::string& path, const Canvas& canvas, bool has_cover)
     // Eight bits, colours with or without opacity; the one way to compress and to filter; no interlacing.
     header += {8, static_cast<char>(has_cover ? 6 : 2), 0, 0, 0};
     write_chunk(file, "IHDR", header);
-    write_chunk(file, "IDAT", zlib_stream(filtered_rows(canvas, has_cover)));
+    const Array<uint8_t> rows = filtered_rows(canvas, has_cover, run);
+    write_chunk(file, "IDAT", zlib_stream(run, rows.data(), to_size(rows.count()), kPngLevel));
     write_chunk(file, "IEND", "");
+    // The last chance to cancel.
+    run.report(1);
     file.commit();
 }
 

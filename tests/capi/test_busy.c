@@ -2,6 +2,7 @@
  */
 #include "support/capi.h"
 
+#include <math.h>
 #include <pthread.h>
 #include <stdbool.h>
 #include <string.h>
@@ -161,6 +162,7 @@ static int trying(double fraction, const char* stage, void* user)
     assert_int_equal(cleft_context_log(h->context, CLEFT_LOG_INFO, "no"), CLEFT_ERROR_BUSY);
     assert_int_equal(cleft_context_set_error(h->context, CLEFT_ERROR_FILE, "no"), CLEFT_ERROR_BUSY);
     assert_int_equal(cleft_context_begin(h->context, NULL, 0), CLEFT_ERROR_BUSY);
+    assert_int_equal(cleft_context_report(h->context, 0, 1, "no"), CLEFT_ERROR_BUSY);
     /* what a callback may do */
     assert_int_equal(cleft_context_threads(h->context), 1);
     assert_string_equal(cleft_context_last_error(h->context), "");
@@ -254,6 +256,57 @@ static void a_component_has_the_context_to_itself(void** state)
     cleft_context_end(context);
 }
 
+typedef struct heard {
+    double fractions[1000];
+    const char* stages[1000];
+    int count;
+} heard;
+
+static int hear(double fraction, const char* stage, void* user)
+{
+    heard* h = user;
+    assert_true(h->count < 1000);
+    h->fractions[h->count] = fraction;
+    h->stages[h->count++] = strstr(stage, "mine") ? "mine" : "of the library";
+    return strcmp(stage, "mine no more") == 0;
+}
+
+static void a_component_tells_how_far_it_is(void** state)
+{
+    handles h = all_handles();
+    cleft_quality quality = {.struct_size = sizeof quality};
+    heard so_far = {.count = 0};
+    (void)state;
+    assert_ok(h.context, cleft_context_set_progress(h.context, hear, &so_far));
+    assert_ok(h.context, cleft_context_begin(h.context, NULL, 0));
+    assert_ok(h.context, cleft_context_report(h.context, 0.25, 0.5, "mine"));
+    assert_ok(h.context, cleft_mesh_quality(h.context, h.mesh, &quality));
+    assert_ok(h.context, cleft_context_report(h.context, 0.5, 0.5, "mine"));
+    assert_ok(h.context, cleft_mesh_quality(h.context, h.mesh, &quality));
+    const int count = so_far.count;
+    assert_true(count > 3 && so_far.fractions[0] == 0.25 && so_far.fractions[count - 1] == 0.5);
+    for (int i = 1; i < count; ++i)
+        assert_true(so_far.fractions[i] >= so_far.fractions[i - 1]);
+    assert_string_equal(so_far.stages[0], "mine");
+    assert_string_equal(so_far.stages[1], "of the library");
+    /* The callback, and a request, cancel. */
+    assert_fails(h.context, CLEFT_ERROR_CANCELLED, cleft_context_report(h.context, 0.5, 1, "mine no more"));
+    assert_ok(h.context, cleft_context_report(h.context, 0.5, 1, "mine"));
+    assert_ok(h.context, cleft_context_cancel(h.context));
+    assert_fails(h.context, CLEFT_ERROR_CANCELLED, cleft_context_report(h.context, 0.5, 1, "mine"));
+    assert_fails(h.context, CLEFT_ERROR_ARGUMENT, cleft_context_report(h.context, 0.5, 0.4, "mine"));
+    assert_fails(h.context, CLEFT_ERROR_ARGUMENT, cleft_context_report(h.context, -0.1, 0.4, "mine"));
+    assert_fails(h.context, CLEFT_ERROR_ARGUMENT, cleft_context_report(h.context, 0, NAN, "mine"));
+    assert_fails(h.context, CLEFT_ERROR_NULL, cleft_context_report(h.context, 0, 1, NULL));
+    assert_int_equal(cleft_context_report(NULL, 0, 1, "mine"), CLEFT_ERROR_NULL);
+    cleft_context_end(h.context);
+    /* The next call is a whole again. */
+    so_far.count = 0;
+    assert_ok(h.context, cleft_mesh_quality(h.context, h.mesh, &quality));
+    assert_true(so_far.fractions[0] == 0);
+    destroy_all(&h);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -261,6 +314,7 @@ int main(void)
         cmocka_unit_test(a_callback_cannot_use_the_context_of_its_call),
         cmocka_unit_test(another_thread_cannot_use_a_context_meanwhile),
         cmocka_unit_test(a_component_has_the_context_to_itself),
+        cmocka_unit_test(a_component_tells_how_far_it_is),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -510,6 +510,26 @@ static void broken_meshes_are_drawn(void** state)
     cleft_mesh_destroy(mesh);
 }
 
+/* Rows are compressed in pieces of half a MiB: some of these pictures have several, and some end with one. */
+static void pictures_of_any_size_are_read(void** state)
+{
+    fixture* f = *state;
+    cleft_mesh* mesh = make_box(f->context, 6, as_it_is);
+    static const int sizes[][2] = {{1, 1}, {341, 511}, {341, 512}, {341, 513}, {341, 1024}, {341, 1025}, {900, 800}};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
+        cleft_io_picture look = small_picture();
+        look.width = sizes[i][0];
+        look.height = sizes[i][1];
+        picture p = draw(f, mesh, &look);
+        assert_int_equal(p.width, sizes[i][0]);
+        assert_int_equal(p.height, sizes[i][1]);
+        /* The mesh fills a single pixel. */
+        assert_true(i == 0 || is_color(p.rgba, 255, 255, 255));
+        free(p.rgba);
+    }
+    cleft_mesh_destroy(mesh);
+}
+
 static cleft_status write_look(fixture* f, const cleft_mesh* mesh, const cleft_io_picture* look)
 {
     return cleft_io_write_picture(f->context, mesh, NULL, 0, NULL, 0, look, path_of(f, "refused.png"));
@@ -606,6 +626,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(mesh_stands_before_the_backdrop),
         TEST(size_is_as_asked),
+        TEST(pictures_of_any_size_are_read),
         TEST(cut_shows_what_is_inside),
         TEST(cuts_take_a_corner),
         TEST(lists_leave_labels_out_or_whole),

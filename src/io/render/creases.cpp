@@ -5,7 +5,7 @@
 // and several distances on the picture.
 #include "io/render/creases.hpp"
 
-#include "base/parallel.hpp"
+#include "base/reported_loop.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +73,7 @@ void darken_creases(double pixels_per_unit, const Run& run, Canvas& canvas)
 {
     const Array<OppositePlaces> pairs = pairs_for(canvas, pixels_per_unit);
     constexpr int64_t kRows = 8;
-    parallel_for(run, canvas.height, kRows, [&](int64_t begin, int64_t end) {
+    reported_for(run, canvas.height, kRows, [&](int64_t begin, int64_t end) {
         for (int y = static_cast<int>(begin); y < end; ++y)
             for (int x = 0; x < canvas.width; ++x) {
                 Pixel& pixel = canvas.pixels[canvas.at(x, y)];

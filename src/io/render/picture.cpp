@@ -2,6 +2,8 @@
 #include "io/render/picture.hpp"
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
+#include "base/stage.hpp"
 #include "io/label_colours.hpp"
 #include "io/render/camera.hpp"
 #include "io/render/creases.hpp"
@@ -59,20 +61,33 @@ PixelArea area_for_mesh(const PictureRequest& request, int beside)
             std::max(1, request.height - 2 * margin)};
 }
 
-void put_behind(cleft_io_backdrop backdrop, Canvas& canvas)
+void put_behind(cleft_io_backdrop backdrop, const Run& run, Canvas& canvas)
 {
     if (backdrop == CLEFT_IO_BACKDROP_NONE)
         return;
     const Colour behind = backdrop == CLEFT_IO_BACKDROP_DARK ? kDarkBackdrop : kLightBackdrop;
-    for (Pixel& pixel : canvas.pixels)
-        pixel = {mixed(behind, pixel.colour, (pixel.cover * kWhole + 127) / 255), 255};
+    constexpr int64_t kPixels = 1 << 16;  // a chunk
+    parallel_for(run, canvas.pixels.count(), kPixels, [&](int64_t begin, int64_t end) {
+        for (int64_t i = begin; i < end; ++i) {
+            Pixel& pixel = canvas.pixels[i];
+            pixel = {mixed(behind, pixel.colour, (pixel.cover * kWhole + 127) / 255), 255};
+        }
+    });
 }
 
 }  // namespace
 
 Canvas draw_picture(const MeshView& mesh, const PictureRequest& request, const Run& run)
 {
-    const Array<OuterFace> faces = outer_faces(mesh, shown_tets(mesh, request, run), run);
+    // Microseconds on one thread, as in cleft_io_write_picture().
+    const auto tets = static_cast<double>(mesh.tet_count);
+    const double pixels = static_cast<double>(request.width) * request.height;
+    Steps steps(run, {{"picture: faces", 0.15 * tets},
+                      {"picture: colours", 0.01 * tets},
+                      {"picture: drawing", 0.2 * pixels},
+                      {"picture: creases", 0.17 * pixels}});
+    const Run finding = steps.next();
+    const Array<OuterFace> faces = outer_faces(mesh, shown_tets(mesh, request, finding), finding);
     if (faces.empty())
         throw Error(CLEFT_ERROR_ARGUMENT, "the picture would be empty: strip and cut leave no tetrahedron");
     const bool names_labels = request.has_legend && request.by == CLEFT_IO_BY_LABEL;
@@ -82,16 +97,18 @@ Canvas draw_picture(const MeshView& mesh, const PictureRequest& request, const R
         legend.entries = label_entries(
             mesh, faces.count(), [&](int64_t f) { return faces[f].tet; }, [](int64_t) { return true; });
     const int beside = request.has_legend ? legend_width(legend, request.width, request.height) : 0;
-    const Camera camera(mesh, faces, request, area_for_mesh(request, beside), run);
-    const Array<double> measures = face_measures(mesh, faces, camera, request, run);
+    const Run colouring = steps.next();
+    const Camera camera(mesh, faces, request, area_for_mesh(request, beside), colouring);
+    const Array<double> measures = face_measures(mesh, faces, camera, request, colouring);
     if (request.by != CLEFT_IO_BY_LABEL)
         legend.scale.emplace(request.by, request.range, range_of(measures));
 
     Canvas canvas(request.width, request.height);
-    const Array<DrawnFace> drawn = drawn_faces(mesh, faces, measures, legend.scale, camera, request, run);
-    const Array<uint8_t> is_seen = rasterise(mesh, drawn, camera, request.line_width, run, canvas);
-    darken_creases(camera.pixels_per_unit(), run, canvas);
-    put_behind(request.backdrop, canvas);
+    const Array<DrawnFace> drawn = drawn_faces(mesh, faces, measures, legend.scale, camera, request, colouring);
+    const Array<uint8_t> is_seen = rasterise(mesh, drawn, camera, request.line_width, steps.next(), canvas);
+    const Run finishing = steps.next();
+    darken_creases(camera.pixels_per_unit(), finishing, canvas);
+    put_behind(request.backdrop, finishing, canvas);
     if (names_labels)
         legend.entries = label_entries(
             mesh, drawn.count(), [&](int64_t f) { return drawn[f].tet; }, [&](int64_t f) { return is_seen[f] != 0; });

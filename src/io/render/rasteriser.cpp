@@ -7,6 +7,7 @@
 
 #include "base/fixed_array.hpp"
 #include "base/parallel.hpp"
+#include "base/reported_loop.hpp"
 #include "base/shared_access.hpp"
 #include "io/render/outline.hpp"
 #include "io/render/tile.hpp"
@@ -103,10 +104,12 @@ Array<uint8_t> rasterise(const MeshView& mesh, const Array<DrawnFace>& faces, co
     const int rows = (canvas.height + Tile::kPixels - 1) / Tile::kPixels;
     const Array<Reach> reaches = reaches_of(scene, rows, run);
     Array<uint8_t> is_seen(faces.size(), 0);
-    parallel_for(run, rows, 1, [&](int64_t number, int64_t) {
+    reported_for(run, rows, 1, [&](int64_t number, int64_t) {
         TileRow row = faces_in_row(scene, reaches, number);
         Tile tile;
         for (int left = 0; left < canvas.width; left += Tile::kPixels) {
+            // A row of tiles may have all faces of a large mesh.
+            run.check();
             tile.begin(left, static_cast<int>(number) * Tile::kPixels);
             for (int64_t i = 0; i < row.faces.count(); ++i)
                 tile.draw(scene.triangle(row.faces[i]), static_cast<int32_t>(i));

@@ -96,10 +96,8 @@ void get_corners(const MeshView& mesh, int64_t tet, Vector3 (&corners)[4])
     }
 }
 
-MeshFigures figures_of(const MeshView& mesh, int threads)
+MeshFigures figures_of(const MeshView& mesh, const Run& run)
 {
-    Run run;
-    run.threads = threads;
     std::vector<MeshFigures> parts(static_cast<size_t>(chunk_count(mesh.tet_count, kGrain)));
     parallel_chunks(run, mesh.tet_count, kGrain, [&](int64_t chunk, int64_t begin, int64_t end) {
         parts[static_cast<size_t>(chunk)] = figures_of_chunk(mesh, begin, end);

@@ -1,6 +1,7 @@
 // What the page tells of a mesh in numbers. They come from the whole mesh, also where the page shows a part of it.
 #pragma once
 
+#include "base/run.hpp"
 #include "io/mesh_view.hpp"
 #include "io/view/tet_shape.hpp"
 
@@ -28,7 +29,7 @@ struct MeshFigures {
     std::vector<WorstTet> by_ratio;    // the greatest radius ratios first
 };
 
-MeshFigures figures_of(const MeshView& mesh, int threads);
+MeshFigures figures_of(const MeshView& mesh, const Run& run);
 
 // The four corners of a tetrahedron.
 void get_corners(const MeshView& mesh, int64_t tet, Vector3 (&corners)[4]);

@@ -3,10 +3,7 @@
 #include "io/view/packed_numbers.hpp"
 
 #include "io/view/base64.hpp"
-
-#include <libdeflate.h>
-#include <memory>
-#include <new>
+#include "io/zlib_stream.hpp"
 
 namespace cleft::io
 {
@@ -24,11 +21,12 @@ uint32_t unsigned_difference(int32_t a, int32_t b)
     return difference << 1 ^ (0U - (difference >> 31));
 }
 
-std::string planes_of(const std::vector<int32_t>& numbers, size_t columns, Differences differences)
+std::string planes_of(const std::vector<int32_t>& numbers, size_t columns, Differences differences, const Run& run)
 {
     const size_t count = numbers.size();
     std::string planes(4 * count, '\0');
     for (size_t i = 0; i < count; ++i) {
+        run.check_at(i);
         const size_t column = i % columns;
         const bool in_row = column > 0 && differences == Differences::kRow;
         const int32_t before = in_row ? numbers[i - column] : i < columns ? 0 : numbers[i - columns];
@@ -39,22 +37,12 @@ std::string planes_of(const std::vector<int32_t>& numbers, size_t columns, Diffe
     return planes;
 }
 
-struct CompressorDeleter {
-    void operator()(libdeflate_compressor* c) const { libdeflate_free_compressor(c); }
-};
-
 }  // namespace
 
-std::string pack(const std::vector<int32_t>& numbers, size_t columns, Differences differences)
+std::string pack(const std::vector<int32_t>& numbers, size_t columns, Differences differences, const Run& run)
 {
-    const std::string planes = planes_of(numbers, columns, differences);
-    const std::unique_ptr<libdeflate_compressor, CompressorDeleter> compressor(libdeflate_alloc_compressor(kPageLevel));
-    if (!compressor)
-        throw std::bad_alloc();
-    std::string packed(libdeflate_zlib_compress_bound(compressor.get(), planes.size()), '\0');
-    packed.resize(
-        libdeflate_zlib_compress(compressor.get(), planes.data(), planes.size(), packed.data(), packed.size()));
-    return to_base64(packed);
+    const std::string planes = planes_of(numbers, columns, differences, run);
+    return to_base64(zlib_stream(run, planes.data(), planes.size(), kPageLevel));
 }
 
 }  // namespace cleft::io

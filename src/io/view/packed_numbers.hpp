@@ -1,6 +1,8 @@
 // Rows of whole numbers, small: what the page unpacks again (page/unpack.js).
 #pragma once
 
+#include "base/run.hpp"
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -13,6 +15,6 @@ namespace cleft::io
 // Differences are small where rows are in an order of space. They are then made positive (0, -1, 1, -2, ... as 0, 1, 2,
 // 3, ...), split into four planes of bytes, compressed in zlib's format, and written as base64.
 enum class Differences { kRow, kColumn };
-std::string pack(const std::vector<int32_t>& numbers, size_t columns, Differences differences);
+std::string pack(const std::vector<int32_t>& numbers, size_t columns, Differences differences, const Run& run);
 
 }  // namespace cleft::io

@@ -24,11 +24,12 @@ std::vector<char> points_of_surface(const MeshView& mesh, const cleft_surface* s
     return is_there;
 }
 
-std::vector<int64_t> tets_at_surface(const MeshView& mesh, const cleft_surface* surface)
+std::vector<int64_t> tets_at_surface(const MeshView& mesh, const cleft_surface* surface, const Run& run)
 {
     const std::vector<char> is_there = points_of_surface(mesh, surface);
     std::vector<int64_t> tets;
     for (int64_t t = 0; t < mesh.tet_count; ++t) {
+        run.check_at(t);
         int corners = 0;
         for (int64_t c = 0; c < 4; ++c)
             corners += is_there[static_cast<size_t>(mesh.tets[4 * t + c])];
@@ -54,13 +55,17 @@ double distance_from_middle(const MeshView& mesh, const MeshFigures& figures, in
     return greatest;
 }
 
-void keep_middle(const MeshView& mesh, const MeshFigures& figures, int64_t limit, std::vector<int64_t>& tets)
+void keep_middle(const MeshView& mesh, const MeshFigures& figures, int64_t limit, const Run& run,
+                 std::vector<int64_t>& tets)
 {
     std::vector<std::pair<double, int64_t>> by_distance;
     by_distance.reserve(tets.size());
-    for (const int64_t t : tets)
+    for (const int64_t t : tets) {
+        run.check_at(t);
         by_distance.emplace_back(distance_from_middle(mesh, figures, t), t);
+    }
     std::nth_element(by_distance.begin(), by_distance.begin() + limit, by_distance.end());
+    run.check();
     by_distance.resize(static_cast<size_t>(limit));
     tets.clear();
     for (const auto& [distance, t] : by_distance)
@@ -68,12 +73,14 @@ void keep_middle(const MeshView& mesh, const MeshFigures& figures, int64_t limit
     std::sort(tets.begin(), tets.end());
 }
 
-std::vector<int32_t> points_of(const MeshView& mesh, const std::vector<int64_t>& tets)
+std::vector<int32_t> points_of(const MeshView& mesh, const std::vector<int64_t>& tets, const Run& run)
 {
     std::vector<char> is_used(static_cast<size_t>(mesh.point_count), 0);
-    for (const int64_t t : tets)
+    for (size_t i = 0; i < tets.size(); ++i) {
+        run.check_at(i);
         for (int64_t c = 0; c < 4; ++c)
-            is_used[static_cast<size_t>(mesh.tets[4 * t + c])] = 1;
+            is_used[static_cast<size_t>(mesh.tets[4 * tets[i] + c])] = 1;
+    }
     std::vector<int32_t> points;
     for (size_t p = 0; p < is_used.size(); ++p)
         if (is_used[p])
@@ -83,21 +90,22 @@ std::vector<int32_t> points_of(const MeshView& mesh, const std::vector<int64_t>&
 
 }  // namespace
 
-ShownTets choose_tets(const MeshView& mesh, const cleft_surface* surface, const MeshFigures& figures, int64_t limit)
+ShownTets choose_tets(const MeshView& mesh, const cleft_surface* surface, const MeshFigures& figures, int64_t limit,
+                      const Run& run)
 {
     ShownTets shown;
     if (mesh.tet_count > limit && surface) {
         shown.reduction = Reduction::kInterfaces;
-        shown.tets = tets_at_surface(mesh, surface);
+        shown.tets = tets_at_surface(mesh, surface, run);
     } else {
         shown.tets.resize(static_cast<size_t>(mesh.tet_count));
         std::iota(shown.tets.begin(), shown.tets.end(), 0);
     }
     if (static_cast<int64_t>(shown.tets.size()) > limit) {
         shown.reduction = Reduction::kMiddle;
-        keep_middle(mesh, figures, limit, shown.tets);
+        keep_middle(mesh, figures, limit, run, shown.tets);
     }
-    shown.points = points_of(mesh, shown.tets);
+    shown.points = points_of(mesh, shown.tets, run);
     return shown;
 }
 

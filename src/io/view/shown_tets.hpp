@@ -1,6 +1,7 @@
 // The tetrahedra that a page has of a mesh: all of them, or a part that a browser can hold.
 #pragma once
 
+#include "base/run.hpp"
 #include "io/mesh_view.hpp"
 #include "io/view/mesh_figures.hpp"
 
@@ -24,6 +25,7 @@ struct ShownTets {
 
 // At most `limit`, which is positive. `surface` gives the interfaces and the hull, and may be null: then kMiddle is of
 // all tetrahedra. The choice depends on the mesh and the limit alone.
-ShownTets choose_tets(const MeshView& mesh, const cleft_surface* surface, const MeshFigures& figures, int64_t limit);
+ShownTets choose_tets(const MeshView& mesh, const cleft_surface* surface, const MeshFigures& figures, int64_t limit,
+                      const Run& run);
 
 }  // namespace cleft::io

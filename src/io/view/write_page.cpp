@@ -2,6 +2,7 @@
 // runs; arrays are base64 in others. docs/formats.md says what the page promises.
 #include "io/view/write_page.hpp"
 
+#include "base/stage.hpp"
 #include "io/atomic_file.hpp"
 #include "io/label_colours.hpp"
 #include "io/view/json_text.hpp"
@@ -42,7 +43,7 @@ struct Grid {
     }
 };
 
-std::string packed_points(const MeshView& mesh, const ShownTets& shown, const Grid& grid)
+std::string packed_points(const MeshView& mesh, const ShownTets& shown, const Grid& grid, const Run& run)
 {
     std::vector<int32_t> steps;
     steps.reserve(3 * shown.points.size());
@@ -51,12 +52,12 @@ std::string packed_points(const MeshView& mesh, const ShownTets& shown, const Gr
             const double coordinate = mesh.points[3 * static_cast<size_t>(p) + axis];
             steps.push_back(static_cast<int32_t>(std::lround((coordinate - grid.low[axis]) / grid.step)));
         }
-    return pack(steps, 3, Differences::kColumn);
+    return pack(steps, 3, Differences::kColumn, run);
 }
 
 // Corners as positions in the list of points. Tetrahedra of the other orientation are turned, as the page draws the
 // outer side of faces.
-std::string packed_tets(const MeshView& mesh, const ShownTets& shown)
+std::string packed_tets(const MeshView& mesh, const ShownTets& shown, const Run& run)
 {
     std::vector<int32_t> place(static_cast<size_t>(mesh.point_count), -1);
     for (size_t i = 0; i < shown.points.size(); ++i)
@@ -64,6 +65,7 @@ std::string packed_tets(const MeshView& mesh, const ShownTets& shown)
     std::vector<int32_t> corners;
     corners.reserve(4 * shown.tets.size());
     for (const int64_t t : shown.tets) {
+        run.check_at(t);
         for (int64_t c = 0; c < 4; ++c)
             corners.push_back(place[static_cast<size_t>(mesh.tets[4 * t + c])]);
         Vector3 points[4];
@@ -71,24 +73,29 @@ std::string packed_tets(const MeshView& mesh, const ShownTets& shown)
         if (shape_of(points).volume < 0)
             std::swap(corners[corners.size() - 1], corners[corners.size() - 2]);
     }
-    return pack(corners, 4, Differences::kRow);
+    return pack(corners, 4, Differences::kRow, run);
 }
 
-Arrays arrays_of(const MeshView& mesh, const ShownTets& shown, const Grid& grid)
+Arrays arrays_of(const MeshView& mesh, const ShownTets& shown, const Grid& grid, const Run& run)
 {
     std::vector<int32_t> materials;
     std::vector<int32_t> numbers;  // of the tetrahedra in the mesh
     for (const int64_t t : shown.tets) {
+        run.check_at(t);
         materials.push_back(static_cast<int32_t>(mesh.label_index(mesh.tet_labels[t])));
         numbers.push_back(static_cast<int32_t>(t));
     }
+    // What the arrays of a large mesh take.
+    constexpr const char* kPacking = "page: packing";
+    Steps steps(run, {{kPacking, 3}, {kPacking, 6}, {kPacking, 1}});
     Arrays arrays;
-    arrays.points = packed_points(mesh, shown, grid);
-    arrays.tets = packed_tets(mesh, shown);
-    arrays.materials = pack(materials, 1, Differences::kColumn);
+    arrays.points = packed_points(mesh, shown, grid, steps.next());
+    arrays.tets = packed_tets(mesh, shown, steps.next());
+    const Run last = steps.next();
+    arrays.materials = pack(materials, 1, Differences::kColumn, last);
     // Otherwise they are 0, 1, 2, ...
     if (shown.reduction != Reduction::kNone)
-        arrays.numbers = pack(numbers, 1, Differences::kColumn);
+        arrays.numbers = pack(numbers, 1, Differences::kColumn, last);
     return arrays;
 }
 
@@ -162,13 +169,15 @@ void print_element(AtomicFile& file, const std::string& id, const char* type, co
 }
 
 // Prints the arrays and the report of a mesh, and adds the rest to `json`.
-void print_mesh(AtomicFile& file, const PageMesh& page, size_t number, const PageOptions& options, JsonText& json)
+void print_mesh(AtomicFile& file, const PageMesh& page, size_t number, const PageOptions& options, const Run& run,
+                JsonText& json)
 {
     constexpr const char* kBytes = "application/octet-stream";
-    const MeshFigures figures = figures_of(page.view, options.threads);
-    const ShownTets shown = choose_tets(page.view, page.surface, figures, options.max_tets);
+    Steps steps(run, {{"page: figures", 3}, {"page: tetrahedra", 0.2}, {nullptr, 6}});
+    const MeshFigures figures = figures_of(page.view, steps.next());
+    const ShownTets shown = choose_tets(page.view, page.surface, figures, options.max_tets, steps.next());
     add_mesh(page, figures, shown, json);
-    const Arrays arrays = arrays_of(page.view, shown, Grid(figures));
+    const Arrays arrays = arrays_of(page.view, shown, Grid(figures), steps.next());
     const std::string id = std::to_string(number);
     print_element(file, "points-" + id, kBytes, arrays.points);
     print_element(file, "tets-" + id, kBytes, arrays.tets);
@@ -177,20 +186,25 @@ void print_mesh(AtomicFile& file, const PageMesh& page, size_t number, const Pag
     print_element(file, "report-" + id, "application/json", without_tags(page.report));
 }
 
-void print_data(AtomicFile& file, const std::vector<PageMesh>& meshes, const PageOptions& options)
+void print_data(AtomicFile& file, const std::vector<PageMesh>& meshes, const PageOptions& options, const Run& run)
 {
+    Array<Step> parts;
+    for (const PageMesh& mesh : meshes)
+        parts.push_back({nullptr, static_cast<double>(mesh.view.tet_count)});
+    Steps steps(run, parts);
     JsonText json;
     json.open('{').field("version", cleft_version(nullptr, nullptr, nullptr)).field("goal", options.goal);
     json.key("meshes").open('[');
     for (size_t i = 0; i < meshes.size(); ++i)
-        print_mesh(file, meshes[i], i, options, json);
+        print_mesh(file, meshes[i], i, options, steps.next(), json);
     json.close(']').close('}');
     print_element(file, "data", "application/json", json.text());
 }
 
 }  // namespace
 
-void write_page(const std::vector<PageMesh>& meshes, const PageOptions& options, const std::string& path)
+void write_page(const std::vector<PageMesh>& meshes, const PageOptions& options, const std::string& path,
+                const Run& run)
 {
     std::string title;
     for (const PageMesh& mesh : meshes)
@@ -200,10 +214,12 @@ void write_page(const std::vector<PageMesh>& meshes, const PageOptions& options,
         if (part == kTitleMark)
             file.print(html_text(title));
         else if (part == kDataMark)
-            print_data(file, meshes, options);
+            print_data(file, meshes, options, run);
         else
             file.print(part);
     }
+    // The last chance to cancel.
+    run.report(1);
     file.commit();
 }
 

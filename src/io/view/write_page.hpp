@@ -1,6 +1,7 @@
 // A page that shows meshes in a browser, as one file.
 #pragma once
 
+#include "base/run.hpp"
 #include "io/mesh_view.hpp"
 
 #include <cstdint>
@@ -23,10 +24,10 @@ struct PageMesh {
 struct PageOptions {
     int64_t max_tets = 0;  // that the page has of each mesh
     double goal = 0;       // the least dihedral angle that was wanted, in degrees; 0: what the report says
-    int threads = 1;
 };
 
 // Throws Error where the file cannot be written.
-void write_page(const std::vector<PageMesh>& meshes, const PageOptions& options, const std::string& path);
+void write_page(const std::vector<PageMesh>& meshes, const PageOptions& options, const std::string& path,
+                const Run& run);
 
 }  // namespace cleft::io
