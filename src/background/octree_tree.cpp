@@ -183,7 +183,13 @@ int32_t Octree::find(const Int3& at, int32_t level) const
     return cell;
 }
 
-double rough_octree_tets(const SizingField& field) { return kTetsOverParticles * expected_particle_tets(field); }
+double rough_octree_tets(const SizingField& field)
+{
+    constexpr double kTetsACell = 12;  // of body-centred cubic cells
+    const Int3 roots = root_counts(field.grid.extent(), field);
+    const double least = kTetsACell * double(roots[0]) * double(roots[1]) * double(roots[2]);
+    return std::max(least, kTetsOverParticles * expected_particle_tets(field));
+}
 
 Octree build_octree(const SizingField& field, const Run& run)
 {

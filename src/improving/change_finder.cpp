@@ -50,6 +50,8 @@ bool ChangeFinder::find_new_connections(int32_t t, Proposal& proposal)
             contraction_.find(mesh_, t, edge[1], edge[0], cavity))
             return true;
     // Splits come last, because they alone add points.
+    if (mesh_.slot_count() >= search_.most_tets)
+        return false;
     proposal.kind = Proposal::Kind::split;
     return std::any_of(std::begin(kEdgeCorners), std::end(kEdgeCorners),
                        [&](const auto& edge) { return find_split(t, edge[0], edge[1], proposal); });

@@ -26,6 +26,8 @@ public:
     }
     // Steps 0 to 3 move a corner each, step 4 changes connections. See Rounds::Find.
     int find(int32_t t, int step, Proposal& proposal);
+    // See Smoother.
+    int64_t places() const { return smoother_.places(); }
 
 private:
     bool find_move(int32_t v, Proposal& proposal);

@@ -135,7 +135,7 @@ bool CompoundOperations::attempt(int32_t t, int operation)
         return apply_if(contraction_.find(mesh_, t, edge[gone], edge[1 - gone], cavity_, kShare));
     }
     const auto& edge = kEdgeCorners[operation - 22];
-    return split_in_middle(t, edge[0], edge[1]);
+    return mesh_.slot_count() < search_.most_tets && split_in_middle(t, edge[0], edge[1]);
 }
 
 bool CompoundOperations::apply_if(bool found)

@@ -30,6 +30,8 @@ public:
     bool improve(int32_t t, const Search& search, double target);
     // By the one that helped.
     int64_t points_moved() const { return moves_.count(); }
+    // See Smoother.
+    int64_t places() const { return smoother_.places(); }
 
 private:
     struct Move {

@@ -27,6 +27,9 @@ public:
     // A better place for a point in the tetrahedra that are loaded, from one on the tie.
     Place climb(const Vec3& from);
 
+    // See Smoother.
+    int64_t places() const { return smoother_.places(); }
+
 private:
     Place better_place(int32_t v, bool thorough);
     void constrain(const Array<int32_t>& tets, const Vec3& x, const Vec3& home, uint8_t frozen);

@@ -36,6 +36,7 @@ Array<Search> searches_of(Effort effort)
 void note_counts(const SearchCounts& counts, const Run& run)
 {
     run.note("improving.tried", static_cast<double>(counts.tried));
+    run.note("improving.places", static_cast<double>(counts.places));
     run.note("improving.points_moved", static_cast<double>(counts.moved));
     run.note("improving.edges_removed", static_cast<double>(counts.edges_removed));
     run.note("improving.faces_removed", static_cast<double>(counts.faces_removed));
@@ -79,7 +80,7 @@ Shortfall search_on(LocalMesh& mesh, Improver& improver, const ImproveOptions& o
     Shortfall left = shortfall(mesh, target, run);
     int rounds = 0;
     for (const double margin : kHigherAims) {
-        if (options.margin > 0 || left.tets == 0 || left.tets > few || improver.counts().tried > most_tried(mesh))
+        if (options.margin > 0 || left.tets == 0 || left.tets > few || improver.counts().places > most_places(mesh))
             break;
         improver.aim_higher(sine_of(target_angle(options) + margin));
         for (const Search& search : searches_of(options.effort))
@@ -88,7 +89,7 @@ Shortfall search_on(LocalMesh& mesh, Improver& improver, const ImproveOptions& o
         ++rounds;
     }
     run.note("improving.rounds_around", rounds);
-    left.tried = improver.counts().tried;
+    left.places = improver.counts().places;
     return left;
 }
 

@@ -37,17 +37,9 @@ inline constexpr double kHigherAims[] = {1, 2, 0.5, 3};
 // The tetrahedra that are short of the target, and the work that it took.
 struct Shortfall {
     int64_t tets = 0;
-    double least = 1;   // the least quality of all, see angle_quality
-    int64_t tried = 0;  // tetrahedra, each time that one was
+    double least = 1;    // the least quality of all, see angle_quality
+    int64_t places = 0;  // see SearchCounts
 };
-
-// After so much work, further rounds and tries are left. Clean volumes take a fifth of a tetrahedron tried for each one
-// of the mesh at 32 degrees, labels of random voxels up to 1, and dense noise on small meshes more than 20.
-inline int64_t most_tried(const LocalMesh& mesh)
-{
-    constexpr int64_t kAtLeast = 20000;  // so that small meshes have all of their tries
-    return kAtLeast + mesh.slot_count();
-}
 
 // Never inverts a tetrahedron, never changes which materials touch. Notes improving.*.
 // The points must be in the frame of `volume`, where lengths are world units.

@@ -27,6 +27,7 @@ private:
     bool pass(size_t most, const Run& run, double done, double share);
     bool improve_tet(int32_t t);
     void count(const Proposal& proposal);
+    void count_places();
 
     double target_;
     LocalMesh& mesh_;
@@ -38,6 +39,7 @@ private:
     CompoundOperations compound_;
     Search search_{};
     bool started_ = false;
+    int32_t most_tets_;         // of all searches
     size_t attempts_left_ = 0;  // in a pass
     Proposal proposal_;
     SearchCounts counts_;

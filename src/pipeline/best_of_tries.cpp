@@ -6,6 +6,7 @@
 #include "base/stage.hpp"
 #include "fitting/relocate_lines.hpp"
 #include "fitting/split_far_edges.hpp"
+#include "improving/search.hpp"
 
 #include <iterator>
 
@@ -55,9 +56,9 @@ Shortfall split_and_improve(LocalMesh& mesh, const Volume& volume, double error,
         Metrics noted;
         Run again = run;
         again.metrics = &noted;
-        const int64_t tried = left.tried;
+        const int64_t places = left.places;
         left = improve(mesh, volume, options, again);
-        left.tried += tried;
+        left.places += places;
     }
     return left;
 }
@@ -85,12 +86,12 @@ LocalMesh best_of_tries(const Volume& volume, const Cleaved& cleaved, const Pipe
     const double surface_error = options.sizing.surface_error;
     Try best = try_with(volume, cleaved, options.improve, surface_error, steps.next());
     int tries = 1;
-    int64_t tried = best.left.tried;
+    int64_t places = best.left.places;
     for (const double margin : kHigherAims) {
         // A cleaved mesh is made anew for each try instead of being copied: most runs need no other try, and memory is
         // scarcest here.
         if (best.left.tets == 0 || best.left.tets > kFew || best.mesh.slot_count() > kMostTets ||
-            tried > most_tried(best.mesh))
+            places > most_places(best.mesh))
             break;
         ++tries;
         ImproveOptions higher = options.improve;
@@ -101,7 +102,7 @@ LocalMesh best_of_tries(const Volume& volume, const Cleaved& cleaved, const Pipe
         quiet.on_warning = nullptr;
         quiet.metrics = &noted;
         Try other = try_with(volume, cleaved, higher, surface_error, quiet);
-        tried += other.left.tried;
+        places += other.left.places;
         // On equal terms the earlier try stays.
         if (other.left.least <= best.left.least)
             continue;

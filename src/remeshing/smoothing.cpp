@@ -85,6 +85,7 @@ double Smoother::first_step(const Vec3& direction, double worst, double reach) c
 
 bool Smoother::step(const TetStar& star, Place& place, const Mat3& tangent, const Projection& projection)
 {
+    ++places_;
     star.gradients_at(place.x, quality_, gradient_);
     for (Vec3& g : gradient_)
         g = tangent * g;
@@ -100,6 +101,7 @@ bool Smoother::step(const TetStar& star, Place& place, const Mat3& tangent, cons
         Vec3 trial = place.x + length * direction;
         if (projection && !projection(trial))
             continue;
+        ++places_;
         const double worst = star.worst_at(trial, wanted);
         if (worst > wanted) {
             place = {trial, worst};
@@ -109,7 +111,7 @@ bool Smoother::step(const TetStar& star, Place& place, const Mat3& tangent, cons
     return false;
 }
 
-Place Smoother::explore(const TetStar& star, const Vec3& x, const Mat3& tangent, const Projection& projection) const
+Place Smoother::explore(const TetStar& star, const Vec3& x, const Mat3& tangent, const Projection& projection)
 {
     Place best{x, std::max(star.worst_at(x, -1), kLeastSine)};
     const double reach = star.reach(x);
@@ -124,6 +126,7 @@ Place Smoother::explore(const TetStar& star, const Vec3& x, const Mat3& tangent,
             Vec3 trial = x + radius * reach * shift.normalized();
             if (projection && !projection(trial))
                 continue;
+            ++places_;
             const double worst = star.worst_at(trial, best.worst);
             if (worst > best.worst + kLeastGain)
                 best = {trial, worst};

@@ -27,13 +27,17 @@ public:
 
     // The best of a fixed set of places around x, up to a quarter of the reach away: for stars where climbing ends on a
     // ridge.
-    Place explore(const TetStar& star, const Vec3& x, const Mat3& tangent, const Projection& projection) const;
+    Place explore(const TetStar& star, const Vec3& x, const Mat3& tangent, const Projection& projection);
+
+    // Places at which shapes have been looked at until now.
+    int64_t places() const { return places_; }
 
 private:
     Vec3 ascent_direction(double worst) const;
     double first_step(const Vec3& direction, double worst, double reach) const;
     bool step(const TetStar& star, Place& place, const Mat3& tangent, const Projection& projection);
 
+    int64_t places_ = 0;
     Array<double> quality_;
     Array<Vec3> gradient_;
 };

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace cleft
 {
@@ -183,6 +184,19 @@ SizingField field_of(const Sources& from, const Limits& limits, const Run& run)
     return field;
 }
 
+// Cells of an octree are no longer than the box is thin, whatever their size is to be: a plate can have many more of
+// them than the sizes ask for.
+void refuse_flat_box(const SizingField& field, double expected, double wanted)
+{
+    // Trees come in steps of eight times the number, and have half as many tetrahedra again as particles.
+    constexpr double kOfSteps = 4;
+    if (expected <= kOfSteps * std::max(wanted, expected_particle_tets(field)))
+        return;
+    throw Error(CLEFT_ERROR_TOO_LARGE, "the box is so thin that the background has about " + count_text(expected) +
+                                           " tetrahedra, whatever their size, more than max_tets, " +
+                                           count_text(wanted) + ": set a greater max_tets or another background");
+}
+
 // A size that is given for interfaces, labels or points holds whatever the number comes to.
 void warn_of_raised(double least, double asked, double expected, double wanted, const Run& run)
 {
@@ -191,7 +205,7 @@ void warn_of_raised(double least, double asked, double expected, double wanted, 
     const std::string raised = "the features ask for about " + count_text(asked) +
                                " tetrahedra: the least size was raised to " + number_text(least);
     if (expected > kNearly * wanted)
-        run.warn(raised + ", but the given sizes of interfaces, labels or points still ask for about " +
+        run.warn(raised + ", but the box and the given sizes of interfaces, labels or points still ask for about " +
                  count_text(expected) + ", more than max_tets, " + count_text(wanted));
     else
         run.warn(raised + " to keep to max_tets, " + count_text(wanted));
@@ -201,9 +215,9 @@ void warn_of_raised(double least, double asked, double expected, double wanted, 
 void keep_to_number(const Sources& from, Limits limits, SizingField& field, const Run& run)
 {
     // Thin structures fill a noisy volume, so that the number falls with a power of the least size between two and
-    // three: with the mean of both, each round leaves a fifth of what was too many at most, so six are enough for any
+    // three: with the mean of both, each round leaves a fifth of what was too many at most, so nine are enough for any
     // number. Each computes a whole field.
-    constexpr int kRounds = 6;
+    constexpr int kMostRounds = 9;
     constexpr double kPower = 2.5;
     // Nearer than the estimate is anyway; also the least factor, so that each round changes the field.
     constexpr double kClose = 1.02;
@@ -218,7 +232,7 @@ void keep_to_number(const Sources& from, Limits limits, SizingField& field, cons
     if (asked <= wanted)
         return;
     double expected = asked;
-    for (int round = 0; round < kRounds && expected > kClose * wanted; ++round) {
+    for (int round = 0; round < kMostRounds && expected > kClose * wanted; ++round) {
         const double factor = std::max(std::pow(expected / wanted, 1 / kPower), kClose);
         limits.least_feature *= factor;
         limits.thin *= factor;
@@ -227,9 +241,13 @@ void keep_to_number(const Sources& from, Limits limits, SizingField& field, cons
         // Frees the old values before the new ones are made: a field can be the largest array of the stage.
         field = SizingField();
         field = field_of(from, limits, run);
-        expected = count();
+        const double before = std::exchange(expected, count());
+        // No cell is longer than the box is thin, so that greater sizes change nothing.
+        if (expected >= before && limits.least_feature > field.grid.extent().minCoeff())
+            break;
     }
     run.note("sizing.raised_size_min", limits.least_feature);
+    refuse_flat_box(field, expected, wanted);
     warn_of_raised(limits.least_feature, asked, expected, wanted, run);
 }
 

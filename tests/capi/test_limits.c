@@ -148,8 +148,8 @@ static void a_size_far_above_its_neighbours_is_meshed(void** state)
     cleft_context_destroy(context);
 }
 
-/* Cells are no longer than the box is thin, so that a lattice of a plate cannot keep to any number. */
-static void a_lattice_of_a_plate_keeps_to_max_tets_or_is_refused(void** state)
+/* Cells are no longer than the box is thin, so that a plate of them cannot keep to any number. */
+static void assert_plate_is_refused(const char* background, const char* words)
 {
     const int64_t dims[3] = {40, 40, 1};
     const double affine[12] = {10, 0, 0, 0, 0, 10, 0, 0, 0, 0, 1, 0};
@@ -157,19 +157,25 @@ static void a_lattice_of_a_plate_keeps_to_max_tets_or_is_refused(void** state)
     cleft_context* context = new_context();
     cleft_volume* volume = NULL;
     cleft_mesh* mesh = NULL;
-    cleft_options* options = options_of("lattice");
-    (void)state;
+    cleft_options* options = options_of(background);
     for (int v = 0; v < 1600; ++v)
         labels[v] = v % 40 < 20;
     assert_ok(context, cleft_volume_create_labels(context, CLEFT_TYPE_INT32, labels, dims, affine, NULL, &volume));
     /* 400 x 400 x 1 cells of 12 tetrahedra */
     assert_fails(context, CLEFT_ERROR_TOO_LARGE, cleft_mesh_volume(context, volume, NULL, NULL, options, &mesh));
-    if (!strstr(cleft_context_last_error(context), "about 1920000 tetrahedra, more than max_tets, 50000"))
+    if (!strstr(cleft_context_last_error(context), words))
         fail_msg("%s", cleft_context_last_error(context));
     assert_null(mesh);
     cleft_volume_destroy(volume);
     cleft_options_destroy(options);
     cleft_context_destroy(context);
+}
+
+static void cells_of_a_plate_keep_to_max_tets_or_are_refused(void** state)
+{
+    (void)state;
+    assert_plate_is_refused("lattice", "about 1920000 tetrahedra, more than max_tets, 50000");
+    assert_plate_is_refused("octree", "about 1920000 tetrahedra, whatever their size, more than max_tets, 50000");
 }
 
 /* Distances from a ball of radius 3 within a band, and a sentinel beyond it. */
@@ -384,7 +390,7 @@ int main(void)
         cmocka_unit_test(worlds_beyond_the_limits_are_refused),
         cmocka_unit_test(what_a_far_world_cannot_hold_is_refused),
         cmocka_unit_test(a_size_far_above_its_neighbours_is_meshed),
-        cmocka_unit_test(a_lattice_of_a_plate_keeps_to_max_tets_or_is_refused),
+        cmocka_unit_test(cells_of_a_plate_keep_to_max_tets_or_are_refused),
         cmocka_unit_test(sentinels_lie_a_little_beyond_their_band),
         cmocka_unit_test(noise_of_sentinels_alone_is_meshed_by_its_signs),
         cmocka_unit_test(backgrounds_are_checked_whole),

@@ -217,6 +217,29 @@ static void a_search_for_what_is_out_of_reach_ends(void** state)
     cleft_context_destroy(context);
 }
 
+/* Each split of an edge makes something better there, though 25 degrees are out of reach. */
+static void needles_of_voxels_do_not_grow_without_end(void** state)
+{
+    static box needles = {{9, 7, 8}, {1000, 2, 700}, {0}};
+    (void)state;
+    state_of_random = 11;
+    for (int64_t v = 0; v < voxel_count(&needles); ++v)
+        needles.voxels[v] = (uint8_t)(below(1 << 24) >> 22);
+    cleft_context* context = NULL;
+    cleft_options* options = NULL;
+    assert_int_equal(cleft_context_create(&context), CLEFT_OK);
+    assert_int_equal(cleft_options_create(&options), CLEFT_OK);
+    assert_ok(context, cleft_options_set_integer(options, CLEFT_OPTION_MAX_TETS, 3000));
+    cleft_volume* volume = volume_of(context, &needles);
+    cleft_mesh* mesh = NULL;
+    assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, options, &mesh));
+    assert_true(metric(context, "improving.tets_after") < 2.1 * metric(context, "improving.tets_before") + 5000);
+    cleft_mesh_destroy(mesh);
+    cleft_options_destroy(options);
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
 static void beyond_it_a_warning_tells_of_missed_angles(void** state)
 {
     static box b;
@@ -326,6 +349,7 @@ int main(void)
         cmocka_unit_test(an_empty_plate_of_any_thickness_has_good_angles),
         cmocka_unit_test(a_search_that_ends_badly_is_tried_again),
         cmocka_unit_test(a_search_for_what_is_out_of_reach_ends),
+        cmocka_unit_test(needles_of_voxels_do_not_grow_without_end),
         cmocka_unit_test(beyond_it_a_warning_tells_of_missed_angles),
         cmocka_unit_test(one_voxel_shells_keep_their_volume),
         cmocka_unit_test(gaps_of_a_voxel_between_many_sheets_stay_open),
