@@ -97,6 +97,7 @@ def limit():
 def fault_of(command, exits, folder):
     """What is wrong with a run of the command; '' if nothing."""
     try:
+        command += ["--progress", "none"]  # a slow run says nothing of it
         done = subprocess.run([given.cleft, *command], capture_output=True, timeout=2 * SECONDS, preexec_fn=limit)
     except subprocess.TimeoutExpired:
         return "does not end"

@@ -506,8 +506,22 @@ def make_bytes():
     )
 
 
+def make_names():
+    put("names", "plain", "# names\n0 air\n3, right lung\n-7=left lung\n2147483647;rest\n")
+    put("names", "snap", '0 0 0 0 0 0 0 "Clear Label"\n 3 255 0 0 1 1 1 "right \\"lung"\n-7 0 255 0 0.5 1 1 ""\n')
+    put("names", "freesurfer", "# LUT\n0 Unknown 0 0 0 0\n3   Right-Lung  10 20 30 0\n2147483647 Rest 1 2 3 0\n")
+    put("names", "mricron", "3 Lung_R 2001\n-7 Lung_L 2002\n")
+    put("names", "numbers", "3 Area 17\n-7 Area 18\n0 0\n")
+    put("names", "windows", b"\xef\xbb\xbf3\tright\tlung\r\n\r\n-7\tgr\xc3\xb6\xc3\x9fer\r\n3 once more\r\n")
+    put("names", "empty", "\n# 3 none\n")
+    put("names", "refused", b"3 a\xff\n")
+    put("names", "control", "3 a\x01b\n-7 c\n")
+    put("names", "label", "99999999999 a\n3x b\n")
+
+
 for make in (
     make_bytes,
+    make_names,
     make_meshes,
     make_nrrd,
     make_metaimage,
