@@ -2,6 +2,7 @@
 // numbers behind a word are FreeSurfer's, and one is MRIcron's, if the words alone are different names.
 #include "io/name_table.hpp"
 
+#include "io/header_values.hpp"
 #include "io/text_scanner.hpp"
 
 #include <algorithm>
@@ -20,25 +21,6 @@ struct Row {
     int32_t label = 0;
     std::string rest;  // without blanks at its ends
 };
-
-constexpr std::string_view kBlanks = " \t\r\f\v";
-
-std::string trimmed(std::string_view text)
-{
-    const size_t first = text.find_first_not_of(kBlanks);
-    if (first == std::string_view::npos)
-        return "";
-    return std::string(text.substr(first, text.find_last_not_of(kBlanks) - first + 1));
-}
-
-std::vector<std::string> words_of(const std::string& text)
-{
-    std::istringstream stream(text);
-    std::vector<std::string> words;
-    for (std::string word; stream >> word;)
-        words.push_back(word);
-    return words;
-}
 
 bool is_number(const std::string& word)
 {
@@ -81,7 +63,7 @@ std::string plain_name(const std::string& text)
 {
     std::string name = text;
     if (!name.empty() && (name.front() == ',' || name.front() == '=' || name.front() == ';'))
-        name = trimmed(std::string_view(name).substr(1));
+        name = std::string(trimmed(std::string_view(name).substr(1)));
     if (name.size() >= 2 && name.front() == '"' && name.back() == '"')
         name = name.substr(1, name.size() - 2);
     return name;
@@ -95,7 +77,7 @@ std::string plain_name(const std::string& text)
 // What is behind a label: its name, with numbers in some forms. Tabs stand for blanks.
 std::string checked_rest(const std::string& path, size_t number, std::string_view behind)
 {
-    std::string rest = trimmed(behind);
+    std::string rest(trimmed(behind));
     std::replace(rest.begin(), rest.end(), '\t', ' ');
     for (std::string_view left = rest; !left.empty();) {
         const Character next = first_character(left);
@@ -111,7 +93,7 @@ std::string checked_rest(const std::string& path, size_t number, std::string_vie
 // One line, or nothing of it.
 bool read_row(const std::string& path, size_t number, std::string_view line, Row& row)
 {
-    const std::string text = trimmed(line);
+    const std::string_view text = trimmed(line);
     if (text.empty() || text.front() == '#')
         return false;
     const char* end = text.data() + text.size();
