@@ -4,8 +4,9 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <charconv>
 #include <cstdlib>
-#include <string>
+#include <string_view>
 
 namespace cleft_cli
 {
@@ -15,7 +16,7 @@ bool is_terminal(int descriptor) { return isatty(descriptor) == 1; }
 bool redraws_lines(int descriptor)
 {
     const char* const kind = std::getenv("TERM");
-    return is_terminal(descriptor) && kind && *kind && std::string(kind) != "dumb";
+    return is_terminal(descriptor) && kind && *kind && std::string_view(kind) != "dumb";
 }
 
 int terminal_columns(int descriptor)
@@ -26,7 +27,9 @@ int terminal_columns(int descriptor)
         return size.ws_col;
     // The system before the variable: the latter stays as it was when the window changes.
     const char* const variable = std::getenv("COLUMNS");
-    const int columns = variable ? std::atoi(variable) : 0;
+    const std::string_view text = variable ? variable : "";
+    int columns = 0;
+    std::from_chars(text.data(), text.data() + text.size(), columns);
     constexpr int kUsual = 80;
     return columns > 0 ? columns : kUsual;
 }

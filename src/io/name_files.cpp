@@ -21,6 +21,11 @@ struct Named {
     std::function<cleft_status(int32_t, const char*)> set_name;
 };
 
+std::string note_of_change(int32_t label, const std::string& name, const std::string& what, const std::string& before)
+{
+    return "it calls label " + std::to_string(label) + " '" + name + "', and " + what + " '" + before + "'";
+}
+
 void use_names(const NameTable& table, const Named& named, std::vector<std::string>& notes)
 {
     int64_t used = 0;
@@ -35,10 +40,9 @@ void use_names(const NameTable& table, const Named& named, std::vector<std::stri
         const std::string& name = found->second;
         const std::string before = named.name_of(label);
         if (!before.empty() && before != name && changed++ == 0)
-            first_change =
-                "it calls label " + std::to_string(label) + " '" + name + "', and " + named.what + " '" + before + "'";
+            first_change = note_of_change(label, name, named.what, before);
         if (const cleft_status status = named.set_name(label, name.c_str()))
-            throw Error(status, "label " + std::to_string(label) + " cannot be called '" + name + "'");
+            throw Error(status, "a label cannot be called '" + name + "'");
     }
     if (used == 0)
         notes.push_back("it has no name for any label of " + named.what);
@@ -50,12 +54,12 @@ void use_names(const NameTable& table, const Named& named, std::vector<std::stri
 
 void read_names(cleft_context* context, const char* path, const Named& named)
 {
-    const std::string name = required(path, "path");
-    const NameTable table = read_name_table(name);
+    const NameTable table = read_name_table(required(path, "path"));
+    const std::string place = "'" + std::string(path) + "': ";
     std::vector<std::string> notes = table.notes;
     use_names(table, named, notes);
     for (const std::string& note : notes)
-        report(context, "'" + name + "': " + note);
+        report(context, place + note);
 }
 
 }  // namespace
