@@ -47,6 +47,9 @@ void assign(cleft_options& options, const OptionRow& row, double value)
     if (!std::isfinite(value))
         throw Error(CLEFT_ERROR_NOT_FINITE, std::string(row.name) + " is NaN or infinite");
     // A NaN was refused above: it would pass both comparisons.
+    if (row.key == CLEFT_OPTION_SURFACE_ERROR && value < 0 && value != row.least)
+        throw Error(CLEFT_ERROR_OPTION, row.name + std::string(" is ") + text_of(value) +
+                                            "; it must be -1, which takes it from the voxels, or at least 0");
     if (value < row.least || value > row.greatest)
         throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is " + text_of(value) + ", which is not within " +
                                             text_of(row.least) + " to " + text_of(row.greatest));
@@ -126,6 +129,13 @@ void set_labels(Array<UserLabel>& list, const int32_t* labels, int64_t count)
     list = user_labels(labels, count);
 }
 
+// In world units. The description of the option says what -1 stands for.
+double surface_error(double given, const Volume& volume)
+{
+    constexpr double kOfVolume = -1, kShareOfVoxel = 0.5;
+    return given == kOfVolume ? kShareOfVoxel * volume.grid().spacing.minCoeff() : given;
+}
+
 // By material, as the stages know the labels. A label that the volume does not have is told of by
 // warn_of_unknown_sizes().
 Array<double> material_sizes(const Array<UserLabel>& labels, const cleft_options* options)
@@ -173,6 +183,7 @@ PipelineOptions pipeline_options(const cleft_options* options, const cleft_volum
     const Array<UserLabel>& labels = volume.volume.labels();
     out.kept = kept_labels(labels, options, "volume");
     out.sizing.material_sizes = material_sizes(labels, options);
+    out.sizing.surface_error = surface_error(out.sizing.surface_error, volume.volume);
     return out;
 }
 

@@ -28,11 +28,10 @@ constexpr double kShareOfError = 0.5;
 
 // Points of interfaces that are off the tie go back to it. Returns those that have none; only user-supplied fields,
 // which are exact, say that for sure.
-Array<int32_t> relocate(LocalMesh& mesh, const Volume& volume, double floor, const Meetings& meetings, const Run& run,
-                        bool looks_around)
+Array<int32_t> relocate(LocalMesh& mesh, const Volume& volume, double floor, const Meetings& meetings, const Run& run)
 {
     // Lines come first, because gaps are found from the points of lines that have no tie.
-    const LinePoints lines = relocate_lines(mesh, volume, floor, meetings, run, looks_around);
+    const LinePoints lines = relocate_lines(mesh, volume, floor, meetings, run);
     run.note("fitting.off_lines", static_cast<double>(lines.off));
     if (volume.is_label_map())
         return {};
@@ -52,7 +51,7 @@ bool fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, cons
     const double floor = sine_of(least_angle);
     // Fitting changes no connections, so meetings and triangles are found once.
     const Meetings meetings = find_meetings(mesh, of_places);
-    const Array<int32_t> without_tie = relocate(mesh, volume, floor, meetings, of_places, surface_error > 0);
+    const Array<int32_t> without_tie = relocate(mesh, volume, floor, meetings, of_places);
     const Run of_heights = stage.next();
     Array<InterfaceTriangle> triangles = find_triangles(mesh, meetings, of_heights);
     find_heights(mesh, volume, without_tie, triangles, of_heights);

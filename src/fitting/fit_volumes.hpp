@@ -14,7 +14,7 @@ namespace cleft
 // the loss. No tetrahedron gets worse than `least_angle` degrees (or than the worst around already is). Notes
 // fitting.*. Returns whether the volumes of all labels, but small ones, are met within a few percent.
 //   With a `surface_error`, no point moves by more than half of it, since points are off the interface then as well as
-// triangles; and points of lines are sought for further (relocate_lines.hpp).
+// triangles.
 bool fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, const Run& run, double surface_error = 0);
 bool fit_volumes(LabelledMesh& mesh, const Volume& volume, double least_angle, const Run& run);
 

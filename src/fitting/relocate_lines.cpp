@@ -44,14 +44,15 @@ struct Move {
 class LineRelocator
 {
 public:
-    LineRelocator(LocalMesh& mesh, const Volume& volume, double floor, bool looks_around)
-        : mesh_(mesh), volume_(volume), floor_(floor), looks_around_(looks_around), constraint_(volume)
+    LineRelocator(LocalMesh& mesh, const Volume& volume, double floor)
+        : mesh_(mesh), volume_(volume), floor_(floor), constraint_(volume)
     {
     }
 
     enum class Found : uint8_t { on_tie, off_tie, without_tie };
 
-    Found relocate(int32_t v)
+    // `looks_around`: also seeks further for the tie, and moves the points around. Not for several threads then.
+    Found relocate(int32_t v, bool looks_around)
     {
         star_.load(mesh_, v);
         const auto materials = materials_of(star_.tets(), mesh_.materials());
@@ -59,13 +60,13 @@ public:
             return Found::without_tie;
         const Vec3 from = mesh_.point(v);
         const double reach = star_.reach(from);
-        const auto on_tie = tie_near(from, *materials, mesh_.frozen(v), reach);
+        const auto on_tie = tie_near(from, *materials, mesh_.frozen(v), reach, looks_around);
         if (!on_tie)
             return Found::without_tie;
         if ((*on_tie - from).norm() < kLeastStep * reach)
             return Found::on_tie;
         const double least = std::min(floor_, star_.worst_at(from, -1));
-        if (looks_around_ && slide(v, *on_tie, least))
+        if (looks_around && slide(v, *on_tie, least))
             return Found::on_tie;
         // Halves of the way: each needs one look at the star, and what is left comes in the next round.
         for (double share = 1; share > kLeastStepShare; share *= 0.5) {
@@ -183,10 +184,11 @@ private:
         return points;
     }
 
-    std::optional<Vec3> tie_near(const Vec3& x, const MaterialSet& materials, uint8_t frozen, double reach)
+    std::optional<Vec3> tie_near(const Vec3& x, const MaterialSet& materials, uint8_t frozen, double reach,
+                                 bool looks_around)
     {
         const auto near = project_to_tie(volume_, x, x, materials, frozen, reach, samples_);
-        if (near || !looks_around_)
+        if (near || !looks_around)
             return near;
         const auto start = place_of_all(x, materials, frozen, reach);
         return start ? project_to_tie(volume_, x, *start, materials, frozen, reach, samples_) : std::nullopt;
@@ -226,7 +228,6 @@ private:
     LocalMesh& mesh_;
     const Volume& volume_;
     const double floor_;
-    const bool looks_around_;
     TetStar star_;
     TieConstraint constraint_;
     Smoother smoother_;
@@ -249,12 +250,16 @@ LinePoints relocate_lines(LocalMesh& mesh, const Volume& volume, double floor, c
                     list.push_back(v);
         });
     LinePoints out;
-    PerWorker<LineRelocator> relocators(run, mesh, volume, floor, looks_around);
-    for (int round = 0; round < kLineRounds; ++round) {
+    PerWorker<LineRelocator> relocators(run, mesh, volume, floor);
+    // Most points find their tie without a look around.
+    const int first_around = looks_around ? 1 : kLineRounds;
+    const int rounds = looks_around ? 1 + kLineRounds : kLineRounds;
+    for (int round = 0; round < rounds; ++round) {
+        const bool around = round >= first_around;
         Array<Found> found(points.size(), Found::on_tie);
-        const auto visit = [&](int worker, int64_t i) { found[i] = relocators[worker].relocate(points[i]); };
+        const auto visit = [&](int worker, int64_t i) { found[i] = relocators[worker].relocate(points[i], around); };
         // Who makes room around a point moves others, and changes connections.
-        if (looks_around)
+        if (around)
             run.for_each(points.count(), [&](int64_t i) { visit(0, i); });
         else
             levels_of_points(
@@ -265,7 +270,7 @@ LinePoints relocate_lines(LocalMesh& mesh, const Volume& volume, double floor, c
             if (found[i] == Found::off_tie)
                 left.push_back(points[i]);
             else if (found[i] == Found::without_tie)
-                out.without_tie.push_back(points[i]);
+                (around == looks_around ? out.without_tie : left).push_back(points[i]);
         }
         points.swap(left);
     }

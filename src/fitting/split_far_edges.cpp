@@ -1,6 +1,7 @@
-// One after the other in the order of the tetrahedra, since each split changes those around.
+// Finds the edges side by side. Splits them one after the other, since each split changes the tetrahedra around.
 #include "fitting/split_far_edges.hpp"
 
+#include "base/collect.hpp"
 #include "fitting/meetings.hpp"
 #include "mesh/adjacency.hpp"
 #include "remeshing/edge_split.hpp"
@@ -19,29 +20,62 @@ namespace
 // Of the least spacing. Where an interface is more curved than this, it has features, and the sizes follow them:
 // shorter edges need no look.
 constexpr double kLeastRadius = 2;
+// Points of interfaces for each far edge, at least. Where sizes follow the error there are some hundred. Fewer are
+// those of a mesh whose sizes somebody made for something else: there splits would not mend single edges, but make
+// another mesh.
+constexpr int64_t kPointsOfFar = 10;
+// Tetrahedra that a thread looks at. The number changes the time alone.
+constexpr int64_t kTetsAtOnce = 1 << 14;
+
+bool is_at_interface(Meeting meeting) { return meeting >= Meeting::interface; }
+
+struct Edge {
+    int32_t a, b;
+};
 
 class FarEdges
 {
 public:
-    FarEdges(LocalMesh& mesh, const Volume& volume, double error, double floor)
+    FarEdges(const LocalMesh& mesh, const Volume& volume, double error)
         : mesh_(mesh),
           volume_(volume),
           error_(error),
-          floor_(floor),
           least_square_(8 * error * kLeastRadius * volume.grid().spacing.minCoeff())
     {
     }
 
+    // The edges of t that are too far off and have no tetrahedron of a lesser number.
+    void find(int32_t t, const Meetings& meetings, Array<Edge>& far)
+    {
+        for (const auto& [corner_a, corner_b] : kEdgeCorners) {
+            const int32_t a = mesh_.tet(t)[corner_a], b = mesh_.tet(t)[corner_b];
+            if (!is_at_interface(meetings[a]) || !is_at_interface(meetings[b]) || !is_long(a, b))
+                continue;
+            mesh_.ring(t, corner_a, corner_b, cavity_.ring);
+            if (*std::min_element(cavity_.ring.tets.begin(), cavity_.ring.tets.end()) == t && place_on_tie())
+                far.push_back({a, b});
+        }
+    }
+
+    // Not for a mesh that others read.
+    bool split(const Edge& edge, double floor, LocalMesh& mesh)
+    {
+        const auto star = mesh.star(edge.a);
+        const auto at_both =
+            std::find_if(star.begin(), star.end(), [&](int32_t t) { return has_corner(mesh.tet(t), edge.b); });
+        if (at_both == star.end())
+            return false;
+        mesh.ring(*at_both, mesh.corner_of(*at_both, edge.a), mesh.corner_of(*at_both, edge.b), cavity_.ring);
+        return split_ring(floor, mesh);
+    }
+
+private:
     bool is_long(int32_t a, int32_t b) const { return (mesh_.point(a) - mesh_.point(b)).squaredNorm() > least_square_; }
 
-    // The edge between two corners of t, as the first of its tetrahedra sees it.
-    bool split(int32_t t, int corner_a, int corner_b)
+    bool split_ring(double floor, LocalMesh& mesh)
     {
-        EdgeRing& ring = cavity_.ring;
-        mesh_.ring(t, corner_a, corner_b, ring);
-        if (!ring.whole || *std::min_element(ring.tets.begin(), ring.tets.end()) != t)
-            return false;
-        const auto on_tie = place_in(ring);
+        const EdgeRing& ring = cavity_.ring;
+        const auto on_tie = place_on_tie();
         if (!on_tie)
             return false;
         star_.load(mesh_, ring);
@@ -49,20 +83,20 @@ public:
         // Where the tie is too near to a point beside the edge, half of the way leaves half of the error.
         for (const double share : {1.0, 0.5}) {
             const Vec3 x = middle + share * (*on_tie - middle);
-            if (star_.worst_at(x, floor_) > floor_) {
+            if (star_.worst_at(x, floor) > floor) {
                 find_split(mesh_, cavity_);
-                apply_split(mesh_, x, cavity_);
+                apply_split(mesh, x, cavity_);
                 return true;
             }
         }
         return false;
     }
 
-private:
-    // The point of the tie next to the middle, if that is too far from it.
-    std::optional<Vec3> place_in(const EdgeRing& ring)
+    // The point of the tie next to the middle of the edge, if that is too far from it.
+    std::optional<Vec3> place_on_tie()
     {
-        const auto materials = materials_of(ring.tets, mesh_.materials());
+        const EdgeRing& ring = cavity_.ring;
+        const auto materials = ring.whole ? materials_of(ring.tets, mesh_.materials()) : std::nullopt;
         if (!materials || materials->size() < 2)
             return std::nullopt;
         const Vec3 &a = mesh_.point(ring.a), &b = mesh_.point(ring.b), middle = 0.5 * (a + b);
@@ -71,9 +105,9 @@ private:
         return on_tie && (*on_tie - middle).norm() > error_ ? on_tie : std::nullopt;
     }
 
-    LocalMesh& mesh_;
+    const LocalMesh& mesh_;
     const Volume& volume_;
-    const double error_, floor_, least_square_;
+    const double error_, least_square_;
     Cavity cavity_;
     TetStar star_;
     Samples samples_;
@@ -84,20 +118,20 @@ private:
 int64_t split_far_edges(LocalMesh& mesh, const Volume& volume, double error, double floor, const Run& run)
 {
     const Meetings meetings = find_meetings(mesh, run);
-    FarEdges edges(mesh, volume, error, floor);
-    // New points and tetrahedra are left alone: they come after these.
-    const int32_t tets = mesh.slot_count();
-    const int32_t points = mesh.point_count();
-    const auto is_at_interface = [&](int32_t v) { return v < points && meetings[v] >= Meeting::interface; };
+    const auto far =
+        collect<Edge>(run, mesh.slot_count(), kTetsAtOnce, [&](int64_t begin, int64_t end, Array<Edge>& list) {
+            FarEdges edges(mesh, volume, error);
+            for (auto t = static_cast<int32_t>(begin); t < end; ++t)
+                if (mesh.alive(t))
+                    edges.find(t, meetings, list);
+        });
+    if (far.count() > std::count_if(meetings.begin(), meetings.end(), is_at_interface) / kPointsOfFar)
+        return 0;
+    FarEdges edges(mesh, volume, error);
     int64_t count = 0;
-    for (int32_t t = 0; t < tets; ++t) {
-        run.check_at(t);
-        for (int e = 0; e < 6 && mesh.alive(t); ++e) {
-            const auto& ends = kEdgeCorners[e];
-            const int32_t a = mesh.tet(t)[ends[0]], b = mesh.tet(t)[ends[1]];
-            if (is_at_interface(a) && is_at_interface(b) && edges.is_long(a, b))
-                count += edges.split(t, ends[0], ends[1]);
-        }
+    for (const Edge& edge : far) {
+        run.check_at(&edge - far.data());
+        count += edges.split(edge, floor, mesh);
     }
     return count;
 }

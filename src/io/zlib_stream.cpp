@@ -64,7 +64,7 @@ public:
     // Goes on to the end of a block. True if it is the last.
     bool is_last_block()
     {
-        constexpr int kLast = 64, kEnd = 128;  // of data_type, see zlib.h
+        constexpr int kLast = 64, kEnd = 128;  // of data_type, see the manual of zlib
         do {
             state_.next_out = out_.data();
             state_.avail_out = static_cast<uInt>(out_.size());

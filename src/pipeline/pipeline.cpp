@@ -72,9 +72,8 @@ void fit_with_more_room(LocalMesh& mesh, const Volume& volume, const ImproveOpti
     const double target = target_angle(options);
     fit_volumes(mesh, volume, kRoom * target, steps.next(), surface_error);
     // The figures of improving are to be those of the first time, which had the work.
-    Metrics noted;
     Run again = steps.next();
-    again.metrics = &noted;
+    again.metrics = nullptr;
     improve(mesh, volume, options, again);
     fit_volumes(mesh, volume, target, steps.next(), surface_error);
 }

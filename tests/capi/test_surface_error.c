@@ -183,6 +183,51 @@ static void test_what_is_no_error_is_refused(void** state)
     cleft_options_destroy(options);
 }
 
+static void assert_same_points(const cleft_mesh* a, const cleft_mesh* b)
+{
+    const int64_t count = cleft_mesh_point_count(a);
+    assert_int_equal(count, cleft_mesh_point_count(b));
+    assert_memory_equal(cleft_mesh_points(a), cleft_mesh_points(b), (size_t)(3 * count) * sizeof(double));
+}
+
+static void test_the_default_is_half_a_voxel(void** state)
+{
+    (void)state;
+    cleft_context* context = new_context();
+    cleft_volume* volume = labels_of(context, ball);
+    cleft_mesh *by_default = NULL, *minus_one = mesh_of(context, volume, -1), *half = mesh_of(context, volume, 0.5);
+    assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, NULL, &by_default));
+    assert_same_points(by_default, half);
+    assert_same_points(minus_one, half);
+    cleft_mesh_destroy(by_default);
+    cleft_mesh_destroy(minus_one);
+    cleft_mesh_destroy(half);
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
+/* Nearly all edges of a ball of radius 26 are far off at edge length 12. */
+static void test_sizes_for_something_else_are_kept(void** state)
+{
+    (void)state;
+    cleft_context* context = new_context();
+    cleft_volume* volume = labels_of(context, ball);
+    cleft_mesh* meshes[2] = {NULL, NULL};
+    for (int with = 0; with < 2; ++with) {
+        cleft_options* options = NULL;
+        assert_int_equal(cleft_options_create(&options), CLEFT_OK);
+        assert_int_equal(cleft_options_set_real(options, CLEFT_OPTION_SIZE, 12), CLEFT_OK);
+        assert_int_equal(cleft_options_set_real(options, CLEFT_OPTION_SURFACE_ERROR, with * kError), CLEFT_OK);
+        assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, options, &meshes[with]));
+        cleft_options_destroy(options);
+    }
+    assert_int_equal(cleft_mesh_tet_count(meshes[0]), cleft_mesh_tet_count(meshes[1]));
+    cleft_mesh_destroy(meshes[0]);
+    cleft_mesh_destroy(meshes[1]);
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
 static void test_threads_do_not_matter(void** state)
 {
     (void)state;
@@ -193,10 +238,7 @@ static void test_threads_do_not_matter(void** state)
         assert_ok(context, cleft_context_set_threads(context, 1 + 3 * i));
         meshes[i] = mesh_of(context, volume, kError);
     }
-    const int64_t count = cleft_mesh_point_count(meshes[0]);
-    assert_int_equal(count, cleft_mesh_point_count(meshes[1]));
-    assert_memory_equal(cleft_mesh_points(meshes[0]), cleft_mesh_points(meshes[1]),
-                        (size_t)(3 * count) * sizeof(double));
+    assert_same_points(meshes[0], meshes[1]);
     cleft_mesh_destroy(meshes[0]);
     cleft_mesh_destroy(meshes[1]);
     cleft_volume_destroy(volume);
@@ -209,6 +251,7 @@ int main(void)
         cmocka_unit_test(test_a_ball_is_within_the_error),  cmocka_unit_test(test_a_torus_is_within_the_error),
         cmocka_unit_test(test_lines_are_held_too),          cmocka_unit_test(test_a_flat_interface_needs_no_more),
         cmocka_unit_test(test_what_is_no_error_is_refused), cmocka_unit_test(test_threads_do_not_matter),
+        cmocka_unit_test(test_the_default_is_half_a_voxel), cmocka_unit_test(test_sizes_for_something_else_are_kept),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -57,7 +57,7 @@ class Sizing(CommandTest):
     def test_the_field_of_a_number_gives_the_mesh_of_the_one_call(self):
         for background in ("particles", "lattice", "octree"):
             with self.subTest(background):
-                kept, wanted = ("--strip", 0, "--background", background), ("--tets", 3000)
+                kept, wanted = ("--strip", 0, "--background", background), ("--tets", 8000)
                 self.field(self.volume, *kept, *wanted)
                 tets = self.mesh(self.volume, *kept, *wanted, output="one.vtu")["mesh"]["tets"]
                 self.mesh(self.volume, *kept, "--sizing", self.path("h.nrrd"), output="two.vtu")
@@ -65,7 +65,7 @@ class Sizing(CommandTest):
                 whole = self.field(self.volume, "--background", background, *wanted)
                 self.assertGreater(whole["least"], self.field(self.volume, *kept, *wanted)["least"])
                 if background != "lattice":
-                    self.assertAlmostEqual(tets, 3000, delta=300)
+                    self.assertAlmostEqual(tets, 8000, delta=800)
 
     def test_labels_that_are_not_there_are_told(self):
         done = self.run_ok("sizing", self.volume, "--only", 3, 9, "-o", self.path("h.nrrd"))

@@ -91,8 +91,8 @@ namespace Cleft
 
         /// <summary>
         /// Greatest distance, in world units, that triangles of an interface shall have from it. Sizes follow the
-        /// curvature of the interface. Half a voxel shows a smooth surface; a label map says no more. 0: no limit (at
-        /// least 0; default 0).
+        /// curvature of the interface. -1: half the least voxel spacing; a label map says no more. 0: no limit (at
+        /// least -1; default -1).
         /// </summary>
         public double SurfaceError
         {

@@ -168,8 +168,8 @@ public final class Options extends NativeObject {
 
     /**
      * Sets {@code surfaceError}: greatest distance, in world units, that triangles of an interface shall have from it.
-     * Sizes follow the curvature of the interface. Half a voxel shows a smooth surface; a label map says no more. 0: no
-     * limit (at least 0; default 0).
+     * Sizes follow the curvature of the interface. -1: half the least voxel spacing; a label map says no more. 0: no
+     * limit (at least -1; default -1).
      *
      * @param value the new value
      * @return these options
@@ -180,8 +180,8 @@ public final class Options extends NativeObject {
 
     /**
      * {@code surfaceError}: greatest distance, in world units, that triangles of an interface shall have from it. Sizes
-     * follow the curvature of the interface. Half a voxel shows a smooth surface; a label map says no more. 0: no limit
-     * (at least 0; default 0).
+     * follow the curvature of the interface. -1: half the least voxel spacing; a label map says no more. 0: no limit
+     * (at least -1; default -1).
      *
      * @return the value
      */
