@@ -9,7 +9,7 @@
 namespace cleft::io
 {
 
-// The bytes as one stream in zlib's format, the same for any number of threads. `level` is one of libdeflate, 1 to 12.
+// The bytes as one stream in zlib's format, the same for any number of threads. `level` is one of zlib, 1 to 9.
 std::string zlib_stream(const Run& run, const void* data, size_t bytes, int level);
 
 }  // namespace cleft::io
