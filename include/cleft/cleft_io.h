@@ -288,7 +288,7 @@ typedef struct cleft_io_picture {
  *  names listed labels that the mesh does not have.
  *
  *  The pixels are the same on every machine and for any number of threads. The bytes of the file are the same for the
- *  same version of libdeflate, which compresses them. The call reports its progress, and can be cancelled.
+ *  same version of zlib, which compresses them. The call reports its progress, and can be cancelled.
  *
  *  CLEFT_ERROR_ARGUMENT if the extension of the path is not .png, or if nothing would be drawn. CLEFT_ERROR_FILE if
  *  the file cannot be written. \since 0.1 */
