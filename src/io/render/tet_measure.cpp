@@ -1,9 +1,8 @@
-// Measures single tetrahedra for their colour, with operations that give the same bits on every machine.
+// Turns shapes into numbers for colours, with operations that give the same bits on every machine.
 #include "io/render/tet_measure.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace cleft::io
 {
@@ -21,61 +20,13 @@ double arc_cosine_degrees(double cosine)
     return cosine < 0 ? 180 - angle : angle;
 }
 
-// Outward or inward normals of the faces, all alike; face i is opposite corner i.
-std::array<Vector3, 4> normals_of(const std::array<Vector3, 4>& c)
-{
-    const Vector3 u = minus(c[1], c[0]), v = minus(c[2], c[0]), w = minus(c[3], c[0]);
-    return {cross(minus(c[2], c[1]), minus(c[3], c[1])), cross(w, v), cross(u, w), cross(v, u)};
-}
-
-double least_angle(const std::array<Vector3, 4>& corners)
-{
-    const std::array<Vector3, 4> normals = normals_of(corners);
-    double greatest_cosine = -1;
-    for (size_t i = 0; i < 4; ++i)
-        for (size_t j = i + 1; j < 4; ++j) {
-            const double lengths = std::sqrt(dot(normals[i], normals[i])) * std::sqrt(dot(normals[j], normals[j]));
-            greatest_cosine = std::max(greatest_cosine, lengths > 0 ? -dot(normals[i], normals[j]) / lengths : 1.0);
-        }
-    return arc_cosine_degrees(greatest_cosine);
-}
-
-double radius_ratio(const std::array<Vector3, 4>& c)
-{
-    const Vector3 u = minus(c[1], c[0]), v = minus(c[2], c[0]), w = minus(c[3], c[0]);
-    const double six_volumes = std::abs(dot(u, cross(v, w)));
-    if (!(six_volumes > 0))
-        return std::numeric_limits<double>::infinity();
-    double two_areas = 0;
-    for (const Vector3& normal : normals_of(c))
-        two_areas += std::sqrt(dot(normal, normal));
-    Vector3 to_centre{};  // of the sphere through the corners, times two of the six volumes
-    const Vector3 parts[] = {times(dot(u, u), cross(v, w)), times(dot(v, v), cross(w, u)),
-                             times(dot(w, w), cross(u, v))};
-    for (size_t axis = 0; axis < 3; ++axis)
-        to_centre[axis] = parts[0][axis] + parts[1][axis] + parts[2][axis];
-    // The radius inside is three volumes by the area.
-    return std::sqrt(dot(to_centre, to_centre)) / (2 * six_volumes) / (3 * six_volumes / two_areas);
-}
-
-double mean_edge(const std::array<Vector3, 4>& corners)
-{
-    double sum = 0;
-    for (size_t i = 0; i < 4; ++i)
-        for (size_t j = i + 1; j < 4; ++j) {
-            const Vector3 edge = minus(corners[j], corners[i]);
-            sum += std::sqrt(dot(edge, edge));
-        }
-    return sum / 6;
-}
-
 }  // namespace
 
-double tet_measure(cleft_io_colouring by, const std::array<Vector3, 4>& corners)
+double tet_measure(cleft_io_colouring by, const Corners& corners)
 {
     switch (by) {
         case CLEFT_IO_BY_ANGLE:
-            return least_angle(corners);
+            return arc_cosine_degrees(angle_cosines(corners).of_least);
         case CLEFT_IO_BY_RATIO:
             return radius_ratio(corners);
         default:

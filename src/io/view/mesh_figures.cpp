@@ -4,6 +4,7 @@
 #include "base/parallel.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace cleft::io
@@ -16,6 +17,14 @@ namespace
 constexpr size_t kWorst = 50;
 // Some milliseconds of work.
 constexpr int64_t kGrain = 1 << 14;
+
+TetShape shape_of(const Corners& corners)
+{
+    constexpr double kDegrees = 180 / 3.14159265358979323846;
+    const AngleCosines cosines = angle_cosines(corners);
+    return {kDegrees * std::acos(cosines.of_least), kDegrees * std::acos(cosines.of_greatest), radius_ratio(corners),
+            signed_volume(corners)};
+}
 
 bool worse_angle(const WorstTet& a, const WorstTet& b)
 {
@@ -46,8 +55,7 @@ void extend_box(MeshFigures& figures, const Vector3& low, const Vector3& high)
 MeshFigures empty_figures(const MeshView& mesh, int64_t tet)
 {
     MeshFigures figures;
-    Vector3 corners[4];
-    get_corners(mesh, tet, corners);
+    const Corners corners = corners_of(mesh, tet);
     figures.low = figures.high = corners[0];
     figures.labels.resize(mesh.labels.size());
     return figures;
@@ -57,8 +65,7 @@ MeshFigures figures_of_chunk(const MeshView& mesh, int64_t begin, int64_t end)
 {
     MeshFigures figures = empty_figures(mesh, begin);
     for (int64_t t = begin; t < end; ++t) {
-        Vector3 corners[4];
-        get_corners(mesh, t, corners);
+        const Corners corners = corners_of(mesh, t);
         const WorstTet tet{t, shape_of(corners)};
         for (const Vector3& corner : corners)
             extend_box(figures, corner, corner);
@@ -88,12 +95,14 @@ void join(MeshFigures& all, const MeshFigures& part)
 
 }  // namespace
 
-void get_corners(const MeshView& mesh, int64_t tet, Vector3 (&corners)[4])
+Corners corners_of(const MeshView& mesh, int64_t tet)
 {
-    for (int64_t c = 0; c < 4; ++c) {
-        const double* point = mesh.points + 3 * int64_t{mesh.tets[4 * tet + c]};
+    Corners corners;
+    for (size_t c = 0; c < 4; ++c) {
+        const double* point = mesh.points + 3 * int64_t{mesh.tets[4 * tet + static_cast<int64_t>(c)]};
         corners[c] = {point[0], point[1], point[2]};
     }
+    return corners;
 }
 
 MeshFigures figures_of(const MeshView& mesh, const Run& run)

@@ -3,7 +3,7 @@
 
 #include "base/run.hpp"
 #include "io/mesh_view.hpp"
-#include "io/view/tet_shape.hpp"
+#include "io/tet_shape.hpp"
 
 #include <array>
 #include <cstdint>
@@ -11,6 +11,12 @@
 
 namespace cleft::io
 {
+
+struct TetShape {
+    double least_angle = 0, greatest_angle = 0;  // dihedral, in degrees
+    double radius_ratio = 0;                     // see tet_shape.hpp
+    double volume = 0;                           // negative for the other orientation
+};
 
 struct WorstTet {
     int64_t tet = 0;
@@ -31,7 +37,6 @@ struct MeshFigures {
 
 MeshFigures figures_of(const MeshView& mesh, const Run& run);
 
-// The four corners of a tetrahedron.
-void get_corners(const MeshView& mesh, int64_t tet, Vector3 (&corners)[4]);
+Corners corners_of(const MeshView& mesh, int64_t tet);
 
 }  // namespace cleft::io

@@ -9,7 +9,7 @@
 #include "io/view/mesh_figures.hpp"
 #include "io/view/packed_numbers.hpp"
 #include "io/view/page_parts.hpp"
-#include "io/view/shown_tets.hpp"
+#include "io/view/page_tets.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ struct Grid {
     }
 };
 
-std::string packed_points(const MeshView& mesh, const ShownTets& shown, const Grid& grid, const Run& run)
+std::string packed_points(const MeshView& mesh, const PageTets& shown, const Grid& grid, const Run& run)
 {
     std::vector<int32_t> steps;
     steps.reserve(3 * shown.points.size());
@@ -57,7 +57,7 @@ std::string packed_points(const MeshView& mesh, const ShownTets& shown, const Gr
 
 // Corners as positions in the list of points. Tetrahedra of the other orientation are turned, as the page draws the
 // outer side of faces.
-std::string packed_tets(const MeshView& mesh, const ShownTets& shown, const Run& run)
+std::string packed_tets(const MeshView& mesh, const PageTets& shown, const Run& run)
 {
     std::vector<int32_t> place(static_cast<size_t>(mesh.point_count), -1);
     for (size_t i = 0; i < shown.points.size(); ++i)
@@ -68,15 +68,13 @@ std::string packed_tets(const MeshView& mesh, const ShownTets& shown, const Run&
         run.check_at(t);
         for (int64_t c = 0; c < 4; ++c)
             corners.push_back(place[static_cast<size_t>(mesh.tets[4 * t + c])]);
-        Vector3 points[4];
-        get_corners(mesh, t, points);
-        if (shape_of(points).volume < 0)
+        if (signed_volume(corners_of(mesh, t)) < 0)
             std::swap(corners[corners.size() - 1], corners[corners.size() - 2]);
     }
     return pack(corners, 4, Differences::kRow, run);
 }
 
-Arrays arrays_of(const MeshView& mesh, const ShownTets& shown, const Grid& grid, const Run& run)
+Arrays arrays_of(const MeshView& mesh, const PageTets& shown, const Grid& grid, const Run& run)
 {
     std::vector<int32_t> materials;
     std::vector<int32_t> numbers;  // of the tetrahedra in the mesh
@@ -125,8 +123,6 @@ void add_worst(const MeshView& mesh, const char* key, const std::vector<WorstTet
 {
     json.key(key).open('[');
     for (const WorstTet& tet : tets) {
-        Vector3 corners[4];
-        get_corners(mesh, tet.tet, corners);
         json.open('{')
             .field("tet", tet.tet)
             .field("label", mesh.tet_labels[tet.tet])
@@ -135,7 +131,7 @@ void add_worst(const MeshView& mesh, const char* key, const std::vector<WorstTet
             .field("radius_ratio", tet.shape.radius_ratio)
             .field("volume", tet.shape.volume);
         json.key("corners").open('[');
-        for (const Vector3& corner : corners)
+        for (const Vector3& corner : corners_of(mesh, tet.tet))
             for (const double coordinate : corner)
                 json.value(coordinate);
         json.close(']').close('}');
@@ -148,7 +144,7 @@ constexpr const char* name_of(Reduction reduction)
     return reduction == Reduction::kNone ? "" : reduction == Reduction::kInterfaces ? "interfaces" : "middle";
 }
 
-void add_mesh(const PageMesh& page, const MeshFigures& figures, const ShownTets& shown, JsonText& json)
+void add_mesh(const PageMesh& page, const MeshFigures& figures, const PageTets& shown, JsonText& json)
 {
     const Grid grid(figures);
     json.open('{').field("title", page.title).field("points", page.view.point_count);
@@ -175,7 +171,7 @@ void print_mesh(AtomicFile& file, const PageMesh& page, size_t number, const Pag
     constexpr const char* kBytes = "application/octet-stream";
     Steps steps(run, {{"page: figures", 3}, {"page: tetrahedra", 0.2}, {nullptr, 6}});
     const MeshFigures figures = figures_of(page.view, steps.next());
-    const ShownTets shown = choose_tets(page.view, page.surface, figures, options.max_tets, steps.next());
+    const PageTets shown = choose_tets(page.view, page.surface, figures, options.max_tets, steps.next());
     add_mesh(page, figures, shown, json);
     const Arrays arrays = arrays_of(page.view, shown, Grid(figures), steps.next());
     const std::string id = std::to_string(number);

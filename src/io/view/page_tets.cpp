@@ -1,6 +1,6 @@
 // Chooses what a page shows of a large mesh. The layer at the interfaces comes first, as it has the shape of all
 // materials. If that is too much, too, the middle of it is shown whole instead of the whole with holes.
-#include "io/view/shown_tets.hpp"
+#include "io/view/page_tets.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,8 +43,7 @@ std::vector<int64_t> tets_at_surface(const MeshView& mesh, const cleft_surface* 
 // 0 at the centre of the box of the mesh, 1 at its sides.
 double distance_from_middle(const MeshView& mesh, const MeshFigures& figures, int64_t tet)
 {
-    Vector3 corners[4];
-    get_corners(mesh, tet, corners);
+    const Corners corners = corners_of(mesh, tet);
     double greatest = 0;
     for (size_t axis = 0; axis < 3; ++axis) {
         const double centre = (corners[0][axis] + corners[1][axis] + corners[2][axis] + corners[3][axis]) / 4;
@@ -90,10 +89,10 @@ std::vector<int32_t> points_of(const MeshView& mesh, const std::vector<int64_t>&
 
 }  // namespace
 
-ShownTets choose_tets(const MeshView& mesh, const cleft_surface* surface, const MeshFigures& figures, int64_t limit,
-                      const Run& run)
+PageTets choose_tets(const MeshView& mesh, const cleft_surface* surface, const MeshFigures& figures, int64_t limit,
+                     const Run& run)
 {
-    ShownTets shown;
+    PageTets shown;
     if (mesh.tet_count > limit && surface) {
         shown.reduction = Reduction::kInterfaces;
         shown.tets = tets_at_surface(mesh, surface, run);

@@ -17,7 +17,7 @@ enum class Reduction {
     kMiddle,      // of these, the ones in a box of the shape of the mesh around its centre
 };
 
-struct ShownTets {
+struct PageTets {
     Reduction reduction = Reduction::kNone;
     std::vector<int64_t> tets;    // ascending
     std::vector<int32_t> points;  // that they use, ascending
@@ -25,7 +25,7 @@ struct ShownTets {
 
 // At most `limit`, which is positive. `surface` gives the interfaces and the hull, and may be null: then kMiddle is of
 // all tetrahedra. The choice depends on the mesh and the limit alone.
-ShownTets choose_tets(const MeshView& mesh, const cleft_surface* surface, const MeshFigures& figures, int64_t limit,
-                      const Run& run);
+PageTets choose_tets(const MeshView& mesh, const cleft_surface* surface, const MeshFigures& figures, int64_t limit,
+                     const Run& run);
 
 }  // namespace cleft::io
