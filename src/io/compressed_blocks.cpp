@@ -1,11 +1,10 @@
-// Compresses the arrays of VTK's XML files in blocks, several at a time, and inflates such blocks.
+// Compresses the arrays of VTK's XML files in blocks, several at a time.
 // The form is that of vtkZLibDataCompressor.
 #include "io/compressed_blocks.hpp"
 
 #include "base/parallel.hpp"
+#include "io/packed_bytes.hpp"
 
-#include <libdeflate.h>
-#include <memory>
 #include <vector>
 
 namespace cleft::io
@@ -18,22 +17,11 @@ namespace
 // fixed, since one that depended on the number of threads would change the bytes of the file.
 constexpr size_t kBlockBytes = size_t{1} << 18;
 // Coordinates and numbers of points hardly shrink any further at a higher level, which takes twice as long.
-constexpr int kLevel = 1;
-
-struct Free {
-    void operator()(libdeflate_compressor* c) const { libdeflate_free_compressor(c); }
-    void operator()(libdeflate_decompressor* d) const { libdeflate_free_decompressor(d); }
-};
+constexpr int kBlockLevel = 1;
 
 std::string compress_block(const char* data, size_t bytes)
 {
-    // A compressor of libdeflate must not be used by two threads at once, so each block has its
-    // own.
-    const std::unique_ptr<libdeflate_compressor, Free> compressor(libdeflate_alloc_compressor(kLevel));
-    if (!compressor)
-        throw std::bad_alloc();
-    std::string out(libdeflate_zlib_compress_bound(compressor.get(), bytes), '\0');
-    out.resize(libdeflate_zlib_compress(compressor.get(), data, bytes, out.data(), out.size()));
+    std::string out = packed_bytes({data, bytes}, Wrapping::zlib, kBlockLevel);
     // The bound is a little above the block's own size. All blocks together would hold the array
     // twice.
     out.shrink_to_fit();
@@ -64,15 +52,6 @@ std::string compress_blocks(const void* data, size_t bytes, int threads)
     for (const std::string& block : blocks)
         out += block;
     return out;
-}
-
-bool inflate_block(const char* from, size_t from_bytes, char* to, size_t bytes)
-{
-    const std::unique_ptr<libdeflate_decompressor, Free> decompressor(libdeflate_alloc_decompressor());
-    if (!decompressor)
-        throw std::bad_alloc();
-    // Without a place for the number of bytes written, any other number than `bytes` is a failure.
-    return libdeflate_zlib_decompress(decompressor.get(), from, from_bytes, to, bytes, nullptr) == LIBDEFLATE_SUCCESS;
 }
 
 }  // namespace cleft::io

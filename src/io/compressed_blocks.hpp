@@ -12,7 +12,4 @@ namespace cleft::io
 // `data` are `bytes` bytes, borrowed for the call. `threads` is at least 1. Throws std::bad_alloc.
 std::string compress_blocks(const void* data, size_t bytes, int threads);
 
-// Inflates `from` to exactly `bytes` bytes; false if the data are damaged.
-bool inflate_block(const char* from, size_t from_bytes, char* to, size_t bytes);
-
 }  // namespace cleft::io

@@ -3,9 +3,9 @@
 
 #include "io/ascii.hpp"
 #include "io/byte_source.hpp"
+#include "io/packed_bytes.hpp"
 #include "io/text_scanner.hpp"
 
-#include <libdeflate.h>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -197,27 +197,12 @@ bool begins_with_type(std::string_view bytes)
     return bytes.size() > 5 && is_capital(bytes[4]) && is_capital(bytes[5]);
 }
 
-// The data of a deflated file: nothing tells how long they are.
 std::string inflated(std::string_view packed)
 {
-    const std::unique_ptr<libdeflate_decompressor, void (*)(libdeflate_decompressor*)> decompressor(
-        libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
-    if (!decompressor)
-        throw std::bad_alloc();
-    // Most data sets deflate to a third or a quarter, so the first guess mostly suffices. The bound
-    // is the ratio that deflate cannot exceed.
-    for (size_t room = 8 * packed.size() + 1000;; room *= 4) {
-        std::string data(room, '\0');
-        size_t size = 0;
-        const libdeflate_result result =
-            libdeflate_deflate_decompress(decompressor.get(), packed.data(), packed.size(), data.data(), room, &size);
-        if (result == LIBDEFLATE_SUCCESS) {
-            data.resize(size);
-            return data;
-        }
-        if (result != LIBDEFLATE_INSUFFICIENT_SPACE || room > kGreatestDeflateRatio * packed.size() + 1000)
-            refuse_damaged("its deflated data cannot be unpacked");
-    }
+    auto data = unpacked_deflate(packed);
+    if (!data)
+        refuse_damaged("its deflated data cannot be unpacked");
+    return std::move(*data);
 }
 
 // The elements of group 2 in front of the data, which always state their types. Answers how many bytes they have.

@@ -5,7 +5,7 @@
 #include "base/counted.hpp"
 #include "base/error.hpp"
 #include "io/byte_source.hpp"
-#include "io/compressed_blocks.hpp"
+#include "io/packed_bytes.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -131,7 +131,7 @@ std::string read_compressed(Stored stored)
         if (size / kGreatestDeflateRatio > packed_size)
             damaged(stored.array, "has a damaged header");
         bytes.resize(bytes.size() + size);
-        if (!inflate_block(packed.data() + at, packed_size, bytes.data() + bytes.size() - size, size))
+        if (!unpack_zlib({packed.data() + at, packed_size}, bytes.data() + bytes.size() - size, size))
             damaged(stored.array, "cannot be inflated");
         at += packed_size;
     }

@@ -6,10 +6,10 @@
 #include "io/atomic_file.hpp"
 #include "io/file_name.hpp"
 #include "io/image_readers.hpp"
+#include "io/packed_bytes.hpp"
 #include "io/voxel_data.hpp"
 #include "io/write_nifti.hpp"
 
-#include <libdeflate.h>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -23,22 +23,9 @@ namespace
 
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "the headers below say little-endian");
 
-enum class Wrapping { gzip, zlib };
-
-std::string compressed(const Image& image, Wrapping wrapping)
+std::string_view voxel_bytes(const Image& image)
 {
-    // The default of zlib and of libdeflate.
-    constexpr int kLevel = 6;
-    const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
-        libdeflate_alloc_compressor(kLevel), libdeflate_free_compressor);
-    if (!compressor)
-        throw std::bad_alloc();
-    const bool gzip = wrapping == Wrapping::gzip;
-    const auto bound = gzip ? libdeflate_gzip_compress_bound : libdeflate_zlib_compress_bound;
-    const auto compress = gzip ? libdeflate_gzip_compress : libdeflate_zlib_compress;
-    std::string packed(bound(compressor.get(), image.bytes()), '\0');
-    packed.resize(compress(compressor.get(), image.voxels.get(), image.bytes(), packed.data(), packed.size()));
-    return packed;
+    return {reinterpret_cast<const char*>(image.voxels.get()), image.bytes()};
 }
 
 void print_sizes(AtomicFile& file, const Image& image)
@@ -64,14 +51,14 @@ void write_nrrd(AtomicFile& file, const Image& image)
     file.print("\nkinds: domain domain domain\nendian: little\nencoding: gzip\nspace origin: ");
     print_vector(file, image.origin);
     // The empty line ends the header.
-    file.print("\n\n", compressed(image, Wrapping::gzip));
+    file.print("\n\n", packed_bytes(voxel_bytes(image), Wrapping::gzip));
 }
 
 void write_metaimage(AtomicFile& file, const Image& image)
 {
     // First, as CompressedDataSize stands in the header. MetaIO compresses as a zlib stream, not as
     // gzip.
-    const std::string voxels = compressed(image, Wrapping::zlib);
+    const std::string voxels = packed_bytes(voxel_bytes(image), Wrapping::zlib);
     file.print("ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n",
                "CompressedData = True\nCompressedDataSize = ", voxels.size(), "\nTransformMatrix =");
     for (const Vector3& direction : image.directions)

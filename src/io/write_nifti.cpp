@@ -5,12 +5,11 @@
 #include "io/atomic_file.hpp"
 #include "io/file_name.hpp"
 #include "io/nifti_header.hpp"
+#include "io/packed_bytes.hpp"
 
-#include <libdeflate.h>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <memory>
 
 namespace cleft::io
 {
@@ -128,15 +127,7 @@ std::string gzip(const std::string& header, const Image& image)
 {
     std::string bytes = header;
     bytes.append(reinterpret_cast<const char*>(image.voxels.get()), image.bytes());
-    // The default of zlib and of libdeflate.
-    constexpr int kLevel = 6;
-    const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
-        libdeflate_alloc_compressor(kLevel), libdeflate_free_compressor);
-    if (!compressor)
-        throw std::bad_alloc();
-    std::string packed(libdeflate_gzip_compress_bound(compressor.get(), bytes.size()), '\0');
-    packed.resize(libdeflate_gzip_compress(compressor.get(), bytes.data(), bytes.size(), packed.data(), packed.size()));
-    return packed;
+    return packed_bytes(bytes, Wrapping::gzip);
 }
 
 }  // namespace
