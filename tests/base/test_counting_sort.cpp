@@ -2,20 +2,15 @@
 #include "base/counting_sort.hpp"
 
 #include "support/cmocka.hpp"
+#include "support/runs.hpp"
 
 using namespace cleft;
+using namespace cleft_test;
 
 namespace
 {
 
 using Sorted = Groups<uint32_t, int32_t>;
-
-Run with_threads(int threads)
-{
-    Run run;
-    run.threads = threads;
-    return run;
-}
 
 // Item i gives i % 4 values, to keys that go to and fro.
 Sorted sorted(int64_t items, int64_t keys, int threads)

@@ -7,8 +7,10 @@
 #include <string>
 
 #include "support/cmocka.hpp"
+#include "support/runs.hpp"
 
 using namespace cleft;
+using namespace cleft_test;
 
 // How many allocations still succeed; below 0: all of them.
 static std::atomic<int64_t> granted{-1};
@@ -31,13 +33,6 @@ namespace
 {
 
 constexpr int64_t kItems = 1000, kGrain = 7;
-
-Run with_threads(int threads)
-{
-    Run run;
-    run.threads = threads;
-    return run;
-}
 
 bool each_once(const Array<int>& visits)
 {

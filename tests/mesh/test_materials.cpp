@@ -4,6 +4,7 @@
 #include "mesh/surface_points.hpp"
 #include "support/bcc.hpp"
 #include "support/cmocka.hpp"
+#include "support/runs.hpp"
 
 #include <map>
 
@@ -14,13 +15,6 @@ namespace
 {
 
 using Neighbours = Array<FixedArray<int32_t, 4>>;
-
-Run with_threads(int threads)
-{
-    Run run;
-    run.threads = threads;
-    return run;
-}
 
 // Thick layers of three materials in a box, each in several parts, and single tetrahedra of another here and there.
 LabelledMesh layers()

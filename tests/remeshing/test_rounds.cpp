@@ -7,6 +7,7 @@
 #include "remeshing/tet_star.hpp"
 #include "support/bcc.hpp"
 #include "support/cmocka.hpp"
+#include "support/runs.hpp"
 
 #include <algorithm>
 
@@ -17,13 +18,6 @@ namespace
 {
 
 constexpr double kTarget = 0.6;
-
-Run with_threads(int threads)
-{
-    Run run;
-    run.threads = threads;
-    return run;
-}
 
 const TetMesh& box()
 {

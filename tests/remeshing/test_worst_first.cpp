@@ -5,6 +5,7 @@
 #include "remeshing/worst_first.hpp"
 #include "support/bcc.hpp"
 #include "support/cmocka.hpp"
+#include "support/runs.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -16,13 +17,6 @@ namespace
 {
 
 constexpr double kTarget = 0.6;
-
-Run with_threads(int threads)
-{
-    Run run;
-    run.threads = threads;
-    return run;
-}
 
 // Of several chunks, with angles of all kinds.
 const TetMesh& box()
