@@ -3,8 +3,7 @@
 
 #include "base/collect.hpp"
 #include "base/per_worker.hpp"
-#include "improving/tie_constraint.hpp"
-#include "remeshing/contraction.hpp"
+#include "fitting/room_maker.hpp"
 #include "remeshing/point_levels.hpp"
 #include "remeshing/smoothing.hpp"
 #include "volume/tie.hpp"
@@ -28,24 +27,11 @@ constexpr int kLineRounds = 3;  // a point that is in the way may have moved on
 // Points that a thread looks at. The number changes the time alone.
 constexpr int64_t kLinePointsAtOnce = 1 << 14;
 
-// Where moving the points around begins, of angle_quality: from less it hardly ever comes to enough.
-constexpr double kLeastStart = 0.02;
-constexpr int kRoundsAround = 3;
-// A neighbour is in the way if it is nearer to the place than so much of its distance from the point.
-constexpr double kBeside = 0.7;
-// Of the worst quality, which a contraction may leave for the moves that follow.
-constexpr double kContractedShare = 0.1;
-
-struct Move {
-    int32_t point;
-    Vec3 from;
-};
-
 class LineRelocator
 {
 public:
     LineRelocator(LocalMesh& mesh, const Volume& volume, double floor)
-        : mesh_(mesh), volume_(volume), floor_(floor), constraint_(volume)
+        : mesh_(mesh), volume_(volume), floor_(floor), room_(mesh, volume)
     {
     }
 
@@ -66,7 +52,7 @@ public:
         if ((*on_tie - from).norm() < kLeastStep * reach)
             return Found::on_tie;
         const double least = std::min(floor_, star_.worst_at(from, -1));
-        if (looks_around && slide(v, *on_tie, least))
+        if (looks_around && room_.settle(v, *on_tie, least))
             return Found::on_tie;
         // Halves of the way: each needs one look at the star, and what is left comes in the next round.
         for (double share = 1; share > kLeastStepShare; share *= 0.5) {
@@ -80,110 +66,6 @@ public:
     }
 
 private:
-    // Puts the point on its tie, and there to where the shapes let it stay: along its line, and with the points around
-    // moving as well.
-    bool slide(int32_t v, const Vec3& on_tie, double least)
-    {
-        if (star_.worst_at(on_tie, least) > least) {
-            mesh_.move(v, on_tie);
-            return true;
-        }
-        return settle(v, on_tie, least) || settle_without_neighbour(v, on_tie, least);
-    }
-
-    bool settle(int32_t v, const Vec3& on_tie, double least)
-    {
-        const Place place = climb(v, on_tie, least);
-        if (!(place.worst > kLeastStart))
-            return false;
-        moves_.clear();
-        move_and_note(v, place.x);
-        if (place.worst >= least || make_room(v, least))
-            return true;
-        for (size_t i = moves_.size(); i-- > 0;)
-            mesh_.move(moves_[i].point, moves_[i].from);
-        star_.load(mesh_, v);
-        return false;
-    }
-
-    // Often the place is taken: a point of an interface lies there, which cleaving has snapped. The point takes it in.
-    bool settle_without_neighbour(int32_t v, const Vec3& on_tie, double least)
-    {
-        for (const int32_t w : points_around(v)) {
-            if ((mesh_.point(w) - on_tie).norm() > kBeside * (mesh_.point(w) - mesh_.point(v)).norm())
-                continue;
-            const auto star = mesh_.star(v);
-            const auto at_both =
-                std::find_if(star.begin(), star.end(), [&](int32_t t) { return has_corner(mesh_.tet(t), w); });
-            const int32_t t = *at_both;
-            if (!contraction_.find(mesh_, t, mesh_.corner_of(t, w), mesh_.corner_of(t, v), cavity_, kContractedShare))
-                continue;
-            cavity_.apply(mesh_);
-            star_.load(mesh_, v);
-            if (settle(v, on_tie, least))
-                return true;
-            cavity_.undo(mesh_);
-            star_.load(mesh_, v);
-        }
-        return false;
-    }
-
-    // The star that is loaded is that of the point.
-    Place climb(int32_t v, const Vec3& from, double least)
-    {
-        constraint_.set(mesh_, star_.tets(), from, from, mesh_.frozen(v), star_.reach(from), 0);
-        if (constraint_.fixed())
-            return {from, star_.worst_at(from, -1)};
-        return smoother_.climb(star_, from, least, constraint_.tangent(),
-                               [&](Vec3& x) { return constraint_.project(x); });
-    }
-
-    void move_and_note(int32_t v, const Vec3& x)
-    {
-        moves_.push_back({v, mesh_.point(v)});
-        mesh_.move(v, x);
-    }
-
-    // The points around a point move on their ties until all tetrahedra are good enough.
-    bool make_room(int32_t v, double least)
-    {
-        const Array<int32_t> around = points_around(v);
-        for (int round = 0; round < kRoundsAround; ++round) {
-            for (const int32_t w : around) {
-                star_.load(mesh_, w);
-                const Vec3 from = mesh_.point(w);
-                const double before = star_.worst_at(from, -1);
-                if (before >= least)
-                    continue;
-                const Place place = climb(w, from, least);
-                if (place.worst > before)
-                    move_and_note(w, place.x);
-            }
-            if (is_good(v, least))
-                return std::all_of(moves_.begin(), moves_.end(),
-                                   [&](const Move& m) { return is_good(m.point, least); });
-        }
-        return false;
-    }
-
-    bool is_good(int32_t v, double least)
-    {
-        star_.load(mesh_, v);
-        return star_.worst_at(mesh_.point(v), -1) >= least;
-    }
-
-    Array<int32_t> points_around(int32_t v) const
-    {
-        Array<int32_t> points;
-        for (const int32_t t : mesh_.star(v))
-            for (const int32_t w : mesh_.tet(t))
-                if (w != v)
-                    points.push_back(w);
-        std::sort(points.begin(), points.end());
-        points.erase(std::unique(points.begin(), points.end()), points.end());
-        return points;
-    }
-
     std::optional<Vec3> tie_near(const Vec3& x, const MaterialSet& materials, uint8_t frozen, double reach,
                                  bool looks_around)
     {
@@ -229,11 +111,7 @@ private:
     const Volume& volume_;
     const double floor_;
     TetStar star_;
-    TieConstraint constraint_;
-    Smoother smoother_;
-    Array<Move> moves_;
-    Contraction contraction_;
-    Cavity cavity_;
+    RoomMaker room_;
     Samples samples_;
 };
 

@@ -1,0 +1,125 @@
+// What it does to the mesh is noted and taken back if it does not lead to the place.
+#include "fitting/room_maker.hpp"
+
+#include "mesh/adjacency.hpp"
+
+#include <algorithm>
+
+namespace cleft
+{
+
+namespace
+{
+
+// Where moving the points around begins, of angle_quality: from less it hardly ever comes to enough.
+constexpr double kLeastStart = 0.02;
+constexpr int kRoundsAround = 3;
+// A neighbour is in the way if it is nearer to the place than so much of its distance from the point.
+constexpr double kBeside = 0.7;
+// Of the worst quality, which a contraction may leave for the moves that follow.
+constexpr double kContractedShare = 0.1;
+
+}  // namespace
+
+bool RoomMaker::settle(int32_t v, const Vec3& on_tie, double least)
+{
+    star_.load(mesh_, v);
+    if (star_.worst_at(on_tie, least) > least) {
+        mesh_.move(v, on_tie);
+        return true;
+    }
+    return settle_here(v, on_tie, least) || settle_without_neighbour(v, on_tie, least);
+}
+
+bool RoomMaker::settle_here(int32_t v, const Vec3& on_tie, double least)
+{
+    const Place place = climb(v, on_tie, least);
+    if (!(place.worst > kLeastStart))
+        return false;
+    moves_.clear();
+    move_and_note(v, place.x);
+    if (place.worst >= least || make_room(v, least))
+        return true;
+    for (size_t i = moves_.size(); i-- > 0;)
+        mesh_.move(moves_[i].point, moves_[i].from);
+    star_.load(mesh_, v);
+    return false;
+}
+
+// Often the place is taken: a point of an interface lies there, which cleaving has snapped. The point takes it in.
+bool RoomMaker::settle_without_neighbour(int32_t v, const Vec3& on_tie, double least)
+{
+    for (const int32_t w : points_around(v)) {
+        if ((mesh_.point(w) - on_tie).norm() > kBeside * (mesh_.point(w) - mesh_.point(v)).norm())
+            continue;
+        const auto star = mesh_.star(v);
+        const auto at_both =
+            std::find_if(star.begin(), star.end(), [&](int32_t t) { return has_corner(mesh_.tet(t), w); });
+        const int32_t t = *at_both;
+        if (!contraction_.find(mesh_, t, mesh_.corner_of(t, w), mesh_.corner_of(t, v), cavity_, kContractedShare))
+            continue;
+        cavity_.apply(mesh_);
+        star_.load(mesh_, v);
+        if (settle_here(v, on_tie, least))
+            return true;
+        cavity_.undo(mesh_);
+        star_.load(mesh_, v);
+    }
+    return false;
+}
+
+// The star that is loaded is that of the point.
+Place RoomMaker::climb(int32_t v, const Vec3& from, double least)
+{
+    constraint_.set(mesh_, star_.tets(), from, from, mesh_.frozen(v), star_.reach(from), 0);
+    if (constraint_.fixed())
+        return {from, star_.worst_at(from, -1)};
+    return smoother_.climb(star_, from, least, constraint_.tangent(), [&](Vec3& x) { return constraint_.project(x); });
+}
+
+void RoomMaker::move_and_note(int32_t v, const Vec3& x)
+{
+    moves_.push_back({v, mesh_.point(v)});
+    mesh_.move(v, x);
+}
+
+// The points around a point move on their ties until all tetrahedra are good enough.
+bool RoomMaker::make_room(int32_t v, double least)
+{
+    const Array<int32_t> around = points_around(v);
+    for (int round = 0; round < kRoundsAround; ++round) {
+        for (const int32_t w : around) {
+            star_.load(mesh_, w);
+            const Vec3 from = mesh_.point(w);
+            const double before = star_.worst_at(from, -1);
+            if (before >= least)
+                continue;
+            const Place place = climb(w, from, least);
+            if (place.worst > before)
+                move_and_note(w, place.x);
+        }
+        if (is_good(v, least))
+            return std::all_of(moves_.begin(), moves_.end(), [&](const Move& m) { return is_good(m.point, least); });
+    }
+    return false;
+}
+
+bool RoomMaker::is_good(int32_t v, double least)
+{
+    star_.load(mesh_, v);
+    return star_.worst_at(mesh_.point(v), -1) >= least;
+}
+
+Array<int32_t> RoomMaker::points_around(int32_t v) const
+{
+    Array<int32_t> points;
+    for (const int32_t t : mesh_.star(v))
+        for (const int32_t w : mesh_.tet(t))
+            if (w != v)
+                points.push_back(w);
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    return points;
+}
+
+}  // namespace cleft
