@@ -4,9 +4,8 @@
 
 #include "base/degrees.hpp"
 #include "base/stage.hpp"
-#include "fitting/relocate_lines.hpp"
-#include "fitting/split_far_edges.hpp"
 #include "improving/search.hpp"
+#include "pipeline/hold_surfaces.hpp"
 
 #include <iterator>
 
@@ -27,50 +26,19 @@ struct Try {
     Shortfall left;
 };
 
-// Degrees. With less, fewer points of lines and middles of edges are off in the end, but improving takes longer: in the
-// AAL atlas, 12 and 5 left lines 0.146 voxels off instead of 0.154, for another half of the time.
-constexpr double kLineFloor = 15, kSplitFloor = 12;
-
-// Lines come onto their ties before shapes are improved, and long edges of interfaces are split: improving keeps points
-// on their ties, and makes good what that costs. After it, the shapes let only half of the points get there.
-void hold_surfaces(LocalMesh& mesh, const Volume& volume, double error, const Run& run)
-{
-    const LinePoints lines = relocate_lines(mesh, volume, sine_of(kLineFloor), find_meetings(mesh, run), run, true);
-    run.note("improving.off_lines", static_cast<double>(lines.off));
-    run.note("improving.far_edges",
-             static_cast<double>(split_far_edges(mesh, volume, error, sine_of(kSplitFloor), run)));
-}
-
-// Improving may have joined edges to longer ones, and points that moved may let go what a split would have cost before.
-Shortfall split_and_improve(LocalMesh& mesh, const Volume& volume, double error, const ImproveOptions& options,
-                            const Shortfall& before, const Run& run)
-{
-    // The second round finds few.
-    constexpr int kRounds = 2;
-    Shortfall left = before;
-    for (int round = 0; round < kRounds; ++round) {
-        if (split_far_edges(mesh, volume, error, sine_of(kSplitFloor), run) == 0)
-            break;
-        // The figures of improving are to be those of the first time, which had the work.
-        Run again = run;
-        again.metrics = nullptr;
-        const int64_t places = left.places;
-        left = improve(mesh, volume, options, again);
-        left.places += places;
-    }
-    return left;
-}
-
 Try try_with(const Volume& volume, const Cleaved& cleaved, const ImproveOptions& options, double surface_error,
              const Run& run)
 {
-    Steps steps(run, {{nullptr, 90}, {nullptr, 10}, {nullptr, surface_error > 0 ? 2.0 : 0}});
+    const bool holds = surface_error > 0;
+    Steps steps(run, {{nullptr, 45}, {nullptr, holds ? 10.0 : 0}, {nullptr, 30}, {nullptr, holds ? 15.0 : 0}});
     LocalMesh mesh(cleaved(steps.next()), run);
-    if (surface_error > 0)
-        hold_surfaces(mesh, volume, surface_error, run);
+    const Run of_surfaces = steps.next();
+    if (holds)
+        hold_surfaces(mesh, volume, surface_error, of_surfaces);
     Shortfall left = improve(mesh, volume, options, steps.next());
-    if (surface_error > 0)
-        left = split_and_improve(mesh, volume, surface_error, options, left, steps.next());
+    const Run of_rest = steps.next();
+    if (holds)
+        left = hold_surfaces_again(mesh, volume, surface_error, options, left, of_rest);
     return {std::move(mesh), left};
 }
 
