@@ -1,5 +1,6 @@
 // Two meshes: one camera and one cut for both, and their histograms over each other.
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { about, changes, closed, opened, pictureOf, pressed } from "./support.mjs";
 
@@ -28,5 +29,15 @@ test("histograms, worst tetrahedra and figures are of both", async () => {
     assert.ok(await page.locator(".view").nth(1).locator(".card").isVisible());
     assert.ok(await page.locator(".view").nth(0).locator(".card").isHidden());
     assert.match(await page.textContent(".material >> nth=0"), /\|/);
+    await closed(page);
+});
+
+test("the picture that is saved has both", async () => {
+    const page = await opened(about.page);
+    const [download] = await Promise.all([page.waitForEvent("download"), page.click("#save")]);
+    assert.match(download.suggestedFilename(), /coarse.*fine.*\.png$/);
+    const widths = await page.locator("canvas.mesh").evaluateAll((all) => all.map((canvas) => canvas.width));
+    const png = await readFile(await download.path());
+    assert.equal(png.readUInt32BE(16), widths[0] + widths[1]);
     await closed(page);
 });

@@ -2,14 +2,22 @@
 
 const kThemes = ["", "light", "dark"];
 
+// Two meshes side by side, as the page has them.
 function savePicture(page) {
-    const { canvas, mesh } = page.views[0];
     page.draw(performance.now());
-    canvas.toBlob((blob) => {
-        const link = make("a", {
-            href: URL.createObjectURL(blob),
-            download: `${mesh.title.replace(/[^\w.-]+/g, "_")}.png`,
-        });
+    const canvases = page.views.map((view) => view.canvas);
+    const whole = make("canvas", {
+        width: canvases.reduce((sum, canvas) => sum + canvas.width, 0),
+        height: Math.max(...canvases.map((canvas) => canvas.height)),
+    });
+    let left = 0;
+    for (const canvas of canvases) {
+        whole.getContext("2d").drawImage(canvas, left, 0);
+        left += canvas.width;
+    }
+    const name = page.meshes.map((mesh) => mesh.title.replace(/[^\w.-]+/g, "_")).join("_");
+    whole.toBlob((blob) => {
+        const link = make("a", { href: URL.createObjectURL(blob), download: `${name}.png` });
         link.click();
         URL.revokeObjectURL(link.href);
     });
