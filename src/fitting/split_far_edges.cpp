@@ -25,7 +25,7 @@ constexpr double kLeastRadius = 2;
 // another mesh.
 constexpr int64_t kPointsOfFar = 10;
 // Tetrahedra that a thread looks at. The number changes the time alone.
-constexpr int64_t kTetsAtOnce = 1 << 14;
+constexpr int64_t kFarTetsAtOnce = 1 << 14;
 
 bool is_at_interface(Meeting meeting) { return meeting >= Meeting::interface; }
 
@@ -113,20 +113,29 @@ private:
     Samples samples_;
 };
 
+Array<Edge> find_far_edges(const LocalMesh& mesh, const Volume& volume, double error, const Meetings& meetings,
+                           const Run& run)
+{
+    return collect<Edge>(run, mesh.slot_count(), kFarTetsAtOnce, [&](int64_t begin, int64_t end, Array<Edge>& list) {
+        FarEdges edges(mesh, volume, error);
+        for (auto t = static_cast<int32_t>(begin); t < end; ++t)
+            if (mesh.alive(t))
+                edges.find(t, meetings, list);
+    });
+}
+
 }  // namespace
+
+bool are_sizes_for(double error, const LocalMesh& mesh, const Volume& volume, const Run& run)
+{
+    const Meetings meetings = find_meetings(mesh, run);
+    return find_far_edges(mesh, volume, error, meetings, run).count() <=
+           std::count_if(meetings.begin(), meetings.end(), is_at_interface) / kPointsOfFar;
+}
 
 int64_t split_far_edges(LocalMesh& mesh, const Volume& volume, double error, double floor, const Run& run)
 {
-    const Meetings meetings = find_meetings(mesh, run);
-    const auto far =
-        collect<Edge>(run, mesh.slot_count(), kTetsAtOnce, [&](int64_t begin, int64_t end, Array<Edge>& list) {
-            FarEdges edges(mesh, volume, error);
-            for (auto t = static_cast<int32_t>(begin); t < end; ++t)
-                if (mesh.alive(t))
-                    edges.find(t, meetings, list);
-        });
-    if (far.count() > std::count_if(meetings.begin(), meetings.end(), is_at_interface) / kPointsOfFar)
-        return 0;
+    const Array<Edge> far = find_far_edges(mesh, volume, error, find_meetings(mesh, run), run);
     FarEdges edges(mesh, volume, error);
     int64_t count = 0;
     for (const Edge& edge : far) {

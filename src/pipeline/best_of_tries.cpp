@@ -24,27 +24,27 @@ constexpr int32_t kMostTets = 200000;
 struct Try {
     LocalMesh mesh;
     Shortfall left;
+    bool holds_surfaces;
 };
 
 Try try_with(const Volume& volume, const Cleaved& cleaved, const ImproveOptions& options, double surface_error,
              const Run& run)
 {
-    const bool holds = surface_error > 0;
+    bool holds = surface_error > 0;
     Steps steps(run, {{nullptr, 45}, {nullptr, holds ? 10.0 : 0}, {nullptr, 30}, {nullptr, holds ? 15.0 : 0}});
     LocalMesh mesh(cleaved(steps.next()), run);
     const Run of_surfaces = steps.next();
-    if (holds)
-        hold_surfaces(mesh, volume, surface_error, of_surfaces);
+    holds = holds && hold_surfaces(mesh, volume, surface_error, of_surfaces);
     Shortfall left = improve(mesh, volume, options, steps.next());
     const Run of_rest = steps.next();
     if (holds)
         left = hold_surfaces_again(mesh, volume, surface_error, options, left, of_rest);
-    return {std::move(mesh), left};
+    return {std::move(mesh), left, holds};
 }
 
 }  // namespace
 
-LocalMesh best_of_tries(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options, const Run& run)
+Improved best_of_tries(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options, const Run& run)
 {
     Array<Step> shares(1 + std::size(kHigherAims), {nullptr, 0});
     shares[0].share = 1;  // others are seldom needed
@@ -77,7 +77,7 @@ LocalMesh best_of_tries(const Volume& volume, const Cleaved& cleaved, const Pipe
             run.note(name, value);
     }
     run.note("improving.tries", tries);
-    return std::move(best.mesh);
+    return {std::move(best.mesh), best.holds_surfaces};
 }
 
 }  // namespace cleft

@@ -18,15 +18,18 @@ constexpr double kLineFloor = 15, kSplitFloor = 12;
 
 }  // namespace
 
-void hold_surfaces(LocalMesh& mesh, const Volume& volume, double error, const Run& run)
+bool hold_surfaces(LocalMesh& mesh, const Volume& volume, double error, const Run& run)
 {
-    Stage stage(run, "surfaces", {{"improving: lines", 3}, {"improving: edges", 1}});
+    Stage stage(run, "surfaces", {{nullptr, 1}, {"improving: lines", 3}, {"improving: edges", 1}});
+    if (!are_sizes_for(error, mesh, volume, stage.next()))
+        return false;
     const Run of_lines = stage.next();
     const Meetings meetings = find_meetings(mesh, of_lines);
     const LinePoints lines = relocate_lines(mesh, volume, sine_of(kLineFloor), meetings, of_lines, true);
     run.note("surfaces.off_lines", static_cast<double>(lines.off));
     const int64_t split = split_far_edges(mesh, volume, error, sine_of(kSplitFloor), stage.next());
     run.note("surfaces.far_edges", static_cast<double>(split));
+    return true;
 }
 
 Shortfall hold_surfaces_again(LocalMesh& mesh, const Volume& volume, double error, const ImproveOptions& options,

@@ -85,8 +85,8 @@ LabelledMesh improve_and_fit(const Volume& volume, const Cleaved& cleaved, const
         return cleaved(run);
     // Fitting comes second: it keeps the angles that improving has reached, whereas improving would undo volumes.
     Steps steps(run, {{nullptr, 74}, {nullptr, 26}, {nullptr, 0}});
-    LocalMesh mesh = best_of_tries(volume, cleaved, options, steps.next());
-    const double surface_error = options.sizing.surface_error;
+    auto [mesh, holds_surfaces] = best_of_tries(volume, cleaved, options, steps.next());
+    const double surface_error = holds_surfaces ? options.sizing.surface_error : 0;
     const bool is_met = fit_volumes(mesh, volume, target_angle(options.improve), steps.next(), surface_error);
     if (!is_met)
         fit_with_more_room(mesh, volume, options.improve, surface_error, steps.next());
