@@ -46,10 +46,10 @@ void assign(cleft_options& options, const OptionRow& row, double value)
 {
     if (!std::isfinite(value))
         throw Error(CLEFT_ERROR_NOT_FINITE, std::string(row.name) + " is NaN or infinite");
-    // A NaN was refused above: it would pass both comparisons.
     if (row.key == CLEFT_OPTION_SURFACE_ERROR && value < 0 && value != row.least)
         throw Error(CLEFT_ERROR_OPTION, row.name + std::string(" is ") + text_of(value) +
                                             "; it must be -1, which takes it from the voxels, or at least 0");
+    // A NaN was refused above: it would pass both comparisons.
     if (value < row.least || value > row.greatest)
         throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is " + text_of(value) + ", which is not within " +
                                             text_of(row.least) + " to " + text_of(row.greatest));
