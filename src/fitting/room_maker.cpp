@@ -1,8 +1,6 @@
 // What it does to the mesh is noted and taken back if it does not lead to the place.
 #include "fitting/room_maker.hpp"
 
-#include "mesh/adjacency.hpp"
-
 #include <algorithm>
 
 namespace cleft
@@ -52,10 +50,7 @@ bool RoomMaker::settle_without_neighbour(int32_t v, const Vec3& on_tie, double l
     for (const int32_t w : points_around(v)) {
         if ((mesh_.point(w) - on_tie).norm() > kBeside * (mesh_.point(w) - mesh_.point(v)).norm())
             continue;
-        const auto star = mesh_.star(v);
-        const auto at_both =
-            std::find_if(star.begin(), star.end(), [&](int32_t t) { return has_corner(mesh_.tet(t), w); });
-        const int32_t t = *at_both;
+        const int32_t t = mesh_.tet_at(v, w);
         if (!contraction_.find(mesh_, t, mesh_.corner_of(t, w), mesh_.corner_of(t, v), cavity_, kContractedShare))
             continue;
         cavity_.apply(mesh_);

@@ -60,12 +60,10 @@ public:
     // Not for a mesh that others read.
     bool split(const Edge& edge, double floor, LocalMesh& mesh)
     {
-        const auto star = mesh.star(edge.a);
-        const auto at_both =
-            std::find_if(star.begin(), star.end(), [&](int32_t t) { return has_corner(mesh.tet(t), edge.b); });
-        if (at_both == star.end())
+        const int32_t t = mesh.tet_at(edge.a, edge.b);
+        if (t < 0)
             return false;
-        mesh.ring(*at_both, mesh.corner_of(*at_both, edge.a), mesh.corner_of(*at_both, edge.b), cavity_.ring);
+        mesh.ring(t, mesh.corner_of(t, edge.a), mesh.corner_of(t, edge.b), cavity_.ring);
         return split_ring(floor, mesh);
     }
 

@@ -55,6 +55,8 @@ public:
 
     // The tetrahedra at a point. Valid until the mesh changes.
     PointStars::Range star(int32_t v) const { return stars_.at(v); }
+    // A tetrahedron at both points; -1 if there is none.
+    int32_t tet_at(int32_t v, int32_t w) const;
     // Behind the face opposite `corner`; -1 on the hull.
     int32_t neighbour(int32_t t, int corner) const;
     // The tetrahedron behind the face is of another material, or there is none.

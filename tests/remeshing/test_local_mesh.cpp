@@ -82,6 +82,20 @@ static void neighbours_and_frozen_axes_are_those_of_the_plain_mesh(void**)
     }
 }
 
+static void a_tetrahedron_at_two_points_has_both(void**)
+{
+    for (const TetMesh& plain : meshes()) {
+        const LocalMesh mesh = local(plain);
+        for (int32_t v = 0; v < mesh.point_count(); ++v)
+            for (int32_t w = 0; w < mesh.point_count(); ++w) {
+                const auto has_both = [&](const Tet& tet) { return has_corner(tet, v) && has_corner(tet, w); };
+                const int32_t t = mesh.tet_at(v, w);
+                assert_true(t >= 0 ? has_both(plain.tets[t])
+                                   : std::none_of(plain.tets.begin(), plain.tets.end(), has_both));
+            }
+    }
+}
+
 // Two tetrahedra that have an edge in common and no face: neither is all that lies around it.
 static void a_ring_tells_where_it_is_not_all(void**)
 {
@@ -259,6 +273,7 @@ int main()
 {
     const CMUnitTest tests[] = {
         cmocka_unit_test(neighbours_and_frozen_axes_are_those_of_the_plain_mesh),
+        cmocka_unit_test(a_tetrahedron_at_two_points_has_both),
         cmocka_unit_test(a_ring_tells_where_it_is_not_all),
         cmocka_unit_test(a_ring_goes_round_its_edge),
         cmocka_unit_test(an_operation_can_be_taken_back),
