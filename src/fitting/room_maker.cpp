@@ -35,11 +35,10 @@ bool RoomMaker::settle_here(int32_t v, const Vec3& on_tie, double least)
     if (!(place.worst > kLeastStart))
         return false;
     moves_.clear();
-    move_and_note(v, place.x);
+    moves_.apply(mesh_, v, place.x);
     if (place.worst >= least || make_room(v, least))
         return true;
-    for (size_t i = moves_.size(); i-- > 0;)
-        mesh_.move(moves_[i].point, moves_[i].from);
+    moves_.undo(mesh_);
     star_.load(mesh_, v);
     return false;
 }
@@ -72,12 +71,6 @@ Place RoomMaker::climb(int32_t v, const Vec3& from, double least)
     return smoother_.climb(star_, from, least, constraint_.tangent(), [&](Vec3& x) { return constraint_.project(x); });
 }
 
-void RoomMaker::move_and_note(int32_t v, const Vec3& x)
-{
-    moves_.push_back({v, mesh_.point(v)});
-    mesh_.move(v, x);
-}
-
 // The points around a point move on their ties until all tetrahedra are good enough.
 bool RoomMaker::make_room(int32_t v, double least)
 {
@@ -91,10 +84,11 @@ bool RoomMaker::make_room(int32_t v, double least)
                 continue;
             const Place place = climb(w, from, least);
             if (place.worst > before)
-                move_and_note(w, place.x);
+                moves_.apply(mesh_, w, place.x);
         }
         if (is_good(v, least))
-            return std::all_of(moves_.begin(), moves_.end(), [&](const Move& m) { return is_good(m.point, least); });
+            return std::all_of(moves_.made.begin(), moves_.made.end(),
+                               [&](const PointMove& m) { return is_good(m.point, least); });
     }
     return false;
 }

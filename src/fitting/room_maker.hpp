@@ -4,6 +4,7 @@
 #include "base/array.hpp"
 #include "improving/tie_constraint.hpp"
 #include "remeshing/contraction.hpp"
+#include "remeshing/point_moves.hpp"
 #include "remeshing/smoothing.hpp"
 
 namespace cleft
@@ -21,15 +22,9 @@ public:
     bool settle(int32_t v, const Vec3& on_tie, double least);
 
 private:
-    struct Move {
-        int32_t point;
-        Vec3 from;
-    };
-
     bool settle_here(int32_t v, const Vec3& on_tie, double least);
     bool settle_without_neighbour(int32_t v, const Vec3& on_tie, double least);
     Place climb(int32_t v, const Vec3& from, double least);
-    void move_and_note(int32_t v, const Vec3& x);
     bool make_room(int32_t v, double least);
     bool is_good(int32_t v, double least);
     Array<int32_t> points_around(int32_t v) const;
@@ -38,7 +33,7 @@ private:
     TieConstraint constraint_;
     Smoother smoother_;
     TetStar star_;
-    Array<Move> moves_;
+    PointMoves moves_;
     Contraction contraction_;
     Cavity cavity_;
 };

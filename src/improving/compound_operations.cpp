@@ -88,7 +88,7 @@ bool CompoundOperations::improve_at(const Tet& place, const Tet& bad, double bef
 void CompoundOperations::accept()
 {
     bad_.changed(mesh_, cavity_.created);
-    for (const Move& move : moves_) {
+    for (const PointMove& move : moves_.made) {
         star_.load(mesh_, move.point);
         bad_.changed(mesh_, star_.tets());
     }
@@ -190,10 +190,8 @@ void CompoundOperations::smooth_and_note(int32_t t)
             break;
         if (is_smoothed(v))
             continue;
-        const Vec3 from = mesh_.point(v);
         if (Vec3 better; smoother_.find(v, false, better)) {
-            mesh_.move(v, better);
-            moves_.push_back({v, from});
+            moves_.apply(mesh_, v, better);
             disturb_around(v);
         }
         smoothed_[v] = ++clock_;
@@ -222,7 +220,7 @@ bool CompoundOperations::pays(const Tet& bad, double wanted)
     const int32_t t = find(bad);
     if (!(mesh_.worst(cavity_.created) >= wanted) || (t >= 0 && !(mesh_.quality(t) >= wanted)))
         return false;
-    return std::all_of(moves_.begin(), moves_.end(), [&](const Move& move) {
+    return std::all_of(moves_.made.begin(), moves_.made.end(), [&](const PointMove& move) {
         star_.load(mesh_, move.point);
         return star_.worst_at(mesh_.point(move.point), -1) >= wanted;
     });
@@ -230,10 +228,8 @@ bool CompoundOperations::pays(const Tet& bad, double wanted)
 
 void CompoundOperations::take_back()
 {
-    // Backwards, because a point may have moved twice. The tetrahedra come back last: between the moves they are the
-    // new ones.
-    for (size_t i = moves_.size(); i-- > 0;)
-        mesh_.move(moves_[i].point, moves_[i].from);
+    // The tetrahedra come back last: between the moves they are the new ones.
+    moves_.undo(mesh_);
     cavity_.undo(mesh_);
     bad_.renumbered(cavity_.old_tets);
 }

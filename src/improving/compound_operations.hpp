@@ -7,6 +7,7 @@
 #include "improving/constrained_smoother.hpp"
 #include "improving/search.hpp"
 #include "remeshing/contraction.hpp"
+#include "remeshing/point_moves.hpp"
 #include "remeshing/worst_first.hpp"
 
 #include <array>
@@ -29,16 +30,11 @@ public:
     // tetrahedra may be left.
     bool improve(int32_t t, const Search& search, double target);
     // By the one that helped.
-    int64_t points_moved() const { return moves_.count(); }
+    int64_t points_moved() const { return moves_.made.count(); }
     // See Smoother.
     int64_t places() const { return smoother_.places(); }
 
 private:
-    struct Move {
-        int32_t point;
-        Vec3 from;
-    };
-
     bool improve_at(const Tet& place, const Tet& bad, double before);
     void accept();
     int32_t find(const Tet& corners) const;
@@ -62,7 +58,7 @@ private:
     Cavity cavity_;
     Contraction contraction_;
     TetStar star_;
-    Array<Move> moves_;                     // of the attempt
+    PointMoves moves_;                      // of the attempt
     Array<uint64_t> smoothed_, disturbed_;  // by point: when it was smoothed, when something around it moved
     uint64_t clock_ = 0, attempt_began_ = 0;
     std::set<std::array<int32_t, 4>> tried_;  // for the bad tetrahedron, see subject_of
