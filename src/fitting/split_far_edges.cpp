@@ -2,7 +2,6 @@
 #include "fitting/split_far_edges.hpp"
 
 #include "base/collect.hpp"
-#include "fitting/meetings.hpp"
 #include "mesh/adjacency.hpp"
 #include "remeshing/edge_split.hpp"
 #include "remeshing/tet_star.hpp"
@@ -124,9 +123,8 @@ Array<Edge> find_far_edges(const LocalMesh& mesh, const Volume& volume, double e
 
 }  // namespace
 
-bool are_sizes_for(double error, const LocalMesh& mesh, const Volume& volume, const Run& run)
+bool are_sizes_for(double error, const LocalMesh& mesh, const Volume& volume, const Meetings& meetings, const Run& run)
 {
-    const Meetings meetings = find_meetings(mesh, run);
     return find_far_edges(mesh, volume, error, meetings, run).count() <=
            std::count_if(meetings.begin(), meetings.end(), is_at_interface) / kPointsOfFar;
 }

@@ -1,8 +1,7 @@
 // Edges of interfaces that are too long for the curvature there.
 #pragma once
 
-#include "base/run.hpp"
-#include "remeshing/local_mesh.hpp"
+#include "fitting/meetings.hpp"
 #include "volume/volume.hpp"
 
 #include <cstdint>
@@ -12,7 +11,7 @@ namespace cleft
 
 // Whether few edges are further off: sizes that follow the error leave some. Many are in a mesh whose sizes were made
 // for something else.
-bool are_sizes_for(double error, const LocalMesh& mesh, const Volume& volume, const Run& run);
+bool are_sizes_for(double error, const LocalMesh& mesh, const Volume& volume, const Meetings& meetings, const Run& run);
 
 // Puts a point of the interface into each of its edges whose middle is further than `error` from it, or a point halfway
 // there, if all tetrahedra around are better than `floor` (of angle_quality) then. Single edges of a background are up

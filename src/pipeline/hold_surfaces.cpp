@@ -21,11 +21,12 @@ constexpr double kLineFloor = 15, kSplitFloor = 12;
 bool hold_surfaces(LocalMesh& mesh, const Volume& volume, double error, const Run& run)
 {
     Stage stage(run, "surfaces", {{nullptr, 1}, {"improving: lines", 3}, {"improving: edges", 1}});
-    if (!are_sizes_for(error, mesh, volume, stage.next()))
+    const Run of_sizes = stage.next();
+    const Meetings meetings = find_meetings(mesh, of_sizes);
+    if (!are_sizes_for(error, mesh, volume, meetings, of_sizes))
         return false;
-    const Run of_lines = stage.next();
-    const Meetings meetings = find_meetings(mesh, of_lines);
-    const LinePoints lines = relocate_lines(mesh, volume, sine_of(kLineFloor), meetings, of_lines, true);
+    // This changes what far edges and meetings there are: both are found anew for the splits.
+    const LinePoints lines = relocate_lines(mesh, volume, sine_of(kLineFloor), meetings, stage.next(), true);
     run.note("surfaces.off_lines", static_cast<double>(lines.off));
     const int64_t split = split_far_edges(mesh, volume, error, sine_of(kSplitFloor), stage.next());
     run.note("surfaces.far_edges", static_cast<double>(split));
