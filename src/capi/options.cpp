@@ -47,8 +47,8 @@ void assign(cleft_options& options, const OptionRow& row, double value)
     if (!std::isfinite(value))
         throw Error(CLEFT_ERROR_NOT_FINITE, std::string(row.name) + " is NaN or infinite");
     if (row.key == CLEFT_OPTION_SURFACE_ERROR && value < 0 && value != row.least)
-        throw Error(CLEFT_ERROR_OPTION, row.name + std::string(" is ") + text_of(value) +
-                                            "; it must be -1, which takes it from the voxels, or at least 0");
+        throw Error(CLEFT_ERROR_OPTION, row.name + std::string(" is ") + text_of(value) + "; it must be " +
+                                            text_of(row.least) + ", which takes it from the voxels, or at least 0");
     // A NaN was refused above: it would pass both comparisons.
     if (value < row.least || value > row.greatest)
         throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is " + text_of(value) + ", which is not within " +
@@ -129,11 +129,12 @@ void set_labels(Array<UserLabel>& list, const int32_t* labels, int64_t count)
     list = user_labels(labels, count);
 }
 
-// In world units. The description of the option says what -1 stands for.
+// In world units. Below 0 there is one value alone, see assign(): the description of the option says what it stands
+// for.
 double surface_error(double given, const Volume& volume)
 {
-    constexpr double kOfVolume = -1, kShareOfVoxel = 0.5;
-    return given == kOfVolume ? kShareOfVoxel * volume.grid().spacing.minCoeff() : given;
+    constexpr double kShareOfVoxel = 0.5;
+    return given < 0 ? kShareOfVoxel * volume.grid().spacing.minCoeff() : given;
 }
 
 // By material, as the stages know the labels. A label that the volume does not have is told of by
