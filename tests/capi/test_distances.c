@@ -1,49 +1,11 @@
 /* Distances of interfaces, against shapes whose distance is known. */
-#include "support/capi.h"
+#include "shapes.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { N = 40 };
-
-static const double kMiddle[3] = {20.2, 19.7, 20.4}, kRadius = 13;
-
-typedef double (*shape)(const double x[3]);
-
-static double length(const double x[3], const double y[3])
-{
-    const double d[3] = {x[0] - y[0], x[1] - y[1], x[2] - y[2]};
-    return sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-}
-
-static double ball(const double x[3]) { return kRadius - length(x, kMiddle); }
-static double plane(const double x[3]) { return (0.2 * (x[0] - 20) + 0.3 * (x[1] - 20) + (x[2] - 20)) / sqrt(1.13); }
-static double outside_ball(const double x[3]) { return -ball(x); }
-static double upper_half(const double x[3]) { return fmin(ball(x), plane(x)); }
-static double lower_half(const double x[3]) { return fmin(ball(x), -plane(x)); }
-
 /* Voxels are twice as large as a unit and mirrored, so that distances must be those of the world. */
-static const double kAffine[12] = {-2, 0, 0, 7, 0, 2, 0, 3, 0, 0, 2, 1};
-
-static cleft_volume* volume_of(cleft_context* context, const shape* shapes, int count)
-{
-    const int64_t dims[3] = {N, N, N};
-    float* fields[3] = {NULL, NULL, NULL};
-    for (int f = 0; f < count; ++f) {
-        fields[f] = (float*)malloc(sizeof(float) * N * N * N);
-        for (int v = 0; v < N * N * N; ++v) {
-            const double x[3] = {v % N, v / N % N, v / N / N};
-            fields[f][v] = (float)shapes[f](x);
-        }
-    }
-    cleft_volume* volume = NULL;
-    assert_ok(context, cleft_volume_create_indicators(context, CLEFT_TYPE_FLOAT32, (const void* const*)fields, count,
-                                                      dims, kAffine, NULL, &volume));
-    for (int f = 0; f < count; ++f)
-        free(fields[f]);
-    return volume;
-}
+static const scene kScene = {40, 13, {-2, 0, 0, 7, 0, 2, 0, 3, 0, 0, 2, 1}};
 
 static cleft_mesh* mesh_of(cleft_context* context, const cleft_volume* volume, double size)
 {
@@ -66,7 +28,10 @@ static cleft_distance distance_at(const cleft_report* report, int64_t index)
 /* Of the corners, the middles of edges and the centroids of all triangles, in the world. */
 static double greatest_from_ball(cleft_context* context, const cleft_mesh* mesh)
 {
-    const double middle[3] = {-2 * kMiddle[0] + 7, 2 * kMiddle[1] + 3, 2 * kMiddle[2] + 1};
+    double middle[3];
+    middle_of(&kScene, middle);
+    for (int axis = 0; axis < 3; ++axis)
+        middle[axis] = kScene.affine[5 * axis] * middle[axis] + kScene.affine[4 * axis + 3];
     cleft_surface* surface = NULL;
     assert_ok(context, cleft_surface_create(context, mesh, &surface));
     const double* points = cleft_mesh_points(mesh);
@@ -82,7 +47,7 @@ static double greatest_from_ball(cleft_context* context, const cleft_mesh* mesh)
                              c = points[3 * corner[kPlaces[place][2]] + axis];
                 x[axis] = place < 6 ? 0.5 * (a + c) : (a + b + c) / 3;
             }
-            greatest = fmax(greatest, fabs(length(x, middle) - 2 * kRadius));
+            greatest = fmax(greatest, fabs(distance_between(x, middle) - 2 * kScene.radius));
         }
     }
     cleft_surface_destroy(surface);
@@ -94,7 +59,7 @@ static void test_distances_from_a_ball_are_those_of_its_radius(void** state)
     (void)state;
     cleft_context* context = new_context();
     const shape shapes[] = {ball};
-    cleft_volume* volume = volume_of(context, shapes, 1);
+    cleft_volume* volume = volume_of_shapes(context, &kScene, shapes, 1);
     cleft_mesh* mesh = mesh_of(context, volume, 12);
     cleft_report* report = NULL;
     assert_ok(context, cleft_report_create_with_distances(context, volume, mesh, &report));
@@ -124,7 +89,7 @@ static void test_lines_come_after_interfaces(void** state)
     (void)state;
     cleft_context* context = new_context();
     const shape shapes[] = {outside_ball, upper_half, lower_half};
-    cleft_volume* volume = volume_of(context, shapes, 3);
+    cleft_volume* volume = volume_of_shapes(context, &kScene, shapes, 3);
     cleft_mesh* mesh = mesh_of(context, volume, 6);
     cleft_report* report = NULL;
     assert_ok(context, cleft_report_create_with_distances(context, volume, mesh, &report));

@@ -1,59 +1,30 @@
 /* Triangles stay within surface_error of their interface, on shapes whose distance is known. */
-#include "support/capi.h"
-
-#include <math.h>
+#include "shapes.h"
 
 enum { N = 64 };
 
-typedef double (*shape)(const double x[3]);
+static const scene kScene = {N, 26, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
+static const double kError = 0.5;
 
-static const double kMiddle[3] = {32.2, 31.7, 32.4}, kError = 0.5;
-
-static double length(double x, double y, double z) { return sqrt(x * x + y * y + z * z); }
-
-static double ball(const double x[3]) { return 26 - length(x[0] - kMiddle[0], x[1] - kMiddle[1], x[2] - kMiddle[2]); }
-static double torus(const double x[3])
+static double torus(const scene* s, const double x[3])
 {
-    const double from_axis = hypot(x[0] - kMiddle[0], x[1] - kMiddle[1]);
-    return 8 - hypot(from_axis - 19, x[2] - kMiddle[2]);
-}
-static double upper(const double x[3]) { return (0.2 * (x[0] - 32) + 0.3 * (x[1] - 32) + x[2] - 32) / sqrt(1.13); }
-static double outside(const double x[3]) { return -ball(x); }
-static double upper_half(const double x[3]) { return fmin(ball(x), upper(x)); }
-static double lower_half(const double x[3]) { return fmin(ball(x), -upper(x)); }
-
-/* Voxel centres lie at whole numbers. */
-static cleft_volume* volume_of(cleft_context* context, const shape* shapes, int count)
-{
-    const int64_t dims[3] = {N, N, N};
-    const double affine[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-    float* fields[3] = {NULL, NULL, NULL};
-    for (int f = 0; f < count; ++f) {
-        fields[f] = (float*)malloc(sizeof(float) * N * N * N);
-        for (int v = 0; v < N * N * N; ++v) {
-            const double x[3] = {v % N, v / N % N, v / N / N};
-            fields[f][v] = (float)shapes[f](x);
-        }
-    }
-    cleft_volume* volume = NULL;
-    assert_ok(context, cleft_volume_create_indicators(context, CLEFT_TYPE_FLOAT32, (const void* const*)fields, count,
-                                                      dims, affine, NULL, &volume));
-    for (int f = 0; f < count; ++f)
-        free(fields[f]);
-    return volume;
+    double middle[3];
+    middle_of(s, middle);
+    const double from_axis = hypot(x[0] - middle[0], x[1] - middle[1]);
+    return 8 - hypot(from_axis - 19, x[2] - middle[2]);
 }
 
 static cleft_volume* labels_of(cleft_context* context, shape inside)
 {
     const int64_t dims[3] = {N, N, N};
-    const double affine[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
     uint8_t* labels = (uint8_t*)malloc(N * N * N);
     for (int v = 0; v < N * N * N; ++v) {
         const double x[3] = {v % N, v / N % N, v / N / N};
-        labels[v] = inside(x) > 0;
+        labels[v] = inside(&kScene, x) > 0;
     }
     cleft_volume* volume = NULL;
-    assert_ok(context, cleft_volume_create_labels(context, CLEFT_TYPE_UINT8, labels, dims, affine, NULL, &volume));
+    assert_ok(context,
+              cleft_volume_create_labels(context, CLEFT_TYPE_UINT8, labels, dims, kScene.affine, NULL, &volume));
     free(labels);
     return volume;
 }
@@ -86,7 +57,7 @@ static double greatest_distance(cleft_context* context, const cleft_mesh* mesh, 
                 for (int axis = 0; axis < 3; ++axis)
                     x[axis] = (1 - u - v) * points[3 * corner[0] + axis] + u * points[3 * corner[1] + axis] +
                               v * points[3 * corner[2] + axis];
-                greatest = fmax(greatest, fabs(exact(x)));
+                greatest = fmax(greatest, fabs(exact(&kScene, x)));
             }
     }
     cleft_surface_destroy(surface);
@@ -96,7 +67,7 @@ static double greatest_distance(cleft_context* context, const cleft_mesh* mesh, 
 static void assert_within(shape exact, double most_of_fields, double most_of_labels)
 {
     cleft_context* context = new_context();
-    cleft_volume* volumes[2] = {volume_of(context, &exact, 1), labels_of(context, exact)};
+    cleft_volume* volumes[2] = {volume_of_shapes(context, &kScene, &exact, 1), labels_of(context, exact)};
     for (int from_labels = 0; from_labels < 2; ++from_labels) {
         cleft_mesh* coarse = mesh_of(context, volumes[from_labels], 0);
         cleft_mesh* fine = mesh_of(context, volumes[from_labels], kError);
@@ -135,8 +106,8 @@ static void test_lines_are_held_too(void** state)
 {
     (void)state;
     cleft_context* context = new_context();
-    const shape shapes[] = {outside, upper_half, lower_half};
-    cleft_volume* volume = volume_of(context, shapes, 3);
+    const shape shapes[] = {outside_ball, upper_half, lower_half};
+    cleft_volume* volume = volume_of_shapes(context, &kScene, shapes, 3);
     double mean[2];
     for (int with = 0; with < 2; ++with) {
         cleft_mesh* mesh = mesh_of(context, volume, with ? kError : 0);
@@ -161,8 +132,8 @@ static void test_a_flat_interface_needs_no_more(void** state)
 {
     (void)state;
     cleft_context* context = new_context();
-    const shape plane[] = {upper};
-    cleft_volume* volume = volume_of(context, plane, 1);
+    const shape shapes[] = {plane};
+    cleft_volume* volume = volume_of_shapes(context, &kScene, shapes, 1);
     cleft_mesh *without = mesh_of(context, volume, 0), *with = mesh_of(context, volume, kError);
     assert_int_equal(cleft_mesh_tet_count(without), cleft_mesh_tet_count(with));
     cleft_mesh_destroy(without);
