@@ -14,7 +14,7 @@
 typedef struct fixture {
     cleft_context* context;
     char folder[FOLDER_NAME];
-    char path[128];
+    char path[128], names[128];
 } fixture;
 
 static inline const char* path_of(fixture* f, const char* name)
@@ -46,6 +46,14 @@ static inline void write_file(const char* path, const void* head, size_t head_si
     fwrite(head, 1, head_size, file);
     fwrite(data, 1, size, file);
     fclose(file);
+}
+
+/* The path of a table of names with this text. */
+static inline const char* written_names(fixture* f, const char* text)
+{
+    snprintf(f->names, sizeof f->names, "%s/names.txt", f->folder);
+    write_file(f->names, text, strlen(text), "", 0);
+    return f->names;
 }
 
 static inline void assert_refused(fixture* f, cleft_status status, cleft_status wanted, const char* words)

@@ -137,17 +137,6 @@ static void two_meshes_are_on_one_page(void** state)
     cleft_mesh_destroy(meshes[1]);
 }
 
-static const char* written(fixture* f, const char* text)
-{
-    static char path[128];
-    strcpy(path, path_of(f, "names.txt"));
-    FILE* file = fopen(path, "wb");
-    assert_non_null(file);
-    fputs(text, file);
-    fclose(file);
-    return path;
-}
-
 static void names_come_from_tables_of_several_programs(void** state)
 {
     static const char* const tables[] = {
@@ -161,7 +150,7 @@ static void names_come_from_tables_of_several_programs(void** state)
     fixture* f = *state;
     cleft_mesh* mesh = sample(f);
     for (size_t i = 0; i < sizeof tables / sizeof *tables; ++i) {
-        const cleft_io_view view = {.struct_size = sizeof view, .names = written(f, tables[i])};
+        const cleft_io_view view = {.struct_size = sizeof view, .names = written_names(f, tables[i])};
         char* page = page_of(f, mesh, &view);
         assert_non_null(strstr(page, "{\"label\":3,\"name\":\"right lung\","));
         assert_non_null(strstr(page, "{\"label\":-7,\"name\":\"left lung\","));
@@ -186,7 +175,7 @@ static void numbers_behind_a_word_are_no_part_of_its_name(void** state)
     for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i) {
         char wanted[64];
         snprintf(wanted, sizeof wanted, "{\"label\":3,\"name\":%s,", rows[i].name);
-        const cleft_io_view view = {.struct_size = sizeof view, .names = written(f, rows[i].table)};
+        const cleft_io_view view = {.struct_size = sizeof view, .names = written_names(f, rows[i].table)};
         char* page = page_of(f, mesh, &view);
         assert_non_null(strstr(page, wanted));
         free(page);
@@ -209,7 +198,7 @@ static void tables_that_are_none_are_refused(void** state)
     fixture* f = *state;
     cleft_mesh* mesh = sample(f);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i) {
-        const cleft_io_view view = {.struct_size = sizeof view, .names = written(f, rows[i].table)};
+        const cleft_io_view view = {.struct_size = sizeof view, .names = written_names(f, rows[i].table)};
         assert_int_equal(cleft_io_write_view(f->context, mesh, &view, path_of(f, "page.html")), CLEFT_ERROR_FORMAT);
         assert_non_null(strstr(cleft_context_last_error(f->context), rows[i].said));
         assert_non_null(strstr(cleft_context_last_error(f->context), "names.txt'"));
