@@ -75,9 +75,16 @@ static void* cleft_csharp_text(const char* text)
         SWIG_CSharpSetPendingException(SWIG_CSharpOutOfMemoryException, "there is not enough memory");
         return 0;
     } %}
-%typemap(csout, excode=SWIGEXCODE) const char* { return Utf8.Take($imcall); }
+// $excode throws what is pending. Without it the exception would wait, and come out of the next call that looks for one.
+%typemap(csout, excode=SWIGEXCODE) const char* {
+    global::System.IntPtr text = $imcall;$excode
+    return Utf8.Take(text);
+  }
 %typemap(csvarout, excode=SWIGEXCODE2) const char* %{
-    get { return Utf8.Take($imcall); } %}
+    get {
+      global::System.IntPtr text = $imcall;$excode
+      return Utf8.Take(text);
+    } %}
 
 #ifndef CLEFT_IO_MODULE
 // A delegate passes as a pointer to a function. The class on top keeps it, as the collector sees no
