@@ -16,6 +16,7 @@ from pydicom.uid import (
     ExplicitVRLittleEndian,
     ImplicitVRLittleEndian,
     JPEG2000Lossless,
+    JPEGBaseline8Bit,
     RLELossless,
 )
 
@@ -89,11 +90,23 @@ def test_one_slice_in_all_encodings():
 
 
 def test_damaged_compression_does_not_end_the_process():
-    dataset = slice_of(random_labels((6, 4), (0, 3)), (10, 20, 30))
-    for junk in (b"", b"\xff\x4f\xff\x51" + bytes(60), os.urandom(400)):
-        dataset.PixelData = encapsulate([junk or b"\0\0"])
+    voxels = random_labels((6, 4), (0, 3))
+    stream = io.BytesIO()
+    Image.fromarray(voxels.T.astype("u1")).save(stream, "JPEG")
+    two_bits = bytearray(stream.getvalue())
+    two_bits[two_bits.index(b"\xff\xc0") + 4] = 2  # of each sample: GDCM aborts
+    start_alone = b"\xff\x4f\xff\x51" + bytes(60)
+    anything = np.random.default_rng(0).bytes(400)
+    dataset = slice_of(voxels, (10, 20, 30))
+    for syntax, damaged in (
+        (JPEG2000Lossless, b"\0\0"),
+        (JPEG2000Lossless, start_alone),
+        (JPEG2000Lossless, anything),
+        (JPEGBaseline8Bit, bytes(two_bits)),
+    ):
+        dataset.PixelData = encapsulate([damaged])
         dataset["PixelData"].is_undefined_length = True
-        refused(FORMAT, "compressed pixels", save(dataset, "junk2000.dcm", JPEG2000Lossless))
+        refused(FORMAT, "compressed pixels", save(dataset, "damaged.dcm", syntax))
 
 
 def test_signals_while_pixels_are_decoded():

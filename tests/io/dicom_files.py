@@ -1,11 +1,12 @@
-"""What the scripts that test the reading of DICOM share: files as pydicom writes them."""
+"""What the scripts that test the reading of DICOM share: files as pydicom writes them, the same in each run."""
+import itertools
 import struct
 
 import numpy as np
 import pydicom
 from pydicom.dataset import Dataset, FileMetaDataset
 from pydicom.sequence import Sequence
-from pydicom.uid import ExplicitVRBigEndian, ExplicitVRLittleEndian, ImplicitVRLittleEndian, generate_uid
+from pydicom.uid import ExplicitVRBigEndian, ExplicitVRLittleEndian, ImplicitVRLittleEndian
 
 import volume_reading
 from volume_reading import FILE, FORMAT, LABELS, path, run_dump, run_tests, write
@@ -17,6 +18,7 @@ ENHANCED_CT = "1.2.840.10008.5.1.4.1.1.2.1"
 SEGMENTATION = "1.2.840.10008.5.1.4.1.1.66.4"
 LABEL_MAP = "1.2.840.10008.5.1.4.1.1.66.7"
 RT_STRUCTURES = "1.2.840.10008.5.1.4.1.1.481.3"
+INSTANCES = itertools.count(1)
 TURNED = [0, 1, 0, 0, 0, -1]  # rows go to the back, columns to the feet
 
 
@@ -45,7 +47,7 @@ def group(**values):
 
 
 def new(storage, **values):
-    dataset = item(SOPClassUID=storage, SOPInstanceUID=generate_uid(), **values)
+    dataset = item(SOPClassUID=storage, SOPInstanceUID="1.2.8.%d" % next(INSTANCES), **values)
     dataset.file_meta = FileMetaDataset()
     dataset.file_meta.MediaStorageSOPClassUID = storage
     dataset.file_meta.MediaStorageSOPInstanceUID = dataset.SOPInstanceUID
