@@ -11,7 +11,6 @@
 
 #include <cstdio>
 #include <exception>
-#include <iostream>
 #include <new>
 #include <sstream>
 #include <string>
@@ -42,6 +41,13 @@ void describe(CLI::App& app)
     app.require_subcommand(1);
 }
 
+// As in other errors: "cleft view".
+std::string name_of_command(const CLI::App& app)
+{
+    const auto commands = app.get_subcommands();
+    return commands.empty() ? "cleft" : "cleft " + commands.front()->get_name();
+}
+
 int parse_and_run(int argc, char** argv)
 {
     CLI::App app;
@@ -60,10 +66,12 @@ int parse_and_run(int argc, char** argv)
         // CLI11 takes the arguments in reverse order.
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::ParseError& error) {
-        std::ostringstream text;
+        std::ostringstream text, complaint;
         // CLI11 has exit codes of its own, above 100. --help and --version come here, too, with 0.
-        if (app.exit(error, text, std::cerr) != 0)
+        if (app.exit(error, text, complaint) != 0) {
+            std::fprintf(stderr, "%s: %s", name_of_command(app).c_str(), complaint.str().c_str());
             return cleft_cli::EXIT_USAGE;
+        }
         // Help goes through the same function as summaries, so that a full disk behind standard
         // output is noticed.
         cleft_cli::print_summary_text(text.str());

@@ -247,7 +247,8 @@ void look_at_result(Session& session, const MeshArguments& arguments, const clef
 // What the view calls the mesh: its file, or that of the volume.
 std::string title_of(const MeshArguments& arguments)
 {
-    return file_title(arguments.outputs.empty() ? arguments.input.inputs.front() : arguments.outputs.front());
+    return file_titles({arguments.outputs.empty() ? arguments.input.inputs.front() : arguments.outputs.front()})
+        .front();
 }
 
 // The mesh and what is reported of it: all files or none.

@@ -2,10 +2,12 @@
 #include "picture_arguments.hpp"
 
 #include "exit_code.hpp"
+#include "number_checks.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace cleft_cli
 {
@@ -15,6 +17,9 @@ namespace
 // The names stand in the order of their numbers.
 const std::vector<std::string> kColourings = {"label", "angle", "ratio", "size"};
 const std::vector<std::string> kBackdrops = {"light", "dark", "none"};
+// The greatest that the file component takes.
+constexpr double kMostZoom = 50;
+constexpr double kMostLineWidth = 100;
 
 int32_t number_of(const std::string& name, const std::vector<std::string>& names)
 {
@@ -33,7 +38,7 @@ std::vector<std::string> parts_of(const std::string& text, char separator)
     return parts;
 }
 
-// Numbers between commas, as many as there is room for. "" leaves them as they are.
+// Finite numbers between commas, as many as there is room for. "" leaves them as they are.
 template <std::size_t N>
 void read_numbers(const char* option, const char* form, const std::string& text, double (&numbers)[N])
 {
@@ -42,9 +47,29 @@ void read_numbers(const char* option, const char* form, const std::string& text,
     const std::vector<std::string> parts = parts_of(text, ',');
     bool is_right = parts.size() == N;
     for (std::size_t i = 0; is_right && i < N; ++i)
-        is_right = CLI::detail::lexical_cast(parts[i], numbers[i]);
+        is_right = CLI::detail::lexical_cast(parts[i], numbers[i]) && std::isfinite(numbers[i]);
     if (!is_right)
         throw usage_failure(std::string(option) + ": '" + text + "' is not of the form " + form);
+}
+
+// "" leaves the default, which the zeros stand for.
+void read_direction(const char* option, const std::string& text, double (&direction)[3])
+{
+    read_numbers(option, "X,Y,Z", text, direction);
+    if (!text.empty() && std::all_of(direction, direction + 3, [](double x) { return x == 0; }))
+        throw usage_failure(std::string(option) + ": '" + text + "' is no direction; one of the numbers must not be 0");
+}
+
+// Of the measure that gives the colour.
+void read_range(const std::string& text, const std::string& by, double (&range)[2])
+{
+    read_numbers("--range", "LOW,HIGH", text, range);
+    if (text.empty())
+        return;
+    if (by == kColourings.front())
+        throw usage_failure("--range: colours of labels have no range; it needs --by angle, --by ratio or --by size");
+    if (!(range[0] < range[1]))
+        throw usage_failure("--range: '" + text + "': LOW must be less than HIGH");
 }
 
 // "x=0.5".
@@ -112,6 +137,7 @@ void PictureArguments::add_look_to(CLI::App& app)
         ->group(group);
     app.add_option("--up", up_, "Direction that is upwards (default 0,0,1)")->type_name("X,Y,Z")->group(group);
     app.add_option("--zoom", zoom_, "How much larger than to fill the picture (default 1)")
+        ->check(number_above_zero(kMostZoom))
         ->type_name("X")
         ->group(group);
     app.add_option("--size", size_, "Width and height in pixels (default 1200x900)")
@@ -120,6 +146,7 @@ void PictureArguments::add_look_to(CLI::App& app)
     app.add_option("--line-width", line_width_,
                    "Width of the edges in pixels. Those of small triangles are paler\n"
                    "(default 1)")
+        ->check(number_above_zero(kMostLineWidth))
         ->type_name("X")
         ->group(group);
     app.add_flag("--no-edges", no_edges_, "Do not draw the edges of the tetrahedra")->group(group);
@@ -142,9 +169,9 @@ cleft_io_picture PictureArguments::make() const
     picture.line_width = line_width_;
     for (const std::string& cut : cuts_)
         read_cut(cut, picture.cut);
-    read_numbers("--view", "X,Y,Z", view_, picture.view);
-    read_numbers("--up", "X,Y,Z", up_, picture.up);
-    read_numbers("--range", "LOW,HIGH", range_, picture.range);
+    read_direction("--view", view_, picture.view);
+    read_direction("--up", up_, picture.up);
+    read_range(range_, by_, picture.range);
     read_size(size_, picture);
     return picture;
 }

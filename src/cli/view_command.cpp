@@ -3,6 +3,7 @@
 #include "guarded.hpp"
 #include "json_report.hpp"
 #include "mesh_files.hpp"
+#include "mesh_report.hpp"
 #include "output_conflicts.hpp"
 #include "output_files.hpp"
 #include "standard_output.hpp"
@@ -11,9 +12,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include <fstream>
 #include <memory>
-#include <sstream>
 
 namespace cleft_cli
 {
@@ -26,17 +25,6 @@ struct ViewArguments {
     PageArguments page;
     RunArguments run;
 };
-
-// Not read as values: the page takes from a report what it finds there.
-std::string read_report(const std::string& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (!file || !nlohmann::json::accept(text.str()))
-        throw Failure(EXIT_CANNOT_READ, CLEFT_ERROR_FORMAT, "'" + path + "' is no report: it is not JSON");
-    return text.str();
-}
 
 void refuse_mistakes(const ViewArguments& arguments)
 {
@@ -71,10 +59,13 @@ int run_view(const ViewArguments& arguments)
     std::vector<Mesh> meshes;
     std::vector<ShownMesh> shown;
     session.timed("read", "reading the mesh", [&] {
+        const std::vector<std::string> titles = file_titles(arguments.inputs);
         for (size_t i = 0; i < arguments.inputs.size(); ++i) {
-            meshes.push_back(read_mesh(session, arguments.inputs[i]));
-            shown.push_back({meshes.back().get(), file_title(arguments.inputs[i]),
-                             i < arguments.reports.size() ? read_report(arguments.reports[i]) : ""});
+            const std::string& path = arguments.inputs[i];
+            meshes.push_back(read_mesh(session, path));
+            const cleft_mesh* mesh = meshes.back().get();
+            const bool has_report = i < arguments.reports.size();
+            shown.push_back({mesh, titles[i], has_report ? read_mesh_report(arguments.reports[i], mesh, path) : ""});
         }
     });
     StagedOutputs staged;

@@ -2,6 +2,7 @@
 #include "view_page.hpp"
 
 #include "label_names.hpp"
+#include "number_checks.hpp"
 
 #include "cleft/cleft_io.h"
 
@@ -11,6 +12,23 @@
 
 namespace cleft_cli
 {
+namespace
+{
+
+// So many of the last parts of a path, or all of them.
+std::string end_of_path(const std::string& path, size_t parts)
+{
+    std::filesystem::path rest(path);
+    // A path that ends in "/" has no name behind it.
+    if (!rest.has_filename())
+        rest = rest.parent_path();
+    std::filesystem::path end = rest.filename();
+    for (rest = rest.parent_path(); parts > 1 && rest.has_filename(); rest = rest.parent_path(), --parts)
+        end = rest.filename() / end;
+    return parts > 1 ? path : end.string();
+}
+
+}  // namespace
 
 void PageArguments::add_to(CLI::App& app)
 {
@@ -18,20 +36,28 @@ void PageArguments::add_to(CLI::App& app)
     app.add_option("--goal", goal,
                    "Least dihedral angle that the view marks, in degrees (default:\n"
                    "that of the report, else 25)")
-        ->check(CLI::Range(0.0, 90.0).description(""))
+        ->check(number_above_zero(90))
         ->type_name("DEGREES");
     app.add_option("--max-shown", max_tets,
                    "Tetrahedra that the view has of a mesh at most (default\n"
                    "3000000). Of more it has those at interfaces, and says so")
-        ->check(CLI::PositiveNumber.description(""))
+        ->check(positive_integer())
         ->type_name("N");
 }
 
-std::string file_title(const std::string& path)
+std::vector<std::string> file_titles(const std::vector<std::string>& paths)
 {
-    const std::filesystem::path as_path(path);
-    // A path that ends in "/" has no name behind it.
-    return (as_path.has_filename() ? as_path : as_path.parent_path()).filename().string();
+    const auto titles_of = [&](size_t parts) {
+        std::vector<std::string> titles;
+        for (const std::string& path : paths)
+            titles.push_back(end_of_path(path, parts));
+        return titles;
+    };
+    std::vector<std::string> titles = titles_of(1);
+    // One file, if its path is given twice, has one name.
+    for (size_t parts = 2; titles.size() == 2 && titles[0] == titles[1] && paths[0] != paths[1]; ++parts)
+        titles = titles_of(parts);
+    return titles;
 }
 
 void write_page(const Session& session, const std::vector<ShownMesh>& meshes, const PageArguments& arguments,

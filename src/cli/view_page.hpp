@@ -27,8 +27,9 @@ struct PageArguments {
     void add_to(CLI::App& app);
 };
 
-// What a page calls the mesh of a file or folder: its name without the folder that it is in.
-std::string file_title(const std::string& path);
+// What a page calls the meshes of files or folders: their names, with as many of the folders that they are in as tell
+// two of them apart.
+std::vector<std::string> file_titles(const std::vector<std::string>& paths);
 
 // One mesh, or two to compare. To be committed when all else is done.
 void write_page(const Session& session, const std::vector<ShownMesh>& meshes, const PageArguments& arguments,

@@ -78,6 +78,38 @@ class View(CommandTest):
         self.assertEqual([mesh["title"] for mesh in page.data()["meshes"]], ["out.vtu", "out.vtu"])
         self.assertEqual([row["name"] for row in page.data()["meshes"][1]["labels"]], ["", "<b>inner</b>", "outer"])
 
+    def test_the_report_of_another_mesh_is_refused(self):
+        def refuse(mesh, report, *words):
+            done = cleft("view", self.path(mesh), "-o", self.path("p.html"), "--report", self.path(report))
+            self.assert_fails(CANNOT_READ, done, report, *words)
+            self.assertEqual(len(done.stderr.splitlines()), 1)
+            self.assertFalse(self.path("p.html").exists())
+
+        out = self.path("out.vtu")
+        tets = f"{self.report['mesh']['tets']:,}"
+        self.run_ok("convert", out, self.path("part.vtu"), "--strip", "0")
+        refuse("part.vtu", "report.json", f"it has {tets} tetrahedra, and '{self.path('part.vtu')}' has ")
+        far = {**self.report, "mesh": {**self.report["mesh"], "low": [0, 0, 0]}}
+        self.path("far.json").write_text(json.dumps(far))
+        refuse("out.vtu", "far.json", "it has the box 0 to 15.5 x ")
+        labels = [{**row, "label": row["label"] + 1} for row in self.report["mesh"]["labels"]]
+        self.path("labels.json").write_text(json.dumps({"mesh": {**self.report["mesh"], "labels": labels}}))
+        refuse("out.vtu", "labels.json", "it has 0 tetrahedra of label 0, and ")
+        for text in ("{}", "[]", "3", '{"mesh": {"tets": "many"}}'):
+            self.path("bad.json").write_text(text)
+            refuse("out.vtu", "bad.json", 'lacks "mesh"')
+        # Formats that round coordinates.
+        self.run_ok("convert", out, self.path("out.vtk"))
+        self.run_ok("view", self.path("out.vtk"), "-o", self.path("p.html"), "--report", self.path("report.json"))
+
+    def test_meshes_of_one_name_are_told_apart(self):
+        for folder in ("a", "b"):
+            self.path(folder).mkdir()
+            self.run_ok("convert", self.path("out.vtu"), self.path(folder) / "out.vtu")
+        self.run_ok("view", self.path("a/out.vtu"), self.path("b/out.vtu"), "-o", self.path("p.html"))
+        titles = [mesh["title"] for mesh in Page(self.path("p.html")).data()["meshes"]]
+        self.assertEqual(titles, ["a/out.vtu", "b/out.vtu"])
+
     def test_failures_leave_nothing(self):
         out, page = self.path("out.vtu"), self.path("page.html")
         self.path("bad.json").write_text("{")
@@ -93,7 +125,15 @@ class View(CommandTest):
         self.assert_fails(
             USAGE, cleft(*view, "--report", self.path("report.json"), "--report", self.path("report.json"))
         )
-        self.assert_fails(USAGE, cleft(*view, "--goal", "91"), "--goal")
+        for option, value, limits in (
+            ("--goal", "91", "(above 0, at most 90)"),
+            ("--goal", "nan", "(above 0, at most 90)"),
+            ("--max-shown", "0", "(whole, at least 1)"),
+            ("--max-shown", "1.5", "(whole, at least 1)"),
+        ):
+            done = cleft(*view, option, value)
+            self.assert_fails(USAGE, done, f"cleft view: {option}: '{value}'", limits)
+            self.assertLess(len(done.stderr), 150)
         self.assert_fails(USAGE, cleft("mesh", self.volume, "-o", page, "--view", page))
         self.assert_fails(CANNOT_WRITE, cleft("mesh", self.volume, "--view", self.path("a.vtu")), "a.vtu")
         self.path("names.html").write_text("3 precious\n")
