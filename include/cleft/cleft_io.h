@@ -284,8 +284,9 @@ typedef struct cleft_io_picture {
 } cleft_io_picture;
 
 /** Draws a mesh and writes the picture as PNG, without a screen. `strip` lists labels that are not drawn, and `whole`
- *  labels that are not cut. Both may be NULL if their number is 0. `picture` may be NULL for the defaults. A warning
- *  names listed labels that the mesh does not have.
+ *  labels that are not cut. Both may be NULL if their number is 0. `picture` may be NULL for the defaults.
+ *  Warnings name listed labels that the mesh does not have and names that the letters of the legend cannot show, and
+ * say that all sizes are one.
  *
  *  The pixels are the same on every machine and for any number of threads. The bytes of the file are the same for the
  *  same version of zlib, which compresses them. The call reports its progress, and can be cancelled.
@@ -318,7 +319,8 @@ typedef struct cleft_io_view {
 
 /** Writes a page of HTML that shows the mesh in any browser. It is one file, which needs no network and no other file.
  *  It has the materials, cuts through the mesh, the shapes and the worst of its tetrahedra. `view` may be NULL for the
- *  defaults. The call reports its progress, and can be cancelled.
+ *  defaults. The call reports its progress, and can be cancelled. Warnings tell of a mesh that is shown in part, and of
+ *  two meshes that lie in different places.
  *
  *  A table of names is one of cleft_io_read_mesh_names(). Labels that are not in the table keep the names of the mesh.
  *

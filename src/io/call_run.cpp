@@ -1,6 +1,8 @@
 // Asks the context for a cancel, by reports alone: the component sees no more of it than any program.
 #include "io/call_run.hpp"
 
+#include "io/create_volume.hpp"
+
 #include <algorithm>
 
 namespace cleft::io
@@ -22,6 +24,7 @@ Run CallRun::run()
         return std::this_thread::get_id() == caller_ && Clock::now() - last_ > kBetweenReports &&
                is_cancelled(fraction_);
     };
+    run.on_warning = [this](const std::string& sentence) { report(context_, sentence); };
     return run;
 }
 

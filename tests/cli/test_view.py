@@ -110,6 +110,14 @@ class View(CommandTest):
         titles = [mesh["title"] for mesh in Page(self.path("p.html")).data()["meshes"]]
         self.assertEqual(titles, ["a/out.vtu", "b/out.vtu"])
 
+    def test_a_part_of_a_mesh_is_told(self):
+        page, report = self.path("p.html"), self.path("view.json")
+        done = self.run_ok("view", self.path("out.vtu"), "-o", page, "--max-shown", 100, "--json", report)
+        warning = f"'out.vtu' has {self.report['mesh']['tets']} tetrahedra, and the page shows 100 of them"
+        self.assertIn("cleft: warning: " + warning, done.stderr)
+        told = json.loads(report.read_text())
+        self.assertEqual(len(told["warnings"]), 1)
+
     def test_failures_leave_nothing(self):
         out, page = self.path("out.vtu"), self.path("page.html")
         self.path("bad.json").write_text("{")

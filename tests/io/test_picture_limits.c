@@ -44,6 +44,7 @@ static void pictures_of_any_size_are_read(void** state)
     cleft_mesh_destroy(mesh);
 }
 
+static double with_rounding(double x) { return 1000 + x / 3; }
 static double in_parts_of_1024(double x) { return x / 1024; }
 static double nearly_too_large(double x) { return (x - 3) * 0.55e308; }
 static double nearly_too_small(double x) { return x * 1e-300; }
@@ -224,6 +225,65 @@ static void unknown_labels_are_warned_about(void** state)
     cleft_mesh_destroy(mesh);
 }
 
+static void what_a_legend_cannot_show_is_told(void** state)
+{
+    fixture* f = *state;
+    cleft_mesh* mesh = make_box(f->context, 3, as_it_is);
+    char sentences[500] = "";
+    assert_int_equal(cleft_context_set_log(f->context, keep_sentence, sentences), CLEFT_OK);
+    assert_int_equal(cleft_mesh_set_label_name(mesh, OUTER,
+                                               "Gr\xc3\xb6\xc3\x9f"
+                                               "e"),
+                     CLEFT_OK);
+    cleft_io_picture look = small_picture();
+    picture p = draw(f, mesh, &look);
+    free(p.rgba);
+    assert_string_equal(sentences, "");
+    look.legend = 1;
+    p = draw(f, mesh, &look);
+    free(p.rgba);
+    assert_non_null(strstr(sentences,
+                           "the legend can draw ASCII alone, and shows other letters as '?': in the names of "
+                           "1 label, '"));
+    assert_non_null(strstr(sentences,
+                           "Gr\xc3\xb6\xc3\x9f"
+                           "e';"));
+    cleft_mesh_destroy(mesh);
+}
+
+/* Sizes that differ by rounding alone have one colour, and a sentence says so. */
+static void one_size_has_one_colour(void** state)
+{
+    fixture* f = *state;
+    cleft_mesh* mesh = make_box(f->context, 3, with_rounding);
+    char sentences[500] = "";
+    assert_int_equal(cleft_context_set_log(f->context, keep_sentence, sentences), CLEFT_OK);
+    cleft_io_picture look = small_picture();
+    look.by = CLEFT_IO_BY_SIZE;
+    look.no_edges = 1;
+    look.legend = 1;
+    picture p = draw(f, mesh, &look);
+    assert_non_null(strstr(sentences, "all tetrahedra of the picture have the same size, "));
+    /* The middle of the colours, and neither of its ends. */
+    int64_t green = 0;
+    for (int y = 0; y < p.height; ++y)
+        for (int x = 0; x < p.width; ++x) {
+            const unsigned char* pixel = pixel_at(&p, x, y);
+            green += pixel[1] > pixel[0] + 30 && pixel[1] > pixel[2];
+            assert_false(pixel[0] > 200 && pixel[2] < 190);
+            assert_false(pixel[2] > pixel[1] + 40);
+        }
+    assert_true(green > 100);
+    free(p.rgba);
+    sentences[0] = '\0';
+    look.range[0] = 0.1;
+    look.range[1] = 10;
+    p = draw(f, mesh, &look);
+    free(p.rgba);
+    assert_string_equal(sentences, "");
+    cleft_mesh_destroy(mesh);
+}
+
 int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
@@ -236,6 +296,8 @@ int main(void)
         TEST(values_that_cannot_be_are_refused),
         TEST(what_cannot_be_drawn_is_refused),
         TEST(unknown_labels_are_warned_about),
+        TEST(what_a_legend_cannot_show_is_told),
+        TEST(one_size_has_one_colour),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

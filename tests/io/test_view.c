@@ -110,12 +110,23 @@ static void texts_that_are_not_utf8_are_replaced(void** state)
     cleft_mesh_destroy(mesh);
 }
 
+static void keep_sentence(int32_t level, const char* sentence, void* user)
+{
+    assert_int_equal(level, CLEFT_LOG_WARNING);
+    strcat(user, sentence);
+    strcat(user, ";");
+}
+
 static void large_meshes_are_shown_in_part_and_say_so(void** state)
 {
     fixture* f = *state;
     cleft_mesh* mesh = sample(f);
     const cleft_io_view view = {.struct_size = sizeof view, .max_tets = 10};
+    char sentences[500] = "";
+    assert_int_equal(cleft_context_set_log(f->context, keep_sentence, sentences), CLEFT_OK);
     char* page = page_of(f, mesh, &view);
+    assert_string_equal(sentences,
+                        "'Mesh' has 216 tetrahedra, and the page shows 10 of them, those around the middle;");
     assert_non_null(strstr(page, "\"tets\":216,"));
     assert_non_null(strstr(page, "\"shown_tets\":10,\"reduction\":\"middle\""));
     free(page);
@@ -135,6 +146,52 @@ static void two_meshes_are_on_one_page(void** state)
     free(page);
     cleft_mesh_destroy(meshes[0]);
     cleft_mesh_destroy(meshes[1]);
+}
+
+/* One camera looks at both, so it is told where they hardly meet. */
+static void meshes_in_different_places_are_told(void** state)
+{
+    static const struct {
+        double factor, step;
+        const char* said;
+    } rows[] = {
+        {1, 0, NULL},
+        {0.5, 0, NULL},
+        {1, 1, NULL},
+        {1, 5,
+         "'ours' and 'theirs' lie in different places or have different sizes, so one camera hardly shows both: "
+         "along y, one reaches from 1e-07 to "},
+        {1000, 0, "along z, one reaches from "},
+    };
+    fixture* f = *state;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i) {
+        sample_mesh moved;
+        sample_mesh_fill(&moved);
+        for (int p = 0; p < SAMPLE_POINTS; ++p)
+            for (int axis = 0; axis < 3; ++axis)
+                moved.points[3 * p + axis] =
+                    rows[i].factor * moved.points[3 * p + axis] + (axis == 1 ? rows[i].step / 7 : 0);
+        if (rows[i].factor == 0.5)
+            for (int p = 0; p < SAMPLE_POINTS; ++p)
+                moved.points[3 * p + 2] += 12346 * 0.5;
+        cleft_mesh* meshes[] = {sample(f), NULL};
+        assert_int_equal(cleft_mesh_create(f->context, SAMPLE_POINTS, moved.points, SAMPLE_TETS, moved.tets,
+                                           moved.labels, 0, &meshes[1]),
+                         CLEFT_OK);
+        char sentences[1000] = "";
+        assert_int_equal(cleft_context_set_log(f->context, keep_sentence, sentences), CLEFT_OK);
+        const cleft_io_view view = {
+            .struct_size = sizeof view, .title = "ours", .other = meshes[1], .other_title = "theirs"};
+        char* page = page_of(f, meshes[0], &view);
+        if (rows[i].said)
+            assert_non_null(strstr(sentences, rows[i].said));
+        else
+            assert_string_equal(sentences, "");
+        assert_non_null(strstr(page, rows[i].said ? rows[i].said : "\"places\":\"\""));
+        free(page);
+        cleft_mesh_destroy(meshes[0]);
+        cleft_mesh_destroy(meshes[1]);
+    }
 }
 
 static void names_come_from_tables_of_several_programs(void** state)
@@ -242,6 +299,7 @@ int main(void)
         CASE(texts_that_are_not_utf8_are_replaced),
         CASE(large_meshes_are_shown_in_part_and_say_so),
         CASE(two_meshes_are_on_one_page),
+        CASE(meshes_in_different_places_are_told),
         CASE(names_come_from_tables_of_several_programs),
         CASE(numbers_behind_a_word_are_no_part_of_its_name),
         CASE(tables_that_are_none_are_refused),

@@ -64,8 +64,8 @@ ColourScale::ColourScale(cleft_io_colouring by, const std::array<double, 2>& wan
 
 double ColourScale::place_of(double value) const
 {
-    if (!(high_ > low_))
-        return 0;
+    if (!is_range())
+        return 0.5;
     if (!(value > low_))
         return 0;
     if (value >= high_)
@@ -96,7 +96,7 @@ Colour ColourScale::of(double value) const
 Array<double> ColourScale::ticks() const
 {
     Array<double> ticks;
-    if (!(high_ > low_) || !std::isfinite(high_ - low_))
+    if (!is_range() || !std::isfinite(high_ - low_))
         return {low_};
     if (is_logarithmic_)
         add_decades(low_, high_, ticks);

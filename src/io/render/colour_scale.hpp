@@ -17,6 +17,8 @@ public:
     // sizes is `found`, the least and greatest drawn. `wanted` replaces either, unless both its numbers are 0.
     ColourScale(cleft_io_colouring by, const std::array<double, 2>& wanted, const std::array<double, 2>& found);
 
+    // One value alone has the colour of the middle.
+    bool is_range() const { return high_ > low_; }
     // Values beyond the range have the colour of its end; what is no number has that of the worst.
     Colour of(double value) const;
     // 0 to 1 where the value lies on a bar of the colours, which goes from the least to the greatest.

@@ -97,7 +97,7 @@ void draw_bar(const ColourScale& scale, const Layout& at, double left, Colour te
     const double bar_left = left + at.margin;
     draw_text(scale.title(), bar_left, top - at.text, at.text, text, canvas);
     for (int y = 0; y < static_cast<int>(height); ++y)
-        fill(bar_left, top + y, at.swatch, 1, scale.at(1 - (y + 0.5) / height), canvas);
+        fill(bar_left, top + y, at.swatch, 1, scale.at(scale.is_range() ? 1 - (y + 0.5) / height : 0.5), canvas);
     for (const double tick : scale.ticks()) {
         const double y = top + (1 - scale.place_of(tick)) * height;
         fill(bar_left + at.swatch, y - 0.5, at.gap / 2, 1, text, canvas);

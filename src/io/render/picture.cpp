@@ -2,8 +2,10 @@
 #include "io/render/picture.hpp"
 
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "base/parallel.hpp"
 #include "base/stage.hpp"
+#include "base/utf8.hpp"
 #include "io/label_colours.hpp"
 #include "io/render/camera.hpp"
 #include "io/render/creases.hpp"
@@ -35,6 +37,34 @@ std::array<double, 2> range_of(const Array<double>& measures)
         if (std::isfinite(value))
             range = {std::min(range[0], value), std::max(range[1], value)};
     return range[0] <= range[1] ? range : std::array<double, 2>{0, 0};
+}
+
+// The ends of a scale of sizes. Those of a uniform mesh differ by rounding, which is nothing to show.
+std::array<double, 2> range_to_show(const Array<double>& measures, const PictureRequest& request, const Run& run)
+{
+    constexpr double kRounding = 1e-6;
+    const auto [low, high] = range_of(measures);
+    const bool is_given = request.range[0] < request.range[1];
+    if (request.by != CLEFT_IO_BY_SIZE || is_given || high - low > kRounding * high)
+        return {low, high};
+    run.warn("all tetrahedra of the picture have the same size, " + number_text(low) + ", and so one colour");
+    return {low, low};
+}
+
+void warn_of_letters(const Legend& legend, const Run& run)
+{
+    constexpr size_t kLongest = 80;  // bytes of a name, so that the sentence can be read
+    const auto is_ascii = [](const LegendEntry& entry) {
+        return std::all_of(entry.text.begin(), entry.text.end(),
+                           [](char c) { return static_cast<signed char>(c) > 0; });
+    };
+    const auto first = std::find_if_not(legend.entries.begin(), legend.entries.end(), is_ascii);
+    if (first == legend.entries.end())
+        return;
+    const auto count = std::count_if(first, legend.entries.end(), [&](const auto& entry) { return !is_ascii(entry); });
+    run.warn("the legend can draw ASCII alone, and shows other letters as '?': in the names of " +
+             std::to_string(count) + (count == 1 ? " label, '" : " labels, the first of which is '") +
+             std::string(beginning_of(printable(first->text), kLongest)) + "'");
 }
 
 // The labels of the tetrahedra for which `has` says so; tet_of(i) for i in [0, count) are those to ask for.
@@ -101,7 +131,7 @@ Canvas draw_picture(const MeshView& mesh, const PictureRequest& request, const R
     const Camera camera(mesh, faces, request, area_for_mesh(request, beside), colouring);
     const Array<double> measures = face_measures(mesh, faces, camera, request, colouring);
     if (request.by != CLEFT_IO_BY_LABEL)
-        legend.scale.emplace(request.by, request.range, range_of(measures));
+        legend.scale.emplace(request.by, request.range, range_to_show(measures, request, run));
 
     Canvas canvas(request.width, request.height);
     const Array<DrawnFace> drawn = drawn_faces(mesh, faces, measures, legend.scale, camera, request, colouring);
@@ -112,6 +142,7 @@ Canvas draw_picture(const MeshView& mesh, const PictureRequest& request, const R
     if (names_labels)
         legend.entries = label_entries(
             mesh, drawn.count(), [&](int64_t f) { return drawn[f].tet; }, [&](int64_t f) { return is_seen[f] != 0; });
+    warn_of_letters(legend, run);
     if (request.has_legend)
         draw_legend(legend, beside, request.backdrop == CLEFT_IO_BACKDROP_DARK ? kTextOnDark : kTextOnLight, canvas);
     return canvas;

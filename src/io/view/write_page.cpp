@@ -2,7 +2,9 @@
 // runs; arrays are base64 in others. docs/formats.md says what the page promises.
 #include "io/view/write_page.hpp"
 
+#include "base/number_text.hpp"
 #include "base/stage.hpp"
+#include "base/utf8.hpp"
 #include "io/atomic_file.hpp"
 #include "io/label_colours.hpp"
 #include "io/view/json_text.hpp"
@@ -164,14 +166,48 @@ void print_element(AtomicFile& file, const std::string& id, const char* type, co
     file.print("<script type=\"", type, "\" id=\"", id, "\">", text, "</script>\n");
 }
 
+// The page tells it, too. Who makes it may not open it.
+void warn_of_reduction(const PageMesh& page, const PageTets& shown, const Run& run)
+{
+    if (shown.reduction == Reduction::kNone)
+        return;
+    run.warn("'" + printable(page.title) + "' has " + std::to_string(page.view.tet_count) +
+             " tetrahedra, and the page shows " + std::to_string(shown.tets.size()) + " of them, those " +
+             (shown.reduction == Reduction::kInterfaces ? "at interfaces and at the hull" : "around the middle"));
+}
+
+// Of two meshes that are not to be seen well by one camera: a sentence on the axis where they are farthest apart.
+std::string places_text(const std::vector<PageMesh>& meshes, const std::vector<MeshFigures>& figures)
+{
+    // With less in common, one of them is a speck, or lies outside the picture when the other one fills it.
+    constexpr double kLeastShare = 0.1;
+    double least = kLeastShare;
+    std::string text;
+    for (size_t axis = 0; meshes.size() == 2 && axis < 3; ++axis) {
+        const auto low = [&](size_t i) { return figures[i].low[axis]; };
+        const auto high = [&](size_t i) { return figures[i].high[axis]; };
+        const double both = std::min(high(0), high(1)) - std::max(low(0), low(1));
+        const double all = std::max(high(0), high(1)) - std::min(low(0), low(1));
+        if (!(all > 0 && both / all < least))
+            continue;
+        least = both / all;
+        const auto range = [&](size_t i) { return number_text(low(i)) + " to " + number_text(high(i)); };
+        text = "'" + printable(meshes[0].title) + "' and '" + printable(meshes[1].title) +
+               "' lie in different places or have different sizes, so one camera hardly shows both: along " +
+               "xyz"[axis] + ", one reaches from " + range(0) + " and the other from " + range(1);
+    }
+    return text;
+}
+
 // Prints the arrays and the report of a mesh, and adds the rest to `json`.
-void print_mesh(AtomicFile& file, const PageMesh& page, size_t number, const PageOptions& options, const Run& run,
-                JsonText& json)
+MeshFigures print_mesh(AtomicFile& file, const PageMesh& page, size_t number, const PageOptions& options,
+                       const Run& run, JsonText& json)
 {
     constexpr const char* kBytes = "application/octet-stream";
     Steps steps(run, {{"page: figures", 3}, {"page: tetrahedra", 0.2}, {nullptr, 6}});
     const MeshFigures figures = figures_of(page.view, steps.next());
     const PageTets shown = choose_tets(page.view, page.surface, figures, options.max_tets, steps.next());
+    warn_of_reduction(page, shown, run);
     add_mesh(page, figures, shown, json);
     const Arrays arrays = arrays_of(page.view, shown, Grid(figures), steps.next());
     const std::string id = std::to_string(number);
@@ -180,6 +216,7 @@ void print_mesh(AtomicFile& file, const PageMesh& page, size_t number, const Pag
     print_element(file, "materials-" + id, kBytes, arrays.materials);
     print_element(file, "numbers-" + id, kBytes, arrays.numbers);
     print_element(file, "report-" + id, "application/json", without_tags(page.report));
+    return figures;
 }
 
 void print_data(AtomicFile& file, const std::vector<PageMesh>& meshes, const PageOptions& options, const Run& run)
@@ -191,9 +228,13 @@ void print_data(AtomicFile& file, const std::vector<PageMesh>& meshes, const Pag
     JsonText json;
     json.open('{').field("version", cleft_version(nullptr, nullptr, nullptr)).field("goal", options.goal);
     json.key("meshes").open('[');
+    std::vector<MeshFigures> figures;
     for (size_t i = 0; i < meshes.size(); ++i)
-        print_mesh(file, meshes[i], i, options, steps.next(), json);
-    json.close(']').close('}');
+        figures.push_back(print_mesh(file, meshes[i], i, options, steps.next(), json));
+    const std::string places = places_text(meshes, figures);
+    if (!places.empty())
+        run.warn(places);
+    json.close(']').field("places", places).close('}');
     print_element(file, "data", "application/json", json.text());
 }
 
