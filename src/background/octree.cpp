@@ -12,7 +12,7 @@
 #include "background/octree.hpp"
 
 #include "background/octree_tree.hpp"
-#include "base/parallel.hpp"
+#include "base/collect.hpp"
 #include "base/sorted_set.hpp"
 #include "base/stage.hpp"
 
@@ -268,23 +268,19 @@ Array<int32_t> add_centres(const Octree& tree, const Points& points, TetMesh& me
     return centre;
 }
 
-// Part after part, so that the number of threads does not show. Each part is freed at once.
-void add_parts(Array<Part>& parts, TetMesh& mesh)
+// Part after part, so that the number of threads does not show.
+void add_parts(Array<Part>& parts, TetMesh& mesh, const Run& run)
 {
-    size_t tets = 0;
-    for (const Part& part : parts)
-        tets += part.tets.size();
-    mesh.tets.reserve(tets);
     for (Part& part : parts) {
         const auto first_hub = static_cast<int32_t>(mesh.points.size());
         mesh.points.insert(mesh.points.end(), part.hubs.begin(), part.hubs.end());
-        for (Tet tet : part.tets) {
+        if (part.hubs.empty())
+            continue;
+        for (Tet& tet : part.tets)
             for (int32_t& v : tet)
                 v = v < 0 ? first_hub + ~v : v;
-            mesh.tets.push_back(tet);
-        }
-        part = Part();
     }
+    mesh.tets = joined<Tet>(run, parts, &Part::tets);
 }
 
 }  // namespace
@@ -307,7 +303,7 @@ TetMesh octree_background(const SizingField& field, const Run& run)
             if (tree.cells[c].first_child < 0)
                 mesher.mesh_leaf(static_cast<int32_t>(c));
     });
-    add_parts(parts, mesh);
+    add_parts(parts, mesh, of_cells);
     return mesh;
 }
 

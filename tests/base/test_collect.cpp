@@ -26,10 +26,27 @@ void items_keep_their_order(void**)
     assert_true(collect<int>(Run{}, 0, kGrain, [](int64_t, int64_t, Array<int>&) { fail(); }).empty());
 }
 
+void lists_of_parts_are_joined(void**)
+{
+    struct Part {
+        Array<int64_t> numbers;
+        Array<char> letters;
+    };
+    const auto all = [] { return Array<Part>{{{1, 2}, {'a'}}, {}, {{3}, {'b', 'c'}}, {{}, {'d'}}}; };
+    for (const int threads : {1, 3}) {
+        Run run;
+        run.threads = threads;
+        Array<Part> parts = all();
+        assert_true(joined<int64_t>(run, parts, &Part::numbers) == (Array<int64_t>{1, 2, 3}));
+        assert_true(joined<char>(run, parts, &Part::letters) == (Array<char>{'a', 'b', 'c', 'd'}));
+        assert_true(joined<char>(run, parts, &Part::letters).empty());
+    }
+}
+
 }  // namespace
 
 int main()
 {
-    const CMUnitTest tests[] = {cmocka_unit_test(items_keep_their_order)};
+    const CMUnitTest tests[] = {cmocka_unit_test(items_keep_their_order), cmocka_unit_test(lists_of_parts_are_joined)};
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
