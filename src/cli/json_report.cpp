@@ -165,6 +165,7 @@ void add_run(Json& report, const Session& session)
     Json stages = Json::array();
     for (const StageFigures& stage : session.stages()) {
         stages.push_back({{"name", stage.name},
+                          {"part_of", stage.part_of},
                           {"seconds", stage.seconds},
                           {"cpu_seconds", stage.cpu_seconds},
                           {"peak_bytes", stage.peak_bytes}});

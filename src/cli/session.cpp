@@ -151,11 +151,13 @@ void Session::note_stages(const char* name, const StageFigures& before, int64_t 
         if (!ends_with(metric, end))
             continue;
         const std::string stage = metric.substr(0, metric.size() - end.size());
-        stages_.push_back({stage, true, value_of(stage + ".seconds"), all[i].second, value_of(stage + ".peak_bytes")});
+        // "background.seed" is a step of the stage "background".
+        const std::string whole = stage.substr(0, stage.find('.'));
+        stages_.push_back({stage, whole == stage ? name : whole, value_of(stage + ".seconds"), all[i].second,
+                           value_of(stage + ".peak_bytes")});
     }
     const StageFigures now = process_figures();
-    stages_.push_back(
-        {name, false, now.seconds - before.seconds, now.cpu_seconds - before.cpu_seconds, now.peak_bytes});
+    stages_.push_back({name, "", now.seconds - before.seconds, now.cpu_seconds - before.cpu_seconds, now.peak_bytes});
 }
 
 int Session::on_progress(double fraction, const char* stage, void* user)

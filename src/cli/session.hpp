@@ -32,7 +32,7 @@ struct RunArguments {
 
 struct StageFigures {
     std::string name;
-    bool is_inner = false;  // a part of the next one that is not
+    std::string part_of;  // the stage that it is a part of, which ends later; "": none
     double seconds = 0;
     double cpu_seconds = 0;  // of all threads
     double peak_bytes = 0;   // of the process, up to the end of the stage

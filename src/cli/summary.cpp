@@ -242,26 +242,37 @@ namespace
 
 std::string stage_row(const StageFigures& stage, double all_seconds)
 {
-    return left((stage.is_inner ? "    " : "  ") + stage.name, 26) + right(seconds_text(stage.seconds), 12) +
+    return left((stage.part_of.empty() ? "  " : "    ") + stage.name, 26) + right(seconds_text(stage.seconds), 12) +
            right(decimals(100 * stage.seconds / all_seconds, 1) + " %", 10) +
            right(seconds_text(stage.cpu_seconds), 12) + " of CPU" + right(bytes_text(stage.peak_bytes), 10) + "\n";
+}
+
+// Stages are noted in the order in which they end. Here each stands before its parts.
+std::vector<StageFigures> wholes_first(const std::vector<StageFigures>& stages)
+{
+    std::vector<std::vector<StageFigures>> groups;  // of a stage and its parts
+    for (const StageFigures& stage : stages) {
+        const auto parts = std::stable_partition(
+            groups.begin(), groups.end(), [&](const auto& group) { return group.front().part_of != stage.name; });
+        std::vector<StageFigures> group{stage};
+        for (auto part = parts; part != groups.end(); ++part)
+            group.insert(group.end(), part->begin(), part->end());
+        groups.erase(parts, groups.end());
+        groups.push_back(group);
+    }
+    std::vector<StageFigures> all;
+    for (const auto& group : groups)
+        all.insert(all.end(), group.begin(), group.end());
+    return all;
 }
 
 }  // namespace
 
 std::string stages_table(const Session& session)
 {
-    const double all_seconds = session.elapsed_seconds();
-    std::string text = "Stages\n", inner;
-    // Inner ones are noted first, as they end first.
-    for (const StageFigures& stage : session.stages()) {
-        if (stage.is_inner) {
-            inner += stage_row(stage, all_seconds);
-        } else {
-            text += stage_row(stage, all_seconds) + inner;
-            inner.clear();
-        }
-    }
+    std::string text = "Stages\n";
+    for (const StageFigures& stage : wholes_first(session.stages()))
+        text += stage_row(stage, session.elapsed_seconds());
     return text;
 }
 

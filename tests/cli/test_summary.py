@@ -82,6 +82,13 @@ class Summary(CommandTest):
         self.assertEqual(sorted(row.split()[0] for row in rows), sorted(stages))
         # Those within another one stand under it.
         self.assertEqual([row.split()[0] for row in rows if row[2] != " "], ["read", "mesh", "report", "write"])
+        places = {row.split()[0]: place for place, row in enumerate(rows)}
+        for name, stage in stages.items():
+            self.assertIn(stage["part_of"], ["", *stages])
+            if stage["part_of"]:
+                self.assertLess(places[stage["part_of"]], places[name])
+        self.assertEqual(stages["background.seed"]["part_of"], "background")
+        self.assertEqual(stages["background"]["part_of"], "mesh")
         units = {"kB": 1e3, "MB": 1e6, "GB": 1e9}
         for row in rows:
             stage = stages[row.split()[0]]

@@ -1,4 +1,4 @@
-"""One mesh in the page: everything that the panel, the mouse and the keys can do."""
+"""One mesh in the page: what is drawn, and everything that the panel tells and can do."""
 import json
 import pathlib
 import tempfile

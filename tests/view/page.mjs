@@ -1,8 +1,8 @@
-// One mesh: what is drawn, what the panel tells, and that mouse, touch and keys reach all of it.
+// One mesh: what is drawn, and what the panel tells.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
-import { about, changes, closed, opened, pictureOf, pressed, trianglesOf } from "./support.mjs";
+import { about, changes, closed, opened, pictureOf, trianglesOf } from "./support.mjs";
 
 const { report } = about;
 const labels = report.mesh.labels.map((row) => row.label);
@@ -121,7 +121,14 @@ test("the figures are those of the command", async () => {
     assert.ok(Math.abs(measured.least - report.quality.min_dihedral) < 0.01);
     assert.ok(Math.abs(measured.worst - report.quality.radius_ratio_max) < 0.01);
     const text = await page.textContent("#panel");
-    for (const part of ["Voxels and mesh", "Options", "Times", "min_angle"]) assert.ok(text.includes(part), part);
+    for (const part of ["Voxels and mesh", "Options", "Times", "--min-angle"]) assert.ok(text.includes(part), part);
+    const times = await page.$$eval(".time span:first-child", (all) => all.map((one) => one.textContent));
+    const names = report.stages.map(({ name }) => name);
+    assert.deepEqual(times.toSorted(), names.toSorted());
+    for (const { name, part_of: whole } of report.stages)
+        if (whole) assert.ok(times.indexOf(whole) < times.indexOf(name), `${times}`);
+    const angles = await page.$$eval(".worst td:nth-child(3)", (all) => all.map((one) => one.textContent));
+    assert.ok(angles.length > 10 && angles.every((text) => /^\d+\.\d° to \d+\.\d°$/.test(text)), `${angles}`);
     await closed(page);
 });
 
@@ -147,107 +154,32 @@ test("the worst ones can be flown to, and others picked", async () => {
     await closed(page);
 });
 
-test("mouse and wheel turn, move and zoom", async () => {
-    const page = await opened(about.page);
-    const drag = async (button) => {
-        await page.mouse.move(200, 300);
-        await page.mouse.down({ button });
-        await page.mouse.move(260, 330, { steps: 3 });
-        await page.mouse.up({ button });
-    };
-    assert.ok(await changes(page, () => drag("left")));
-    assert.ok(await changes(page, () => drag("right")));
-    assert.ok(await changes(page, () => page.mouse.wheel(0, -300)));
-    assert.ok(await changes(page, () => page.click("#directions button >> nth=5")));
-    assert.equal(await page.getAttribute("#directions button >> nth=5", "aria-pressed"), "true");
-    await closed(page);
-});
-
-test("a finger turns, two zoom, and a tap picks", async () => {
-    const page = await opened(about.page, { hasTouch: true });
-    const session = await page.context().newCDPSession(page);
-    const touch = (type, ...points) =>
-        session.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
-    const move = async (...fingers) => {
-        await touch("touchStart", ...fingers.map(([from]) => from));
-        await touch("touchMove", ...fingers.map(([, to]) => to));
-        await touch("touchEnd");
-    };
-    assert.ok(
-        await changes(page, () =>
-            move([
-                [200, 300],
-                [260, 330],
-            ]),
-        ),
-    );
-    const far = await page.evaluate(() => cleftPage.state.camera.distance);
-    await move(
-        [
-            [200, 300],
-            [150, 300],
-        ],
-        [
-            [300, 300],
-            [350, 300],
-        ],
-    );
-    assert.ok((await page.evaluate(() => cleftPage.state.camera.distance)) < far);
-    await page.click("#reset");
-    await page.touchscreen.tap(300, 330);
-    assert.ok(await page.isVisible(".card"));
-    await closed(page);
-});
-
-test("keys do what the page says, and Tab reaches every control", async () => {
-    const page = await opened(about.page);
-    const keys = "ArrowLeft ArrowUp Shift+ArrowLeft + i i x ] c r f [ n e b w".split(" ");
-    for (const key of keys) assert.ok(await changes(page, () => pressed(page, key)), key);
-    assert.ok(await page.isVisible(".card"));
-    await page.keyboard.press("Escape");
-    assert.ok(await page.isHidden(".card"));
-    await page.keyboard.press("?");
-    assert.ok(await page.isVisible("#keys"));
-    const reachable = "button, input, select, summary, canvas.mesh";
-    const wanted = await page.$$eval(
-        reachable,
-        (all) => all.filter((one) => one.checkVisibility() && !one.disabled).length,
-    );
-    const reached = new Set();
-    for (let step = 0; step < wanted + 30; ++step) {
-        await page.keyboard.press("Tab");
-        const place = await page.evaluate(
-            (selector) => [...document.querySelectorAll(selector)].indexOf(document.activeElement),
-            reachable,
-        );
-        if (place >= 0) reached.add(place);
-    }
-    assert.equal(reached.size, wanted);
-    await closed(page);
-});
-
-test("every control has a name", async () => {
-    const page = await opened(about.page);
-    const nameless = await page.$$eval("button, input, select", (all) =>
-        all
-            .filter((one) => !(one.textContent || one.ariaLabel || one.labels?.[0]?.textContent))
-            .map((one) => one.outerHTML),
-    );
-    assert.deepEqual(nameless, []);
-    await closed(page);
-});
-
 test("dark, printed and narrow", async () => {
     const page = await opened(about.page, { colorScheme: "dark" });
     const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
     const dark = await paper();
-    await page.click("#theme");
-    assert.notEqual(await paper(), dark);
+    const light = async () => (await paper()) !== dark;
+    const seen = [];
+    for (let step = 0; step < 3; ++step) {
+        await page.click("#theme");
+        seen.push([await page.textContent("#theme"), await light()]);
+    }
+    assert.deepEqual(seen, [
+        ["Theme: light", true],
+        ["Theme: dark", false],
+        ["Theme: system", false],
+    ]);
+    await page.emulateMedia({ colorScheme: "light" });
+    await page.waitForFunction(() => document.documentElement.dataset.theme === "light");
     await page.setViewportSize({ width: 390, height: 800 });
     assert.ok((await pictureOf(page)).colours > 20);
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
     await page.emulateMedia({ media: "print" });
     assert.ok(await page.isHidden("header .bar"));
+    // No heading without what it is above.
+    const closedOnes = page.locator("details:not([open])");
+    assert.ok((await closedOnes.count()) > 2);
+    for (const section of await closedOnes.all()) assert.ok(await section.isHidden());
     assert.ok((await page.pdf()).length > 10000);
     await closed(page);
 });
@@ -286,4 +218,42 @@ test("a report that is none leaves the rest", async () => {
         assert.ok((await pictureOf(page)).colours > 20, bad);
         await closed(page);
     }
+});
+
+test("the report of another mesh is not shown, and warnings are above all", async () => {
+    const text = await readFile(about.page, "utf8");
+    const edited = (from, to) => () => {
+        assert.ok(text.includes(from));
+        return text.replace(from, to);
+    };
+    const { tets } = report.mesh;
+    const other = await opened(about.page, {}, edited(`"tets": ${tets}`, `"tets": ${tets + 1}`));
+    assert.match(await other.textContent("#notices"), /The report is of another mesh, which has [\d,]+ tetrahedra/);
+    assert.doesNotMatch(await other.textContent("#panel"), /Voxels and mesh/);
+    await closed(other);
+    const page = await opened(about.page, {}, edited('"warnings": []', '"warnings": ["There is doubt."]'));
+    assert.match(await page.textContent("#panel details >> nth=0"), /Warnings.*There is doubt\./);
+    await closed(page);
+});
+
+test("a picture that is saved says what its colours mean", async () => {
+    const page = await opened(about.page);
+    await page.uncheck("#edges");
+    const saved = async () => {
+        const [download] = await Promise.all([page.waitForEvent("download"), page.click("#save")]);
+        const bytes = [...(await readFile(await download.path()))];
+        return page.evaluate(async (bytes) => {
+            const picture = await createImageBitmap(new Blob([new Uint8Array(bytes)]));
+            const canvas = new OffscreenCanvas(picture.width, picture.height);
+            const context = canvas.getContext("2d");
+            context.drawImage(picture, 0, 0);
+            const corner = context.getImageData(0, picture.height - 60, 280, 60).data;
+            return new Set(new Uint32Array(corner.buffer)).size;
+        }, bytes);
+    };
+    assert.equal(await saved(), 1);
+    await page.selectOption("#by-choice", "angle");
+    await pictureOf(page);
+    assert.ok((await saved()) > 50);
+    await closed(page);
 });

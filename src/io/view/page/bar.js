@@ -1,8 +1,6 @@
 // The buttons above the picture.
 
-const kThemes = ["", "light", "dark"];
-
-// Two meshes side by side, as the page has them.
+// Two meshes side by side, as the page has them, with what the colours mean.
 function savePicture(page) {
     page.draw(performance.now());
     const canvases = page.views.map((view) => view.canvas);
@@ -10,11 +8,14 @@ function savePicture(page) {
         width: canvases.reduce((sum, canvas) => sum + canvas.width, 0),
         height: Math.max(...canvases.map((canvas) => canvas.height)),
     });
+    const context = whole.getContext("2d");
     let left = 0;
     for (const canvas of canvases) {
-        whole.getContext("2d").drawImage(canvas, left, 0);
+        context.drawImage(canvas, left, 0);
         left += canvas.width;
     }
+    const scale = page.scales[page.state.by];
+    if (scale) drawLegend(scale, context, canvases[0].width / canvases[0].clientWidth);
     const name = page.meshes.map((mesh) => mesh.title.replace(/[^\w.-]+/g, "_")).join("_");
     whole.toBlob((blob) => {
         const link = make("a", { href: URL.createObjectURL(blob), download: `${name}.png` });
@@ -23,9 +24,11 @@ function savePicture(page) {
     });
 }
 
+const kSystemDark = matchMedia("(prefers-color-scheme: dark)");
+let chosenTheme = ""; // that of the system
+
 function isDark() {
-    const chosen = document.documentElement.dataset.theme;
-    return chosen ? chosen === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
+    return document.documentElement.dataset.theme === "dark";
 }
 
 function addBar(page) {
@@ -40,20 +43,26 @@ function addBar(page) {
     }
     byId("reset").onclick = () => page.reset();
     byId("save").onclick = () => savePicture(page);
-    byId("theme").onclick = () => setTheme(isDark() ? "light" : "dark");
+    byId("theme").onclick = nextTheme;
     byId("help").onclick = () => page.toggleKeys();
     showKeys();
 }
 
 // The style has one set of dark colours, so the page says which holds.
-function setTheme(name) {
-    document.documentElement.dataset.theme = name;
+function useTheme() {
+    document.documentElement.dataset.theme = chosenTheme || (kSystemDark.matches ? "dark" : "light");
+    byId("theme").textContent = `Theme: ${chosenTheme || "system"}`;
     globalThis.cleftPage?.redraw();
 }
 
+// The one that the system has not comes first, so that each step but the last is seen.
+function nextTheme() {
+    const themes = kSystemDark.matches ? ["", "light", "dark"] : ["", "dark", "light"];
+    chosenTheme = themes[(themes.indexOf(chosenTheme) + 1) % 3];
+    useTheme();
+}
+
 function followSystem() {
-    const dark = matchMedia("(prefers-color-scheme: dark)");
-    const follow = () => setTheme(dark.matches ? "dark" : "light");
-    dark.addEventListener("change", follow);
-    follow();
+    kSystemDark.addEventListener("change", useTheme);
+    useTheme();
 }

@@ -63,6 +63,22 @@ function distanceFor(radius, aspect) {
     return radius / Math.sin(kOpening / 2) / Math.min(1, aspect);
 }
 
+// The least distance from which all of some points lie in a picture; isThere[i] tells whether point i is one of them.
+function distanceToFit(camera, aspect, positions, isThere) {
+    const kFilled = 0.92; // of the picture
+    const { right, up, back } = cameraAxes(camera);
+    const high = kFilled * Math.tan(kOpening / 2);
+    const wide = high * aspect;
+    let distance = 0;
+    for (let p = 0, i = 0; p < isThere.length; ++p, i += 3) {
+        if (!isThere[p]) continue;
+        const from = minus([positions[i], positions[i + 1], positions[i + 2]], camera.target);
+        const aside = Math.max(Math.abs(dot(from, right)) / wide, Math.abs(dot(from, up)) / high);
+        distance = Math.max(distance, dot(from, back) + aside);
+    }
+    return distance;
+}
+
 // Both in one, so that a vertex costs one product.
 function cameraMatrix(camera, aspect, radius) {
     const [a, b] = [projectionMatrix(camera, aspect, radius), viewMatrix(camera)];

@@ -39,8 +39,16 @@ function scaleOf(by, meshes, unit) {
         return { title: "Radius ratio", ramp, share: (x) => (x - 1) / 3, ticks: [1, 2, 3, 4] };
     }
     const [low, high] = rangeOfSizes(meshes);
+    // Sizes of a uniform mesh differ by the rounding of coordinates, which is nothing to show.
+    if (high - low <= 1e-6 * high + Math.max(...meshes.map(({ closeness }) => closeness)))
+        return {
+            title: "Mean edge: all tetrahedra have one size",
+            ramp: Array(2).fill(shadeOf(kSmallToLarge, 0.5)),
+            share: () => 0.5,
+            ticks: ["", unit * low, ""],
+        };
     // Sizes differ by factors.
-    const share = (x) => (high > low ? Math.log(x / low) / Math.log(high / low) : 0.5);
+    const share = (x) => Math.log(x / low) / Math.log(high / low);
     return {
         title: "Mean edge",
         ramp: kSmallToLarge,
@@ -59,7 +67,8 @@ function rangeOfSizes(meshes) {
     }
     sample.sort((a, b) => a - b);
     const at = (share) => sample[Math.round(share * (sample.length - 1))] ?? 1;
-    return [at(0.01), at(0.99)];
+    // Where nearly all have one size, the others are what there is to see.
+    return at(0.99) > 1.001 * at(0.01) ? [at(0.01), at(0.99)] : [at(0), at(1)];
 }
 
 // The colour of each tetrahedron.

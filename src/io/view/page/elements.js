@@ -56,6 +56,10 @@ function short(number) {
     return Math.abs(number) >= 1e4 ? whole(number) : number.toLocaleString("en-US", { maximumSignificantDigits: 4 });
 }
 
+// An angle as everywhere: with one decimal.
+const degrees = (angle) => (Number.isFinite(angle) ? `${angle.toFixed(1)}°` : "–");
+const anglesText = (least, greatest) => `${degrees(least)} to ${degrees(greatest)}`;
+
 function notice(text) {
     byId("notices").append(make("p.notice", {}, text));
 }

@@ -26,7 +26,7 @@ function addHistogram(page) {
     svg.append(...goalOf(page.goal, x, y, top));
     const { more } = addSection("Dihedral angles", true, svg, ...legendOf(page));
     const { min_dihedral: least, max_dihedral: greatest } = page.meshes[0].data.quality;
-    more.textContent = `${short(least)}° to ${short(greatest)}°`;
+    more.textContent = anglesText(least, greatest);
 }
 
 function bars(page, shares, x, y) {
@@ -89,7 +89,7 @@ function legendOf(page) {
             "p.hint",
             {},
             make(`span.${i ? "key-other" : "key-first"}`, {}, i ? "line " : "bars "),
-            `${mesh.title}: ${short(least)}° to ${short(greatest)}°`,
+            `${mesh.title}: ${anglesText(least, greatest)}`,
         );
     });
 }

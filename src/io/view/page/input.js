@@ -80,7 +80,7 @@ const kKeys = [
         shown: ["←", "→", "↑", "↓"],
     },
     { keys: ["+", "=", "-", "_"], say: "nearer and farther", shown: ["+", "−"] },
-    { keys: ["0", "Home"], say: "back to the first view", shown: ["0"] },
+    { keys: ["0", "Home"], say: "all as it was first", shown: ["0"] },
     {
         keys: ["x", "y", "z", "f", "n"],
         say: "cut across x, y, z, freely, or not at all",
@@ -93,7 +93,7 @@ const kKeys = [
     { keys: ["i"], say: "interfaces alone", shown: ["I"] },
     { keys: ["b"], say: "next colouring", shown: ["B"] },
     { keys: ["w"], say: "the next of the worst tetrahedra", shown: ["W"] },
-    { keys: ["Escape"], say: "let go of the chosen one", shown: ["Esc"] },
+    { keys: ["Escape"], say: "close these keys, or let go of the chosen one", shown: ["Esc"] },
     { keys: ["?"], say: "these keys", shown: ["?"] },
 ];
 
@@ -134,17 +134,22 @@ function keyActions(page) {
         i: () => page.change({ interfaces: !page.state.interfaces }),
         b: () => page.change({ by: kColourings[(kColourings.indexOf(page.state.by) + 1) % kColourings.length] }),
         w: () => page.nextWorst(),
-        Escape: () => page.choose(null),
+        Escape: () => page.escape(),
         "?": () => page.toggleKeys(),
     };
 }
 
-// Controls keep their own keys. Nothing needs the focus when the page was just opened.
+// Keys that the element with the focus has for itself: a text all, and a slider, a choice or a list those that move it.
+function isOwnKey({ target, key }) {
+    if (target.matches("input[type=search]")) return true;
+    return !target.matches("body, canvas.mesh") && (key.startsWith("Arrow") || key === "Home");
+}
+
+// Nothing needs the focus when the page was just opened.
 function listenToKeys(page) {
     const actions = keyActions(page);
     addEventListener("keydown", (event) => {
-        if (event.target !== document.body && !page.views.some((view) => view.canvas === event.target)) return;
-        if (event.ctrlKey || event.metaKey || event.altKey) return;
+        if (isOwnKey(event) || event.ctrlKey || event.metaKey || event.altKey) return;
         const action = actions[event.key] ?? actions[event.key.toLowerCase()];
         if (!action) return;
         event.preventDefault();
@@ -164,7 +169,7 @@ function showKeys() {
             "Drag to turn, drag with Shift or the right button to move, wheel to zoom; with fingers: one turns, two ",
             "move and zoom. A click tells of a tetrahedron, a double click puts it in the middle.",
         ),
-        make("p.hint", {}, "Keys, while no control has the focus:"),
+        make("p.hint", {}, "Keys. Arrows move a slider, a choice or a list while it has the focus:"),
         make("dl", {}, ...list),
     );
 }

@@ -12,19 +12,20 @@ function say(text) {
 async function begin() {
     followSystem();
     const data = JSON.parse(textOf("data"));
-    const reports = data.meshes.map((_, number) => readReport(number));
+    const reports = data.meshes.map(readReport);
     const ends = (choose, end) => [0, 1, 2].map((axis) => choose(...data.meshes.map((mesh) => mesh[end][axis])));
     const frame = new Frame(ends(Math.min, "low"), ends(Math.max, "high"));
     const meshes = [];
     for (const [number, mesh] of data.meshes.entries()) meshes.push(await loadMesh(mesh, number, frame, say));
     byId("views").replaceChildren();
+    if (data.places) notice(`${data.places}.`);
     show(new Page(meshes, reports, frame, data.goal), reports);
 }
 
 function show(page, reports) {
     fillHead(page);
     tellReductions(page.meshes);
-    tellHidden(page);
+    page.updates.push(tellHidden(page));
     addBar(page);
     page.addPanel(reports);
     for (const view of page.views) {
@@ -35,10 +36,13 @@ function show(page, reports) {
     addEventListener("beforeprint", () => page.draw(performance.now()));
     Object.assign(page.state.camera, page.home());
     page.refresh();
-    // A few large tetrahedra may all lie on the side that is cut away.
-    if (page.views.every((view) => view.codes.length === 0)) page.changeCut({ kind: "none" });
+    // All may lie on the side that is cut away: a few large tetrahedra, or a mesh far from the other one.
+    if (page.views.some((view) => view.codes.length === 0)) {
+        page.firstCut = "none";
+        page.changeCut({ kind: "none" });
+    }
     // For a console, and for tests.
-    globalThis.cleftPage = Object.assign(page, { anglesOf, cornersOf, measured });
+    globalThis.cleftPage = Object.assign(page, { anglesOf, cornersOf, measured, projected });
     document.documentElement.dataset.ready = Math.round(performance.now());
 }
 

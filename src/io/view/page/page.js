@@ -6,7 +6,9 @@ class Page {
         this.frame = frame;
         this.goal = goal || goalOfReport(reports.find(Boolean));
         this.isComparison = meshes.length > 1;
-        this.state = firstState(meshes);
+        this.surrounding = surroundingOf(meshes);
+        this.state = firstState(this.surrounding);
+        this.firstCut = this.state.cut.kind;
         this.box = boxOfAll(meshes);
         this.radius = norm(minus(this.box.high, this.box.low)) / 2 || 1;
         this.software = drawsBySoftware();
@@ -19,6 +21,7 @@ class Page {
     }
 
     addPanel(reports) {
+        this.meshes.forEach((mesh, number) => addWarnings(this, mesh, reports[number]));
         for (const mesh of this.meshes) addFigures(this, mesh);
         this.updates.push(addCut(this), addLooks(this), addMaterials(this));
         addHistogram(this);
@@ -55,7 +58,10 @@ class Page {
     }
 
     draw(time) {
-        for (const view of this.views) view.draw();
+        for (const view of this.views) {
+            view.draw();
+            updateCard(this, view);
+        }
         this.measure(time);
         this.directions();
     }
@@ -90,7 +96,6 @@ class Page {
         for (const label of labels)
             if (shown) this.state.hidden.delete(label);
             else this.state.hidden.add(label);
-        byId("surrounding")?.remove();
         this.change({});
     }
 
@@ -116,13 +121,25 @@ class Page {
         this.changeCut({ kind: "free", yaw: Math.atan2(Math.sin(yaw), Math.cos(yaw)), pitch, flipped: true });
     }
 
-    // So that it is just kept, and seen.
+    // The cut at a tetrahedron, which is just kept, and seen by who looks now.
+    cutOf(tet) {
+        const cut = { ...this.state.cut };
+        if (cut.kind === "none") cut.kind = "y";
+        cut.flipped = dot(cutNormal(cut), cameraAxes(this.state.camera).back) >= 0;
+        cut.at = clamp(cutThrough(cut, this.box, this.centreOf(tet)) + (cut.flipped ? 1e-6 : -1e-6), 0, 1);
+        return cut;
+    }
+
     cutAt(tet) {
+        // Not by changeCut(), which has its own side for a new axis.
+        Object.assign(this.state.cut, this.cutOf(tet));
+        this.change({});
+    }
+
+    isCutAt(tet) {
         const { cut } = this.state;
-        if (cut.kind === "none") this.changeCut({ kind: "y" });
-        this.changeCut({
-            at: clamp(cutThrough(cut, this.box, this.centreOf(tet)) + (cut.flipped ? 1e-6 : -1e-6), 0, 1),
-        });
+        const there = this.cutOf(tet);
+        return ["kind", "flipped", "at"].every((name) => cut[name] === there[name]);
     }
 
     placeOfCut() {
@@ -210,14 +227,30 @@ class Page {
         step();
     }
 
-    // All that is shown, a little closer than a ball around its box would be.
+    // From where all that is shown fills the views.
     home() {
-        const { low, high } = boxOfShown(this.meshes, this.state.hidden);
-        const distance = distanceFor((0.8 * norm(minus(high, low))) / 2 || 1, this.views[0].aspect());
-        return { yaw: -58 * kDegree, pitch: 20 * kDegree, target: times(0.5, plus(low, high)), distance };
+        const { low, high } = boxOfPoints(this.meshes, shownPoints(this.meshes, this.state.hidden));
+        const camera = { yaw: -58 * kDegree, pitch: 20 * kDegree, target: times(0.5, plus(low, high)) };
+        return { ...camera, distance: this.filling(camera) };
     }
 
+    // The distance of a camera from where it sees all that is shown.
+    filling(camera) {
+        const points = shownPoints(this.meshes, this.state.hidden);
+        const distances = this.meshes.map((mesh, number) =>
+            distanceToFit(camera, this.views[number].aspect(), mesh.positions, points[number]),
+        );
+        return Math.max(...distances) || 1;
+    }
+
+    // How the page opened. The theme stays.
     reset() {
+        const { camera, cut, ...others } = firstState(this.surrounding);
+        Object.assign(this.state.cut, cut, { kind: this.firstCut });
+        Object.assign(this.state, others);
+        this.choose(null);
+        // At once, as a notice that comes back changes the room for the picture.
+        this.refresh();
         this.fly(this.home());
     }
 
@@ -225,7 +258,10 @@ class Page {
         const { camera } = this.state;
         // The shortest way around.
         const turns = Math.round((camera.yaw - yaw) / (2 * Math.PI));
-        this.fly({ yaw: yaw + 2 * Math.PI * turns, pitch });
+        const goal = { yaw: yaw + 2 * Math.PI * turns, pitch };
+        // Who sees all of the mesh sees all of it from the other side, too. Who is nearer stays so.
+        if (camera.distance > 0.99 * this.filling(camera)) goal.distance = this.filling({ ...camera, ...goal });
+        this.fly(goal);
     }
 
     // ------------------------------------------------------------------ the bar
@@ -234,6 +270,11 @@ class Page {
         const keys = byId("keys");
         keys.hidden = !keys.hidden;
         byId("help").setAttribute("aria-expanded", String(!keys.hidden));
+    }
+
+    escape() {
+        if (byId("keys").hidden) this.choose(null);
+        else this.toggleKeys();
     }
 
     directions() {

@@ -1,11 +1,16 @@
 // What the run reported: labels in voxels against the mesh, its options, and the times of its stages.
 
-// A report of anyone: null if it is none.
-function readReport(number) {
+// A report of anyone: null if it is none, or of another mesh.
+function readReport(mesh, number) {
     const text = textOf(`report-${number}`);
     if (!text) return null;
     try {
         const report = JSON.parse(text);
+        const tets = report?.mesh?.tets ?? mesh.tets;
+        if (tets !== mesh.tets) {
+            notice(`The report is of another mesh, which has ${whole(tets)} tetrahedra, so its tables are missing.`);
+            return null;
+        }
         if (report && typeof report === "object") return report;
     } catch {
         /* told below */
@@ -15,6 +20,9 @@ function readReport(number) {
 }
 
 const listOf = (value) => (Array.isArray(value) ? value.filter((row) => row && typeof row === "object") : []);
+
+// No minus without a digit behind it.
+const percentText = (percent) => Number(percent).toFixed(2).replace(/^-0\.00$/, "0.00");
 
 function labelsOfReport(report) {
     const rows = listOf(report.labels).filter((row) => !row.left_out);
@@ -27,16 +35,19 @@ function labelsOfReport(report) {
         ...name([String(row.name ?? ""), "text"]),
         [short(row.voxel_volume)],
         [short(row.mesh_volume)],
-        [Number(row.difference_percent).toFixed(2), ...(Math.abs(row.difference_percent) > 3 ? ["bad"] : [])],
+        [percentText(row.difference_percent), ...(Math.abs(row.difference_percent) > 3 ? ["bad"] : [])],
         [`${whole(row.voxel_components)} → ${whole(row.mesh_components)}`, ...(row.lost ? ["bad"] : [])],
     ]);
     return scrolling(tableOf(heads, cells));
 }
 
+// As on the command line. The report has the names of the library, and lists by their plural.
+const optionName = (name) => `--${name === "label_sizes" ? "label-size" : name.replaceAll("_", "-")}`;
+
 function optionsOfReport(report) {
     if (!report.options || typeof report.options !== "object") return null;
     const rows = Object.entries(report.options).map(([name, value]) => [
-        [name, "text"],
+        [optionName(name), "text"],
         [typeof value === "object" ? JSON.stringify(value) : String(value), "text"],
     ]);
     return scrolling(
@@ -50,9 +61,20 @@ function optionsOfReport(report) {
     );
 }
 
-// Stages have the times of their steps among them. Bars show which take long.
+// The report has stages in the order in which they end. Here each stands before its parts.
+function wholesFirst(stages) {
+    let groups = []; // of a stage and its parts
+    for (const stage of stages) {
+        const isPart = ([first]) => first.part_of === stage.name;
+        const parts = groups.filter(isPart).flat();
+        groups = [...groups.filter((group) => !isPart(group)), [stage, ...parts]];
+    }
+    return groups.flat();
+}
+
+// Bars show which take long.
 function timesOfReport(report) {
-    const stages = listOf(report.stages);
+    const stages = wholesFirst(listOf(report.stages).filter((stage) => typeof stage.name === "string"));
     if (!stages.length) return null;
     const longest = Math.max(...stages.map((stage) => stage.seconds), 1e-9);
     return make(
@@ -64,7 +86,7 @@ function timesOfReport(report) {
             return make(
                 "div.time",
                 {},
-                make("span", {}, String(stage.name)),
+                make(stage.part_of ? "span.part" : "span", {}, stage.name),
                 make("div.track", {}, bar),
                 make("span", {}, `${Number(stage.seconds).toFixed(2)} s`),
             );
@@ -103,7 +125,12 @@ function addReport(page, mesh, report) {
     if (times)
         addSection(`Times${of}`, false, times).more.textContent =
             `${Number(report.seconds).toFixed(1)} s, ${report.threads} thread${report.threads === 1 ? "" : "s"}`;
-    const warnings = (Array.isArray(report.warnings) ? report.warnings : []).map(String);
+}
+
+// Above all else: they say what of the rest is to be doubted.
+function addWarnings(page, mesh, report) {
+    const warnings = (Array.isArray(report?.warnings) ? report.warnings : []).map(String);
+    const of = page.isComparison ? ` of ${mesh.title}` : "";
     if (warnings.length) addSection(`Warnings${of}`, true, ...warnings.map((text) => make("p.hint", {}, text)));
 }
 

@@ -12,7 +12,7 @@ function addFigures(page, mesh) {
             ["Points", whole(data.points)],
             ["Materials", whole(mesh.labels.length)],
             ["Box", size.map(short).join(" × ")],
-            ["Dihedral angles", `${short(quality.min_dihedral)}° to ${short(quality.max_dihedral)}°`],
+            ["Dihedral angles", anglesText(quality.min_dihedral, quality.max_dihedral)],
             [
                 "Radius ratio",
                 `median ${short(quality.radius_ratio_median)}, greatest ${short(quality.radius_ratio_max)}`,
@@ -46,16 +46,20 @@ function tellReductions(meshes) {
     }
 }
 
+// Returns what brings the notice up to the state.
 function tellHidden(page) {
-    for (const label of page.state.hidden) {
-        const name = page.meshes[0].labels.find((row) => row.label === label)?.name;
-        byId("notices").append(
-            make(
-                "p.notice",
-                { id: "surrounding" },
-                `Label ${label}${name ? ` (${name})` : ""} surrounds all others and is hidden. `,
-                make("button", { type: "button", onclick: () => page.showLabel(label, true) }, "Show it"),
-            ),
-        );
-    }
+    if (!page.surrounding) return () => {};
+    const { label, isAlone } = page.surrounding;
+    const name = page.meshes.flatMap(({ labels }) => labels).find((row) => row.label === label)?.name;
+    const why = isAlone ? "surrounds all others" : "has most of the sides of the box and would cover the others";
+    const told = make(
+        "p.notice",
+        { id: "surrounding" },
+        `Label ${label}${name ? ` (${name})` : ""} ${why}. It is hidden. `,
+        make("button", { type: "button", onclick: () => page.showLabel(label, true) }, "Show it"),
+    );
+    byId("notices").append(told);
+    return () => {
+        told.hidden = !page.state.hidden.has(label);
+    };
 }

@@ -16,7 +16,7 @@ function worstTable(page, view, by) {
             make(
                 "td",
                 { className: tet.least_angle < page.goal ? "bad" : "" },
-                `${short(tet.least_angle)}–${short(tet.greatest_angle)}°`,
+                anglesText(tet.least_angle, tet.greatest_angle),
             ),
             make("td", {}, short(tet.radius_ratio)),
         );
@@ -77,12 +77,13 @@ function showCard(page, view) {
     const { tet } = chosen;
     const name = view.mesh.labels.find((row) => row.label === tet.label)?.name ?? "";
     const centre = page.frame.toFile(page.centreOf(tet)).map((x) => page.frame.text(x));
+    view.cutHere = make("button", { type: "button", onclick: () => page.cutAt(tet) }, "Cut here");
     card.replaceChildren(
         make("button.close", { type: "button", ariaLabel: "Close", onclick: () => page.choose(null) }, "×"),
         make("h3", {}, `Tetrahedron ${whole(tet.tet + 1)}`),
         factsOf([
             ["Material", `${tet.label} ${name}`],
-            ["Dihedral angles", `${short(tet.least_angle)}° to ${short(tet.greatest_angle)}°`],
+            ["Dihedral angles", anglesText(tet.least_angle, tet.greatest_angle)],
             ["Radius ratio", short(tet.radius_ratio)],
             ["Volume", short(tet.volume)],
             ["Centre", centre.join(", ")],
@@ -90,8 +91,16 @@ function showCard(page, view) {
         make(
             "div.tools",
             {},
-            make("button", { type: "button", onclick: () => page.cutAt(tet) }, "Cut here"),
+            view.cutHere,
             make("button", { type: "button", onclick: () => page.showOnly(tet.label) }, "Only this material"),
         ),
     );
+}
+
+// Where the cut is already, there is nothing to do.
+function updateCard(page, view) {
+    const { chosen } = page.state;
+    if (chosen?.view !== view) return;
+    view.cutHere.disabled = page.isCutAt(chosen.tet);
+    view.cutHere.title = view.cutHere.disabled ? "The cut is here" : "";
 }
