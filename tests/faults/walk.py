@@ -8,7 +8,8 @@ import sys
 import tempfile
 
 LANGUAGE, BUILD, PRELOAD = sys.argv[1:4]
-STEP = 1 if "--all" in sys.argv else 61
+# In C#, one allocation among 3500 came out of the wrong call. Mono takes some seconds for all of them.
+STEP = 1 if "--all" in sys.argv or LANGUAGE == "csharp" else 61
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 
