@@ -21,8 +21,8 @@ namespace
 // Smaller moves are not worth their price, in lengths of the edges around.
 // A smaller step would move nearly every point of a line, for less than half a hundredth of an edge.
 constexpr double kLeastStep = 5e-3;
-// The last share tried is an eighth. Less of the way would hardly bring the point nearer.
-constexpr double kLeastStepShare = 0.1;
+// Of the way to the tie, as far as the shapes allow. Less than an eighth would hardly bring the point nearer.
+constexpr double kStepShares[] = {1, 0.5, 0.25, 0.125};
 constexpr int kLineRounds = 3;  // a point that is in the way may have moved on
 // Points that a thread looks at. The number changes the time alone.
 constexpr int64_t kLinePointsAtOnce = 1 << 14;
@@ -54,8 +54,8 @@ public:
         const double least = std::min(floor_, star_.worst_at(from, -1));
         if (looks_around && room_.settle(v, *on_tie, least))
             return Found::on_tie;
-        // Halves of the way: each needs one look at the star, and what is left comes in the next round.
-        for (double share = 1; share > kLeastStepShare; share *= 0.5) {
+        // Each needs one look at the star, and what is left comes in the next round.
+        for (const double share : kStepShares) {
             const Vec3 x = from + share * (*on_tie - from);
             if (star_.worst_at(x, least) > least) {
                 mesh_.move(v, x);
@@ -84,7 +84,7 @@ private:
         std::optional<Vec3> place;
         for (int step = 0; step < 2 * 27; ++step) {
             const Vec3 way(step % 3 - 1, step / 3 % 3 - 1, step / 9 % 3 - 1);
-            const double radius = 1 + step / 27;
+            const int radius = 1 + step / 27;
             const Vec3 to = free * (radius / std::max(1.0, way.norm()) * way);
             if (to.norm() > reach)
                 continue;

@@ -98,7 +98,7 @@ void CompoundOperations::accept()
 int32_t CompoundOperations::find(const Tet& corners) const
 {
     const auto star = mesh_.star(corners[0]);
-    const auto found = std::find_if(star.begin(), star.end(), [&](int32_t t) { return mesh_.tet(t) == corners; });
+    const auto* found = std::find_if(star.begin(), star.end(), [&](int32_t t) { return mesh_.tet(t) == corners; });
     return found == star.end() ? -1 : *found;
 }
 

@@ -119,7 +119,7 @@ std::string header_of(const Image& image)
     put(header, 108, static_cast<float>(kVoxelOffset));
     put(header, 112, 1.0F);  // scl_slope
     put_geometry(image, header);
-    header.replace(344, 4, std::string("n+1", 4));
+    header.replace(344, 4, "n+1", 4);  // with its zero
     return header;
 }
 

@@ -76,7 +76,7 @@ void LocalMesh::freeze_hull(const Run& run)
 int32_t LocalMesh::tet_at(int32_t v, int32_t w) const
 {
     const auto tets = star(v);
-    const auto found = std::find_if(tets.begin(), tets.end(), [&](int32_t t) { return has_corner(tet(t), w); });
+    const auto* found = std::find_if(tets.begin(), tets.end(), [&](int32_t t) { return has_corner(tet(t), w); });
     return found == tets.end() ? -1 : *found;
 }
 
