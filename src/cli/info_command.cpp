@@ -3,6 +3,7 @@
 #include "findings.hpp"
 #include "guarded.hpp"
 #include "json_report.hpp"
+#include "label_names.hpp"
 #include "mesh_files.hpp"
 #include "output_conflicts.hpp"
 #include "standard_output.hpp"
@@ -21,6 +22,7 @@ namespace
 
 struct InfoArguments {
     VolumeArguments input;
+    std::string names;
     RunArguments run;
 };
 
@@ -51,6 +53,7 @@ int tell_volume(Session& session, const InfoArguments& arguments)
     session.timed("read", "reading the volume", [&] {
         // Without options: they change nothing that is reported here.
         const Volume volume = arguments.input.read(session, nullptr);
+        read_names(session, arguments.names, volume.get());
         found = look_at_volume(session, volume.get());
     });
     session.clear_progress();
@@ -72,6 +75,7 @@ int tell_mesh(Session& session, const InfoArguments& arguments)
     MeshFindings found;
     session.timed("read", "reading the mesh", [&] {
         const Mesh mesh = read_mesh(session, arguments.input.inputs.front());
+        read_names(session, arguments.names, mesh.get());
         found = look_at_mesh(session, mesh.get());
     });
     session.clear_progress();
@@ -98,12 +102,15 @@ Command add_info_command(CLI::App& app)
     // The argument is shared with `mesh` and `sizing`, which take no meshes.
     parser.get_option("INPUT")->description("A volume (or several indicator functions) or a mesh");
     arguments->input.add_reading_to(parser);
+    add_names_to(parser, arguments->names, "Names of labels");
     arguments->run.add_to(parser);
     parser.footer("Examples:\n  cleft info atlas.nii.gz\n  cleft info atlas.vtu --json -\n\n" +
                   std::string(exit_code_help()));
     // The shared pointer is copied into the function, so that the values live until it has run.
     const auto run = [arguments] {
-        refuse_conflicts(arguments->input.inputs, {}, arguments->run.json);
+        std::vector<std::string> inputs = arguments->input.inputs;
+        inputs.push_back(arguments->names);
+        refuse_conflicts(inputs, {}, arguments->run.json);
         check_json_output(arguments->run.json);
         Session session(arguments->run, {{"read", 1}});
         return is_mesh(*arguments) ? tell_mesh(session, *arguments) : tell_volume(session, *arguments);

@@ -13,7 +13,7 @@ namespace cleft_cli
 void add_names_to(CLI::App& app, std::string& path, const std::string& what)
 {
     app.add_option("--names", path,
-                   what + ": a label and its name a line,\nor a table of ITK-SNAP, FreeSurfer or MRIcron")
+                   what + ": a label and its name a line,\nor a table of ITK-SNAP, FreeSurfer, MRIcron or BIDS")
         ->check(CLI::ExistingFile.description(""))
         ->type_name("FILE");
 }

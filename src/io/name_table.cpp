@@ -1,5 +1,6 @@
-// Reads a table of names. The form is told by all lines together: a name in quotes at the end is ITK-SNAP's, four
-// numbers behind a word are FreeSurfer's, and one is MRIcron's, if the words alone are different names.
+// Reads a table of names. A first line with headings is that of BIDS. Else the form is told by all lines together: a
+// name in quotes at the end is ITK-SNAP's, four numbers behind a word are FreeSurfer's, and one is MRIcron's, if the
+// words alone are different names. Of the first two, some lines may be odd; each is told.
 #include "io/name_table.hpp"
 
 #include "io/header_values.hpp"
@@ -17,7 +18,14 @@ namespace cleft::io
 namespace
 {
 
+// A line with something to read in it.
+struct Line {
+    size_t number = 0;  // from 1 on
+    std::string text;   // without blanks at its ends
+};
+
 struct Row {
+    size_t line = 0;
     int32_t label = 0;
     std::string rest;  // without blanks at its ends
 };
@@ -33,6 +41,21 @@ bool is_number(const std::string& word)
 bool is_quoted(const Row& row)
 {
     return !row.rest.empty() && row.rest.back() == '"' && row.rest.find('"') + 1 < row.rest.size();
+}
+
+// "255 0 0 0.5 1 1" and a name in quotes.
+bool has_snap_numbers(const Row& row)
+{
+    constexpr size_t kNumbers = 6;
+    if (!is_quoted(row))
+        return false;
+    const std::vector<std::string> words = words_of(row.rest.substr(0, row.rest.find('"')));
+    const auto is_real = [](const std::string& word) {
+        double number = 0;
+        const char* end = word.data() + word.size();
+        return std::from_chars(word.data(), end, number).ptr == end;
+    };
+    return words.size() == kNumbers && std::all_of(words.begin(), words.end(), is_real);
 }
 
 // "Left-Thalamus 0 118 14 0"
@@ -90,38 +113,69 @@ std::string checked_rest(const std::string& path, size_t number, std::string_vie
     return rest;
 }
 
-// One line, or nothing of it.
-bool read_row(const std::string& path, size_t number, std::string_view line, Row& row)
-{
-    const std::string_view text = trimmed(line);
-    if (text.empty() || text.front() == '#')
-        return false;
-    const char* end = text.data() + text.size();
-    const auto read = std::from_chars(text.data(), end, row.label);
-    const std::string_view behind(read.ptr, static_cast<size_t>(end - read.ptr));
-    if (read.ec != std::errc() || (!behind.empty() && std::string_view(" \t,;=").find(behind[0]) == std::string::npos))
-        fail(path, number, "it begins with no label, which is a whole number");
-    row.rest = checked_rest(path, number, behind);
-    return true;
-}
-
-std::vector<Row> read_rows(const std::string& path)
+std::vector<Line> read_lines(const std::string& path)
 {
     std::string text = read_whole_file(path);
     constexpr std::string_view kMark = "\xEF\xBB\xBF";  // of UTF-8, which editors of Windows put in front
     if (text.compare(0, kMark.size(), kMark) == 0)
         text.erase(0, kMark.size());
-    std::istringstream lines(text);
-    std::vector<Row> rows;
+    std::istringstream all(text);
+    std::vector<Line> lines;
     size_t number = 0;
-    for (std::string line; std::getline(lines, line);) {
-        Row row;
-        if (read_row(path, ++number, line, row))
-            rows.push_back(row);
+    for (std::string line; std::getline(all, line);) {
+        ++number;
+        const std::string_view content = trimmed(line);
+        if (!content.empty() && content.front() != '#')
+            lines.push_back({number, std::string(content)});
     }
-    if (rows.empty())
+    if (lines.empty())
         throw Error(CLEFT_ERROR_FORMAT, "'" + path + "': there are no labels in it");
-    return rows;
+    return lines;
+}
+
+Row row_of(const std::string& path, const Line& line)
+{
+    Row row{line.number, 0, ""};
+    const char* end = line.text.data() + line.text.size();
+    const auto read = std::from_chars(line.text.data(), end, row.label);
+    const std::string_view behind(read.ptr, static_cast<size_t>(end - read.ptr));
+    if (read.ec != std::errc() || (!behind.empty() && std::string_view(" \t,;=").find(behind[0]) == std::string::npos))
+        fail(path, line.number, "it begins with no label, which is a whole number");
+    row.rest = checked_rest(path, line.number, behind);
+    return row;
+}
+
+std::vector<std::string_view> cells_of(std::string_view text)
+{
+    std::vector<std::string_view> cells;
+    for (size_t tab = text.find('\t'); tab != std::string_view::npos; tab = text.find('\t')) {
+        cells.push_back(trimmed(text.substr(0, tab)));
+        text.remove_prefix(tab + 1);
+    }
+    cells.push_back(trimmed(text));
+    return cells;
+}
+
+// Columns under headings, with tabs between them, as in BIDS: "index", "name" and others. Nothing if the first line is
+// none of headings.
+bool read_columns(const std::string& path, const std::vector<Line>& lines, std::vector<Row>& rows)
+{
+    const std::vector<std::string_view> headings = cells_of(lines.front().text);
+    const auto column_of = [&](std::string_view heading) {
+        return static_cast<size_t>(std::find(headings.begin(), headings.end(), heading) - headings.begin());
+    };
+    const size_t index = column_of("index"), name = column_of("name");
+    if (index == headings.size() || name == headings.size())
+        return false;
+    for (auto line = lines.begin() + 1; line != lines.end(); ++line) {
+        const std::vector<std::string_view> cells = cells_of(line->text);
+        if (cells.size() <= std::max(index, name))
+            fail(path, line->number, "it has fewer columns than the headings");
+        Row row = row_of(path, {line->number, std::string(cells[index])});
+        row.rest = cells[name] == "n/a" ? "" : checked_rest(path, line->number, cells[name]);
+        rows.push_back(row);
+    }
+    return true;
 }
 
 // A few words that are all followed by a number may also be names that end with one: "Left 5", "Right 6".
@@ -144,14 +198,68 @@ void add_name(int32_t label, const std::string& name, NameTable& table)
     place = name;
 }
 
+// The form of a table whose lines are not just labels and names.
+struct Form {
+    bool (*is_row)(const Row&);
+    std::string (*name_of)(const Row&);
+    const char* what;
+};
+
+constexpr Form kNameForms[] = {
+    {has_snap_numbers, [](const Row& row) { return name_in_quotes(row.rest); },
+     "six numbers and a name in quotes, as the lines of ITK-SNAP"},
+    {[](const Row& row) { return has_numbers(row, 4); }, [](const Row& row) { return words_of(row.rest).front(); },
+     "a name without blanks and four numbers, as the lines of FreeSurfer"},
+};
+
+// Null: the lines are names alone, or a table of MRIcron.
+const Form* form_of(const std::vector<Row>& rows)
+{
+    for (const Form& form : kNameForms)
+        // A name may look like a line of a form; more names are no chance.
+        if (2 * static_cast<size_t>(std::count_if(rows.begin(), rows.end(), form.is_row)) >= rows.size())
+            return &form;
+    return nullptr;
+}
+
+// Lines of another form are told. What they have behind the label is taken for the name.
+void add_names(const Form& form, const std::vector<Row>& rows, NameTable& table)
+{
+    size_t odd = 0;
+    std::string first;
+    for (const Row& row : rows) {
+        const std::string name = form.is_row(row) ? form.name_of(row) : plain_name(row.rest);
+        add_name(row.label, name, table);
+        if (!form.is_row(row) && odd++ == 0)
+            first = "line " + std::to_string(row.line) + " is not " + form.what + " around it, so label " +
+                    std::to_string(row.label) + " is called '" + name + "'";
+    }
+    if (odd > 1)
+        first += "; so it is with " + std::to_string(odd) + " lines";
+    if (odd > 0)
+        table.notes.push_back(first);
+}
+
 }  // namespace
 
 NameTable read_name_table(const std::string& path)
 {
-    const std::vector<Row> rows = read_rows(path);
-    const bool snap = std::all_of(rows.begin(), rows.end(), is_quoted);
-    const bool first_word = is_table(rows, 4) || is_table(rows, 1);
+    const std::vector<Line> lines = read_lines(path);
+    std::vector<Row> rows;
     NameTable table;
+    if (read_columns(path, lines, rows)) {
+        for (const Row& row : rows)
+            add_name(row.label, row.rest, table);
+        return table;
+    }
+    for (const Line& line : lines)
+        rows.push_back(row_of(path, line));
+    if (const Form* form = form_of(rows)) {
+        add_names(*form, rows, table);
+        return table;
+    }
+    const bool first_word = is_table(rows, 1);
+    const bool snap = std::all_of(rows.begin(), rows.end(), is_quoted);
     if (!snap)
         note_doubt(rows, table);
     for (const Row& row : rows)

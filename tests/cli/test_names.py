@@ -95,6 +95,18 @@ class Names(CommandTest):
         self.assertIn("MATERIAL_7_LEFT_LUNG", self.text("a.inp"))
         self.assertIn('"name":"right lung"', self.text("page.html"))
 
+    def test_info_takes_a_table(self):
+        for file in (self.volume, self.path("plain.vtu")):
+            report = self.path("info.json")
+            self.run_ok("info", file, "--names", self.table(), "--json", report)
+            found = json.loads(report.read_text())
+            labels = (found["mesh"] if "mesh" in found else found["volume"])["labels"]
+            self.assertEqual([row["name"] for row in labels], ["air", "right lung", "left lung"])
+        self.assertIn("left lung", self.run_ok("info", self.volume, "--names", self.table()).stdout)
+        table = self.table("index\tname\tcolor\n0\tair\t#000000\n3\tright lung\t#ff0000\n")
+        self.assertIn("right lung", self.run_ok("info", self.volume, "--names", table).stdout)
+        self.assert_fails(USAGE, cleft("info", self.volume, "--names", table, "--json", table))
+
     def test_a_table_goes_before_the_file(self):
         names = self.table("3 lung\n")
         done = self.run_ok("convert", self.path("named.vtu"), self.path("a.vtu"), "--names", names)
