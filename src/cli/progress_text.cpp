@@ -20,7 +20,9 @@ std::string percent_text(double fraction)
 
 std::string left_text(const ProgressFigures& figures)
 {
-    return figures.left ? ", " + rough_duration_text(*figures.left) + " left" : "";
+    // An estimate of nothing is no news, as the bar is still there.
+    constexpr double kLeast = 0.5;
+    return figures.left && *figures.left >= kLeast ? ", " + rough_duration_text(*figures.left) + " left" : "";
 }
 
 // Depends on the terminal alone, so that the bar does not change its width when a number gets longer.

@@ -53,6 +53,11 @@ void bars(void**)
     figures.fraction = 1;
     assert_text(bar_text(figures, 45), "100 %  12 s, 35 s left  cleaving: cuts");
     assert_text(line_text(figures), "100 % after 12 s, 35 s left: cleaving: cuts");
+    figures.left = 0.5;
+    assert_text(line_text(figures), "100 % after 12 s, 1 s left: cleaving: cuts");
+    figures.left = 0.4;
+    assert_text(line_text(figures), "100 % after 12 s: cleaving: cuts");
+    assert_text(bar_text(figures, 45), "100 %  12 s  cleaving: cuts");
 }
 
 // However narrow the terminal and long the texts, a line is not wrapped.

@@ -135,9 +135,19 @@ class Errors(unittest.TestCase):
             (cleft.OutOfMemory, MemoryError),
             (cleft.InvalidArgument, ValueError),
             (cleft.FileError, OSError),
+            (cleft.FileMissing, FileNotFoundError),
+            (cleft.FileForbidden, PermissionError),
+            (cleft.FileIsFolder, IsADirectoryError),
+            (cleft.FolderIsFile, NotADirectoryError),
             (cleft.OptionError, ValueError),
         ):
             self.assertTrue(issubclass(kind, natural))
+
+    def test_what_belongs_to_a_mesher_says_so(self):
+        volume = cleft.Volume(np.ones((4, 4, 4), int))
+        for name in ("progress", "threads", "log"):
+            with self.assertRaisesRegex(TypeError, rf"'{name}' .* mesher=cleft.Mesher\({name}=...\)"):
+                cleft.mesh(volume, **{name: True})
 
     def test_copies_and_pickles(self):
         mesh = ball_mesh()

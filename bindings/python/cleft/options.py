@@ -129,6 +129,9 @@ def describe_options() -> str:
     )
 
 
+# What a call does not read itself.
+_OF_MESHER = {"threads", "progress", "log"}
+
 _Documented = TypeVar("_Documented", bound=Callable[..., Any])
 
 
@@ -154,6 +157,8 @@ class Options(Owner):
         raise_for(status, "options could not be made")
         self._handle = Handle(address, native.cleft_options_destroy)
         for name, value in values.items():
+            if name in _OF_MESHER:
+                raise TypeError(f"{name!r} is not an option but of a Mesher: give mesher=cleft.Mesher({name}=...)")
             if name not in _TABLE and name not in _LISTS:
                 raise TypeError(f"{name!r} is not an option; {_names()}")
             setattr(self, name, value)
