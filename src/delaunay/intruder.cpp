@@ -52,7 +52,7 @@ struct Sphere {
     Vec3 from;
     double square, inner;
 
-    bool may_have(const BoundingBox&) const { return true; }
+    static bool may_have(const BoundingBox&) { return true; }
     bool has(const NumberedPoint& point, double at) const
     {
         for (const int32_t corner : cell.corners)

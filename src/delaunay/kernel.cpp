@@ -54,8 +54,7 @@ void DelaunayKernel::begin(const FixedArray<int32_t, 4>& vertices)
     if (orient_sign(place(tet[0]), place(tet[1]), place(tet[2]), place(tet[3])) < 0)
         std::swap(tet[2], tet[3]);
     cells_.push_back(Cell{tet, {}, {}, -1, 0, 0, 0});
-    for (int face = 0; face < 4; ++face) {
-        const auto& f = kFaceCorners[face];
+    for (const auto& f : kFaceCorners) {
         cells_.push_back(Cell{{{tet[f[0]], tet[f[1]], tet[f[2]], kGhost}}, {}, {}, 0, 0, 0, 0});
         leave_in_doubt(cells_.back());
     }
@@ -78,7 +77,8 @@ void DelaunayKernel::begin(const FixedArray<int32_t, 4>& vertices)
         corners[i] = {edge, edge.squaredNorm()};
     }
     const auto both = [&](int i) { return PairOfCorners(&corners[i], &corners[i]); };
-    set_spheres_of_pair({&cells_[0], &cells_[0]}, pair_of_spheres(p - origin_, rounding_, both(0), both(1), both(2)));
+    set_spheres_of_pair({cells_.data(), cells_.data()},
+                        pair_of_spheres(p - origin_, rounding_, both(0), both(1), both(2)));
     last_ = 0;
 }
 

@@ -81,7 +81,7 @@ private:
     template <bool kExact>
     int32_t walk(const Seen& p) const;
     int32_t locate(const Seen& p) const;
-    void find_cavity(const Seen& p, int32_t cell);
+    void find_cavity(const Seen& p, int32_t first);
     void make_room(size_t count);
     void see_corners(const Vec3& p);
     void take_cells();
