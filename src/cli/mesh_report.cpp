@@ -20,8 +20,6 @@ namespace cleft_cli
 namespace
 {
 
-using Json = nlohmann::json;
-
 // What a report counts of its mesh.
 struct Counts {
     int64_t points = 0;
@@ -35,19 +33,19 @@ struct Counts {
     throw Failure(EXIT_CANNOT_READ, CLEFT_ERROR_FORMAT, "'" + path + "' is " + what);
 }
 
-Counts counts_of_report(const Json& report, const std::string& path)
+Counts counts_of_report(const nlohmann::json& report, const std::string& path)
 {
     try {
-        const Json& mesh = report.at("mesh");
+        const nlohmann::json& mesh = report.at("mesh");
         Counts counts;
         counts.points = mesh.at("points").get<int64_t>();
         counts.tets = mesh.at("tets").get<int64_t>();
         counts.low = mesh.at("low").get<std::array<double, 3>>();
         counts.high = mesh.at("high").get<std::array<double, 3>>();
-        for (const Json& row : mesh.at("labels"))
+        for (const nlohmann::json& row : mesh.at("labels"))
             counts.labels[row.at("label").get<int32_t>()] = row.at("tets").get<int64_t>();
         return counts;
-    } catch (const Json::exception&) {
+    } catch (const nlohmann::json::exception&) {
         refuse(path, "no report of a mesh: it lacks \"mesh\" with points, tetrahedra, labels and box");
     }
 }
@@ -123,7 +121,7 @@ std::string read_mesh_report(const std::string& path, const cleft_mesh* mesh, co
     std::ifstream file(path, std::ios::binary);
     std::ostringstream text;
     text << file.rdbuf();
-    const Json report = Json::parse(text.str(), nullptr, false);
+    const nlohmann::json report = nlohmann::json::parse(text.str(), nullptr, false);
     if (!file || report.is_discarded())
         refuse(path, "no report: it is not JSON");
     const std::string differs = difference(counts_of_report(report, path), counts_of(mesh), mesh_path);

@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace cleft_cli
@@ -48,9 +49,9 @@ void PageArguments::add_to(CLI::App& app)
 std::vector<std::string> file_titles(const std::vector<std::string>& paths)
 {
     const auto titles_of = [&](size_t parts) {
-        std::vector<std::string> titles;
-        for (const std::string& path : paths)
-            titles.push_back(end_of_path(path, parts));
+        std::vector<std::string> titles(paths.size());
+        std::transform(paths.begin(), paths.end(), titles.begin(),
+                       [&](const std::string& path) { return end_of_path(path, parts); });
         return titles;
     };
     std::vector<std::string> titles = titles_of(1);
