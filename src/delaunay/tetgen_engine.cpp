@@ -74,8 +74,10 @@ void make_positive(Array<Tet>& tets, const Array<Vec3>& points, const Run& run)
         // All stages that follow rely on positive tetrahedra. A wrong one is reported here, where its cause is known.
         if (sign < 0)
             throw Error(CLEFT_ERROR_INTERNAL, "TetGen returned an inverted tetrahedron");
-        flat[t] = sign == 0;
-        any_flat = any_flat || sign == 0;
+        if (sign == 0) {
+            flat[t] = 1;
+            any_flat = true;
+        }
     }
     if (any_flat)
         drop_flat_hull_tets(tets, flat, points.count(), run);

@@ -57,13 +57,13 @@ Array<TiePoint> collect_from_rows(const Volume& volume, const Run& run, const Bo
 void add_crossing(const Volume& volume, const Vec3& a, const Vec3& b, Material of_a, Material of_b, Samples& samples,
                   Array<TiePoint>& points)
 {
-    const MaterialSet A(of_a), B(of_b);
+    const MaterialSet first(of_a), second(of_b);
     const auto difference_at = [&](const Vec3& x) {
         volume.sample(x, samples);
-        return greatest_value(samples, A) - greatest_value(samples, B);
+        return greatest_value(samples, first) - greatest_value(samples, second);
     };
     const double at_a = difference_at(a), at_b = difference_at(b);
-    const Vec3 x = a + find_cut(volume, {a, b, A, B, at_a, at_b}, samples) * (b - a);
+    const Vec3 x = a + find_cut(volume, {a, b, first, second, at_a, at_b}, samples) * (b - a);
     TiePoint point{{{std::min(of_a, of_b), std::max(of_a, of_b), kNoThird}}, x};
     if (is_held_by(volume, x, point.of.set(), kHeldWithin * volume.grid().spacing.minCoeff(), samples))
         points.push_back(point);
