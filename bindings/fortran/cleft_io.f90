@@ -31,7 +31,7 @@ module cleft_io
     module procedure read_one_raw, read_several_raw
   end interface
 
-  ! Names the labels by a table: a label and its name a line, or a table of ITK-SNAP, FreeSurfer or MRIcron.
+  ! Names the labels by a table: a label and its name a line, or a table of ITK-SNAP, FreeSurfer, MRIcron or BIDS.
   interface cleft_read_names
     module procedure read_volume_names, read_mesh_names
   end interface

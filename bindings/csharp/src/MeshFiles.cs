@@ -234,8 +234,8 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Names the labels of a volume by a table: a label and its name a line, or a table of ITK-SNAP, FreeSurfer or
-        /// MRIcron. Not while another thread uses the volume.
+        /// Names the labels of a volume by a table: a label and its name a line, or a table of ITK-SNAP, FreeSurfer,
+        /// MRIcron or BIDS. Not while another thread uses the volume.
         /// </summary>
         public static void ReadLabelNames(Mesher mesher, Volume volume, string path)
         {

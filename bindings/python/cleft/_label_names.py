@@ -50,7 +50,7 @@ class Named(Owner):
             raise_for(put(handle, label, names.get(label, "")), f"label {label} cannot be called {names.get(label)!r}")
 
     def read_label_names(self, path: Path, *, mesher: Mesher | None = None) -> None:
-        """Names the labels by a table: a label and its name a line, or a table of ITK-SNAP, FreeSurfer or MRIcron.
+        """Names the labels by a table: label and name a line, or a table of ITK-SNAP, FreeSurfer, MRIcron or BIDS.
 
         Labels that are not in the table keep their names.
         """

@@ -357,8 +357,8 @@ public final class MeshFiles {
     }
 
     /**
-     * Names the labels of a volume by a table: a label and its name a line, or a table of ITK-SNAP, FreeSurfer or
-     * MRIcron. Not while another thread uses the volume.
+     * Names the labels of a volume by a table: a label and its name a line, or a table of ITK-SNAP, FreeSurfer,
+     * MRIcron or BIDS. Not while another thread uses the volume.
      *
      * @param mesher who reads
      * @param volume the volume
