@@ -231,7 +231,7 @@ CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_read_mesh(cleft_context* cont
 
 /** Names the labels of a volume by a table. A table has a label and its name on each line. Label descriptions of
  *  ITK-SNAP, colour tables of FreeSurfer, tables of MRIcron and those of BIDS are read too (docs/formats.md). Labels
- * that are not in the table keep their names, and names of other labels are left out.
+ *  that are not in the table keep their names, and names of other labels are left out.
  *
  *  The function warns if the table names no label of the volume, or calls labels otherwise than the volume did. It also
  *  warns if the table has two names for a label, or may have another form than it is taken for.
