@@ -61,7 +61,8 @@ bool VolumeDeficits::is_any_off() const
 void VolumeDeficits::widen()
 {
     for (size_t m = 0; m < wide_.size(); ++m)
-        wide_[m] = wide_[m] || is_far_off(m);
+        if (is_far_off(m))
+            wide_[m] = 1;
 }
 
 }  // namespace cleft
