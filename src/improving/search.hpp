@@ -40,7 +40,8 @@ inline int64_t most_places(const LocalMesh& mesh)
 inline double bend_at(const LocalMesh& mesh, const Search& search, int32_t t, int corner_a, int corner_b)
 {
     const Tet& v = mesh.tet(t);
-    return search.bend * (mesh.point(v[corner_a]) - mesh.point(v[corner_b])).norm();
+    const int32_t a = v[corner_a], b = v[corner_b];
+    return search.bend * mesh.measured_on_edge(a, b, mesh.point(a) - mesh.point(b)).norm();
 }
 
 }  // namespace cleft

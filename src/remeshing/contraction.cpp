@@ -35,15 +35,18 @@ bool Contraction::BoundaryStar::has(const Opposite& triangle) const
     return std::binary_search(triangles.begin(), triangles.end(), triangle);
 }
 
-bool Contraction::find(const LocalMesh& mesh, int32_t t, int corner_gone, int corner_kept, Cavity& cavity, double share)
+bool Contraction::find(const LocalMesh& mesh, int32_t t, int corner_gone, int corner_kept, Cavity& cavity, double share,
+                       double enough)
 {
     gone_ = mesh.tet(t)[corner_gone];
     kept_ = mesh.tet(t)[corner_kept];
     if (!hull_allows(mesh))
         return false;
     star_gone_.assign(mesh.star(gone_).begin(), mesh.star(gone_).end());
+    // The tetrahedra that vanish count too: they are often those that the contraction is made for.
+    const double floor = std::max(std::min(share * mesh.worst(star_gone_), enough), kLeastSine);
     // The shapes first: they rule out nearly all, and at the lowest price.
-    if (!shapes_get_better(mesh, cavity, share) || !same_stratum(mesh) || !materials_are_connected(mesh) ||
+    if (!shapes_get_better(mesh, cavity, floor) || !same_stratum(mesh) || !materials_are_connected(mesh) ||
         !links_allow(mesh))
         return false;
     return true;
@@ -61,10 +64,8 @@ bool Contraction::hull_allows(const LocalMesh& mesh) const
     return true;
 }
 
-bool Contraction::shapes_get_better(const LocalMesh& mesh, Cavity& cavity, double share) const
+bool Contraction::shapes_get_better(const LocalMesh& mesh, Cavity& cavity, double floor) const
 {
-    // The tetrahedra that vanish count too: they are often those that the contraction is made for.
-    const double floor = std::max(share * mesh.worst(star_gone_), kLeastSine);
     cavity.clear();
     for (const int32_t t : star_gone_) {
         Tet tet = mesh.tet(t);

@@ -15,7 +15,9 @@ public:
     // To move the first corner of t onto the second and take out the tetrahedra between, if that is allowed and makes
     // the worst tetrahedron at the first corner better (than `share` of its quality). True if `cavity` has it to apply.
     // A `share` below 1 lets shapes get worse, for operations that pay only later.
-    bool find(const LocalMesh& mesh, int32_t t, int corner_gone, int corner_kept, Cavity& cavity, double share = 1);
+    // Shapes that are better than `enough` are never refused.
+    bool find(const LocalMesh& mesh, int32_t t, int corner_gone, int corner_kept, Cavity& cavity, double share = 1,
+              double enough = 1);
 
 private:
     // A boundary triangle (of an interface or the hull) at a point, by its two other points in ascending order.
@@ -36,7 +38,7 @@ private:
     // The conditions, from cheap to expensive except for shapes_get_better, which refuses most. Some use what those
     // before have found.
     bool hull_allows(const LocalMesh& mesh) const;
-    bool shapes_get_better(const LocalMesh& mesh, Cavity& cavity, double share) const;
+    bool shapes_get_better(const LocalMesh& mesh, Cavity& cavity, double floor) const;
     bool same_stratum(const LocalMesh& mesh);
     bool materials_are_connected(const LocalMesh& mesh);
     bool links_allow(const LocalMesh& mesh);

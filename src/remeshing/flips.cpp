@@ -106,12 +106,14 @@ bool cut_into_arcs(const LocalMesh& mesh, const EdgeRing& ring, std::array<Arc, 
 }
 
 // How far the boundary moves in its middle when the diagonal a b of the two boundary triangles becomes the diagonal c
-// d.
+// d, in the frame of the metric.
 double bend_of(const LocalMesh& mesh, int32_t a, int32_t b, int32_t c, int32_t d)
 {
-    const Vec3 ab = mesh.point(b) - mesh.point(a), cd = mesh.point(d) - mesh.point(c);
-    const Vec3 normal = ab.cross(cd);
-    return std::abs(normal.dot(mesh.point(c) - mesh.point(a))) / std::max(normal.norm(), 1e-300);
+    const auto way = [&](int32_t from, int32_t to) {
+        return mesh.measured_on_edge(a, b, mesh.point(to) - mesh.point(from));
+    };
+    const Vec3 normal = way(a, b).cross(way(c, d));
+    return std::abs(normal.dot(way(a, c))) / std::max(normal.norm(), 1e-300);
 }
 
 // The hull must stay to the last bit, or the box of the volume is not filled any more. An interface may move by `bend`.
@@ -175,8 +177,8 @@ bool find_edge_removal(const LocalMesh& mesh, int32_t t, int corner_a, int corne
 
 std::array<size_t, 6> most_obtuse_first(const LocalMesh& mesh, int32_t t)
 {
-    const Tet& v = mesh.tet(t);
-    const auto angles = dihedral_angles(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]));
+    const auto x = mesh.measured_corners(mesh.tet(t));
+    const auto angles = dihedral_angles(x[0], x[1], x[2], x[3]);
     std::array<size_t, 6> edges{0, 1, 2, 3, 4, 5};
     // Equal angles keep the order of their edges, which std::sort does not promise.
     std::stable_sort(edges.begin(), edges.end(), [&](size_t e, size_t f) { return angles[e] > angles[f]; });

@@ -10,7 +10,8 @@ namespace cleft
 // Edge removal: takes out the edge between two corners of t and fills its ring with the best of all triangulations
 // (Klincsek's dynamic programming), if that makes the worst tetrahedron better (than `share` of its quality). Contains
 // the 3-2 and 4-4 flips and, in a plane of the hull, the 2-2 flip. An edge in the interface of two materials is taken
-// out too if the two interface triangles at it are flat within `bend` (the distance that the interface moves).
+// out too if the two interface triangles at it are flat within `bend` (the distance that the interface moves, in the
+// frame of the metric).
 bool find_edge_removal(const LocalMesh& mesh, int32_t t, int corner_a, int corner_b, double bend, Cavity& cavity,
                        double share = 1);
 

@@ -51,6 +51,23 @@ LocalMesh::LocalMesh(Array<Vec3> points, Array<Tet> tets, Array<Material> materi
     freeze_hull(run);
 }
 
+LocalMesh::PointMetric LocalMesh::metric_at(const Vec3& x) const
+{
+    const Tensor log = measure_.log_at(x);
+    return {log, exp(log)};
+}
+
+void LocalMesh::measure_by(const Measure& measure, const Run& run)
+{
+    measure_ = measure;
+    quality_.assign(quality_.size(), kUnknown);
+    metrics_.resize(points_.size());
+    parallel_for(run, points_.count(), kSlotsAtOnce, [&](int64_t begin, int64_t end) {
+        for (int64_t v = begin; v < end; ++v)
+            metrics_[v] = metric_at(points_[v]);
+    });
+}
+
 void LocalMesh::freeze_hull(const Run& run)
 {
     frozen_.assign(points_.size(), 0);
@@ -134,6 +151,8 @@ void LocalMesh::ring(int32_t t, int corner_a, int corner_b, EdgeRing& out) const
 void LocalMesh::move(int32_t v, const Vec3& to)
 {
     points_[v] = to;
+    if (is_measured())
+        metrics_[v] = metric_at(to);
     for (const int32_t t : star(v)) {
         quality_[t] = kUnknown;
         CLEFT_ASSERT(quality(tet(t)) > 0);
@@ -148,6 +167,10 @@ int32_t LocalMesh::add_point(const Vec3& x, uint8_t frozen)
     make_room(frozen_);
     frozen_.push_back(frozen);
     stars_.add_point();
+    if (is_measured()) {
+        make_room(metrics_);
+        metrics_.push_back(metric_at(x));
+    }
     return point_count() - 1;
 }
 
@@ -215,7 +238,42 @@ int32_t LocalMesh::take_slot()
 
 double LocalMesh::quality(const Tet& corners) const
 {
-    return angle_quality(point(corners[0]), point(corners[1]), point(corners[2]), point(corners[3]));
+    if (!is_measured())
+        return angle_quality(point(corners[0]), point(corners[1]), point(corners[2]), point(corners[3]));
+    const auto x = measured_corners(corners);
+    return angle_quality(x[0], x[1], x[2], x[3]);
+}
+
+std::array<Vec3, 4> LocalMesh::measured_corners(const Tet& corners) const
+{
+    std::array<Vec3, 4> x;
+    Tensor logs;
+    for (size_t c = 0; c < 4; ++c) {
+        x[c] = point(corners[c]);
+        if (is_measured())
+            logs = logs + log_metric(corners[c]);
+    }
+    return is_measured() ? measured(x, logs) : x;
+}
+
+double LocalMesh::worst_with(int32_t v, const Vec3& place) const
+{
+    const Tensor log_there = is_measured() ? measure_.log_at(place) : Tensor();
+    double worst = 1;
+    for (const int32_t t : star(v)) {
+        std::array<Vec3, 4> x;
+        Tensor logs = log_there;
+        for (size_t c = 0; c < 4; ++c) {
+            const int32_t w = tet(t)[c];
+            x[c] = w == v ? place : point(w);
+            if (w != v && is_measured())
+                logs = logs + log_metric(w);
+        }
+        if (is_measured())
+            x = measured(x, logs);
+        worst = std::min(worst, angle_quality(x[0], x[1], x[2], x[3]));
+    }
+    return worst;
 }
 
 double LocalMesh::quality(int32_t t) const
@@ -232,6 +290,12 @@ void LocalMesh::find_qualities(const Run& run) const
 {
     // Slots of one thread are its own, so writing qualities takes no lock.
     parallel_for(run, slot_count(), kSlotsAtOnce, [&](int64_t begin, int64_t end) {
+        if (is_measured()) {
+            for (auto t = static_cast<int32_t>(begin); t < end; ++t)
+                if (alive(t))
+                    quality(t);
+            return;
+        }
         Foursome four;
         for (auto t = static_cast<int32_t>(begin); t < end; ++t)
             if (alive(t) && quality_[t] == kUnknown && four.add(t, tet(t), points_))

@@ -5,6 +5,7 @@
 #include "base/array.hpp"
 #include "mesh/point_stars.hpp"
 #include "mesh/tet_mesh.hpp"
+#include "metric/metric_field.hpp"
 
 namespace cleft
 {
@@ -53,6 +54,20 @@ public:
     // Axes that the point must not move along (see frozen_axes in adjacency.hpp).
     uint8_t frozen(int32_t v) const { return frozen_[v]; }
 
+    // From here on shapes are measured by a field, which must outlive the mesh.
+    void measure_by(const Measure& measure, const Run& run);
+    // If not, lengths and angles are those of the frame.
+    bool is_measured() const { return measure_.field != nullptr; }
+    // The metric at a point, if the mesh is measured.
+    const Tensor& metric(int32_t v) const { return metrics_[v].metric; }
+    const Tensor& log_metric(int32_t v) const { return metrics_[v].log; }
+    // A part of an edge in the frame in which its metric is the identity, up to a factor that keeps volumes; the part
+    // itself if the mesh is not measured.
+    Vec3 measured_on_edge(int32_t a, int32_t b, const Vec3& part) const
+    {
+        return is_measured() ? unit_exp(0.25 * (log_metric(a) + log_metric(b))) * part : part;
+    }
+
     // The tetrahedra at a point. Valid until the mesh changes.
     PointStars::Range star(int32_t v) const { return stars_.at(v); }
     // A tetrahedron at both points; -1 if there is none.
@@ -89,6 +104,11 @@ public:
     // nothing. For several threads as long as none changes the tetrahedron.
     double quality(int32_t t) const;
     double quality(const Tet& corners) const;
+    // With the point elsewhere: the least of the tetrahedra around it.
+    double worst_with(int32_t v, const Vec3& place) const;
+    // Where the metric of the tetrahedron is the identity, up to a factor; the corners themselves if the mesh is not
+    // measured.
+    std::array<Vec3, 4> measured_corners(const Tet& corners) const;
     // Finds all that are not known, at a lower price than one by one.
     void find_qualities(const Run& run) const;
     double worst(const Array<int32_t>& tets) const;
@@ -97,6 +117,11 @@ public:
     LabelledMesh take(const Run& run);
 
 private:
+    struct PointMetric {
+        Tensor log, metric;
+    };
+
+    PointMetric metric_at(const Vec3& x) const;
     void freeze_hull(const Run& run);
     int32_t take_slot();
     void remove_dead_slots();
@@ -106,6 +131,8 @@ private:
     Array<Material> materials_;
     PointStars stars_;
     Array<uint8_t> frozen_;
+    Measure measure_;
+    Array<PointMetric> metrics_;  // by point, if the mesh is measured
     Array<int32_t> free_slots_;
     mutable Array<double> quality_;  // of each tetrahedron since it was last asked for; kUnknown after a change
 };

@@ -87,8 +87,9 @@ bool Smoother::step(const TetStar& star, Place& place, const Mat3& tangent, cons
 {
     ++places_;
     star.gradients_at(place.x, quality_, gradient_);
+    const Mat3 free = star.tangent_in_frame(tangent);
     for (Vec3& g : gradient_)
-        g = tangent * g;
+        g = free * g;
     place.worst = *std::min_element(quality_.begin(), quality_.end());
     const Vec3 direction = ascent_direction(place.worst);
     const double reach = star.reach(place.x);
@@ -98,7 +99,7 @@ bool Smoother::step(const TetStar& star, Place& place, const Mat3& tangent, cons
     // A trial must be better by the least gain, or the same places could be visited for ever.
     const double wanted = std::max(place.worst + kLeastGain, kLeastSine);
     for (int halving = 0; halving < kHalvings; ++halving, length *= 0.5) {
-        Vec3 trial = place.x + length * direction;
+        Vec3 trial = place.x + star.to_mesh(length * direction, tangent);
         if (projection && !projection(trial))
             continue;
         ++places_;
@@ -115,15 +116,16 @@ Place Smoother::explore(const TetStar& star, const Vec3& x, const Mat3& tangent,
 {
     Place best{x, std::max(star.worst_at(x, -1), kLeastSine)};
     const double reach = star.reach(x);
+    const Mat3 free = star.tangent_in_frame(tangent);
     for (const double radius : kExploredRadii)
         for (int code = 0; code < 27; ++code) {
             const Vec3 along(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
-            const Vec3 shift = tangent * along;
+            const Vec3 shift = free * along;
             // What is left of a direction across the plane or line would be mostly rounding error. Code 13 is the
             // centre itself.
             if (shift.norm() < 0.1 * along.norm() || code == 13)
                 continue;
-            Vec3 trial = x + radius * reach * shift.normalized();
+            Vec3 trial = x + star.to_mesh(radius * reach * shift.normalized(), tangent);
             if (projection && !projection(trial))
                 continue;
             ++places_;

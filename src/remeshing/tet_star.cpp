@@ -13,6 +13,10 @@ namespace cleft
 void TetStar::load(const LocalMesh& mesh, int32_t v)
 {
     begin(mesh.star(v).size());
+    if (mesh.is_measured()) {
+        origin_ = mesh.point(v);
+        measure_by(mesh.log_metric(v));
+    }
     tets_.assign(mesh.star(v).begin(), mesh.star(v).end());
     for (const int32_t t : tets_)
         add(mesh, mesh.tet(t), mesh.corner_of(t, v));
@@ -23,6 +27,10 @@ void TetStar::load(const LocalMesh& mesh, int32_t v)
 void TetStar::load(const LocalMesh& mesh, const EdgeRing& ring)
 {
     begin(2 * ring.tets.count());
+    if (mesh.is_measured()) {
+        origin_ = 0.5 * (mesh.point(ring.a) + mesh.point(ring.b));
+        measure_by(0.5 * (mesh.log_metric(ring.a) + mesh.log_metric(ring.b)));
+    }
     tets_ = ring.tets;
     for (const int32_t t : tets_) {
         add(mesh, mesh.tet(t), mesh.corner_of(t, ring.a));
@@ -35,6 +43,29 @@ void TetStar::begin(int64_t capacity)
 {
     lanes_.resize((to_size(capacity) + kLanes - 1) / kLanes);
     size_ = 0;
+    maps_ = false;
+}
+
+void TetStar::measure_by(const Tensor& log_metric)
+{
+    maps_ = true;
+    to_frame_ = unit_exp(0.5 * log_metric);
+    from_frame_ = unit_exp(-0.5 * log_metric);
+}
+
+// A plane goes to a plane, and a line to a line.
+Mat3 TetStar::tangent_in_frame(const Mat3& tangent) const
+{
+    const double rank = tangent.trace();
+    if (!maps_ || rank < 0.5 || rank > 2.5)
+        return tangent;
+    const Mat3 rest = rank > 1.5 ? Mat3(Mat3::Identity() - tangent) : tangent;
+    int greatest;
+    rest.colwise().squaredNorm().maxCoeff(&greatest);
+    const Vec3 along = rest.col(greatest);
+    const Vec3 mapped = (rank > 1.5 ? from_frame_ * along : to_frame_ * along).normalized();
+    const Mat3 onto = mapped * mapped.transpose();
+    return rank > 1.5 ? Mat3(Mat3::Identity() - onto) : onto;
 }
 
 void TetStar::add(const LocalMesh& mesh, const Tet& tet, int corner)
@@ -42,7 +73,7 @@ void TetStar::add(const LocalMesh& mesh, const Tet& tet, int corner)
     CLEFT_ASSERT(corner < 4);  // the point, or the end of the edge, is a corner
     Lanes& lanes = lanes_[size_ / kLanes];
     for (size_t c = 0; c < 3; ++c) {
-        const Vec3& x = mesh.point(tet[kFaceCorners[corner][c]]);
+        const Vec3 x = in_frame(mesh.point(tet[kFaceCorners[corner][c]]));
         for (size_t axis = 0; axis < 3; ++axis)
             lanes.corner[c][axis][size_ % kLanes] = x[static_cast<int>(axis)];
     }
@@ -62,8 +93,9 @@ double TetStar::reach(const Vec3& x) const
 {
     // One corner of each tetrahedron is enough for a typical length.
     double sum = 0;
+    const Vec3 centre = in_frame(x);
     for (size_t i = 0; i < size_; ++i)
-        sum += (opposite(i, 0) - x).norm();
+        sum += (opposite(i, 0) - centre).norm();
     return sum / static_cast<double>(size_);
 }
 
@@ -72,7 +104,8 @@ Vec3 TetStar::centroid(const Vec3& x) const
     Vec3 sum(0, 0, 0);
     for (size_t i = 0; i < size_; ++i)
         sum += opposite(i, 0) + opposite(i, 1) + opposite(i, 2);
-    return 0.25 * (x + sum / static_cast<double>(size_));
+    const Vec3 mean = sum / static_cast<double>(size_);
+    return 0.25 * (x + (maps_ ? Vec3(3 * origin_ + from_frame_ * mean) : mean));
 }
 
 // Nearly all the time of smoothing is spent here.
@@ -90,8 +123,9 @@ CLEFT_WIDE_VECTORS double TetStar::worst_of(const Lanes& lanes, const Vec3& x)
 double TetStar::worst_at(const Vec3& x, double floor) const
 {
     double worst = 1;
+    const Vec3 centre = in_frame(x);
     for (const Lanes& lanes : lanes_) {
-        worst = std::min(worst, worst_of(lanes, x));
+        worst = std::min(worst, worst_of(lanes, centre));
         // Most trial places are refused, so stopping early saves the greater part of the work.
         if (worst <= floor)
             return worst;
@@ -118,9 +152,10 @@ void TetStar::gradients_at(const Vec3& x, Array<double>& quality, Array<Vec3>& g
     quality.resize(size_);
     gradient.resize(size_);
     Gradients found;
+    const Vec3 centre = in_frame(x);
     for (size_t i = 0; i < size_; ++i) {
         if (i % kLanes == 0)
-            find_gradients(lanes_[i / kLanes], x, found);
+            find_gradients(lanes_[i / kLanes], centre, found);
         quality[i] = found.quality[i % kLanes];
         for (int axis = 0; axis < 3; ++axis)
             gradient[i][axis] = found.gradient[axis][i % kLanes];

@@ -16,6 +16,17 @@ public:
     // The star that a point put into an edge would have.
     void load(const LocalMesh& mesh, const EdgeRing& ring);
 
+    // Shapes are measured in a frame of the star's own: the one in which the metric at its point is the identity, up to
+    // a factor. Without a metric it is that of the mesh. Places are those of the mesh; reach and gradients are of the
+    // star's frame.
+    Vec3 to_mesh(const Vec3& shift, const Mat3& tangent) const
+    {
+        // What is not free stays to the last bit.
+        return maps_ ? Vec3(tangent * (from_frame_ * shift)) : shift;
+    }
+    // Projects shifts of the star's frame on those that are free. `tangent` does so in the frame of the mesh.
+    Mat3 tangent_in_frame(const Mat3& tangent) const;
+
     // Of the mesh, around the point or the edge.
     const Array<int32_t>& tets() const { return tets_; }
     bool empty() const { return size_ == 0; }
@@ -27,7 +38,8 @@ public:
     double volume_change(size_t i, const Vec3& shift) const
     {
         const Vec3 b = opposite(i, 0);
-        return -(opposite(i, 1) - b).cross(opposite(i, 2) - b).dot(shift) / 6;
+        // The map keeps volumes.
+        return -(opposite(i, 1) - b).cross(opposite(i, 2) - b).dot(maps_ ? to_frame_ * shift : shift) / 6;
     }
     // Least quality with the point at x; may stop early with any value once it is not above `floor`.
     double worst_at(const Vec3& x, double floor) const;
@@ -36,6 +48,8 @@ public:
 
 private:
     void begin(int64_t capacity);
+    void measure_by(const Tensor& log_metric);
+    Vec3 in_frame(const Vec3& x) const { return maps_ ? to_frame_ * (x - origin_) : x; }
     void add(const LocalMesh& mesh, const Tet& tet, int corner);
     void fill_last();
 
@@ -61,6 +75,9 @@ private:
     Array<Lanes> lanes_;  // the last filled up with copies
     size_t size_ = 0;
     Array<int32_t> tets_;
+    bool maps_ = false;
+    Tensor to_frame_, from_frame_;
+    Vec3 origin_;  // of the star's frame
 };
 
 }  // namespace cleft

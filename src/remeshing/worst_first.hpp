@@ -5,12 +5,20 @@
 #include "base/array.hpp"
 #include "remeshing/local_mesh.hpp"
 
+#include <functional>
+
 namespace cleft
 {
 
 class WorstFirst
 {
 public:
+    // How good a tetrahedron is; its quality unless another measure is given.
+    using Measure = std::function<double(int32_t t)>;
+
+    WorstFirst() = default;
+    explicit WorstFirst(Measure measure) : measure_(std::move(measure)) {}
+
     // Starts a search: every tetrahedron of the mesh with a quality below `target`.
     void collect_all(const LocalMesh& mesh, double target, const Run& run);
     // Starts another search over what is left of the last one: all that did not help may be tried again.
@@ -45,9 +53,11 @@ private:
 
     static constexpr uint32_t kNotListed = UINT32_MAX;
 
+    double goodness(const LocalMesh& mesh, int32_t t) const { return measure_ ? measure_(t) : mesh.quality(t); }
     void list_next(int32_t t, uint32_t tried);
     void sort_list();
 
+    Measure measure_;
     Array<Item> list_;
     Array<int32_t> next_;      // each once
     Array<uint32_t> tried_;    // by tetrahedron in next_: when nothing helped it; of others kNotListed

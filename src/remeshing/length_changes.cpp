@@ -1,0 +1,75 @@
+// Finds splits of long edges and contractions of short ones.
+#include "remeshing/length_changes.hpp"
+
+#include "mesh/adjacency.hpp"
+#include "remeshing/edge_length.hpp"
+#include "remeshing/edge_split.hpp"
+
+#include <algorithm>
+
+namespace cleft
+{
+
+void LengthChanges::find_split(int32_t t, Proposal& proposal)
+{
+    const auto lengths = edge_lengths(mesh_, t);
+    const auto& edge = kEdgeCorners[std::max_element(lengths.begin(), lengths.end()) - lengths.begin()];
+    EdgeRing& ring = proposal.cavity.ring;
+    mesh_.ring(t, edge[0], edge[1], ring);
+    if (!ring.whole)
+        return;
+    const Vec3 &a = mesh_.point(ring.a), &b = mesh_.point(ring.b);
+    proposal.place = a + middle_of_length(mesh_, ring.a, ring.b) * (b - a);
+    // What is frozen is the same at both ends, and may not become another number by rounding.
+    for (int axis = 0; axis < 3; ++axis)
+        if (frozen_on_edge(mesh_, ring) >> axis & 1)
+            proposal.place[axis] = a[axis];
+    star_.load(mesh_, ring);
+    if (!(star_.worst_at(proposal.place, kLeastSine) > kLeastSine))
+        return;
+    cleft::find_split(mesh_, proposal.cavity);
+    proposal.kind = Proposal::Kind::split;
+}
+
+void LengthChanges::find_contraction(int32_t t, Proposal& proposal)
+{
+    const auto lengths = edge_lengths(mesh_, t);
+    std::array<size_t, 6> edges{0, 1, 2, 3, 4, 5};
+    std::stable_sort(edges.begin(), edges.end(), [&](size_t e, size_t f) { return lengths[e] < lengths[f]; });
+    for (const size_t e : edges) {
+        if (lengths[e] >= goal_.shortest)
+            return;
+        for (const int end : {0, 1}) {
+            const int gone = kEdgeCorners[e][end], kept = kEdgeCorners[e][1 - end];
+            if (makes_no_long_edge(mesh_.tet(t)[gone], mesh_.tet(t)[kept]) &&
+                contraction_.find(mesh_, t, gone, kept, proposal.cavity, 1, goal_.enough)) {
+                proposal.kind = Proposal::Kind::contraction;
+                return;
+            }
+        }
+    }
+}
+
+// Or the edges that it makes would be split in the next pass.
+bool LengthChanges::makes_no_long_edge(int32_t gone, int32_t kept)
+{
+    for (const int32_t t : mesh_.star(gone))
+        for (const int32_t v : mesh_.tet(t))
+            if (v != gone && v != kept && edge_length(mesh_, kept, v) > goal_.longest_made)
+                return false;
+    return true;
+}
+
+double longest_edge(const LocalMesh& mesh, int32_t t)
+{
+    const auto lengths = edge_lengths(mesh, t);
+    return *std::max_element(lengths.begin(), lengths.end());
+}
+
+double shortest_edge(const LocalMesh& mesh, int32_t t)
+{
+    const auto lengths = edge_lengths(mesh, t);
+    return *std::min_element(lengths.begin(), lengths.end());
+}
+
+}  // namespace cleft
