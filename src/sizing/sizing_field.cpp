@@ -102,6 +102,15 @@ void scale_sizing(SizingField& field, double factor, const Run& run)
         throw Error(CLEFT_ERROR_ARGUMENT, "the factor of a sizing field must be positive and finite");
     for (float& value : field.h)
         value = static_cast<float>(value * factor);
+    if (field.metric) {
+        MetricField scaled = *field.metric;
+        const auto shift = static_cast<float>(-2 * std::log(factor));
+        for (auto& log : scaled.log)
+            for (const size_t diagonal : {0, 3, 5})
+                log[diagonal] += shift;
+        field.metric = std::make_shared<const MetricField>(std::move(scaled));
+        return;
+    }
     if (factor > 1)  // a smaller field grows the more slowly
         limit_gradient(field.grid, field.gradation, field.h, run);
 }

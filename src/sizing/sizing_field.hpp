@@ -5,10 +5,12 @@
 #include "base/error.hpp"
 #include "base/mix.hpp"
 #include "base/run.hpp"
+#include "metric/metric_field.hpp"
 #include "volume/kept_materials.hpp"
 #include "volume/volume.hpp"
 
 #include <algorithm>
+#include <memory>
 
 namespace cleft
 {
@@ -18,6 +20,9 @@ struct SizingField {
     Grid grid;
     Array<float> h;
     double gradation = 0.3;
+    // Wanted lengths by direction, on the same grid; null: they are the same in all. With a metric, h is the size of
+    // regular tetrahedra that are as large. Shared, since meshes go on being measured by it.
+    std::shared_ptr<const MetricField> metric = nullptr;
 
     // Of a point in the local frame; past the outermost centres as at the nearest of them.
     double at(const Vec3& x) const;
@@ -63,7 +68,7 @@ double expected_particle_tets(const SizingField& field);
 // Those of them in the voxels of the kept materials.
 double expected_particle_tets(const SizingField& field, const Volume& volume, const KeptMaterials& kept);
 // Every value times `factor`, and then as much less as the gradation asks for: sizes at the interfaces scale, their
-// growth away from them does not.
+// growth away from them does not. A metric is scaled as it is.
 void scale_sizing(SizingField& field, double factor, const Run& run);
 
 }  // namespace cleft

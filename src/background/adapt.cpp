@@ -1,0 +1,82 @@
+// Changes lengths, connections and places in turn, while the metric is stretched in steps: each step finds a mesh that
+// is nearly what it wants, so that no operation has to make a shape that the next must mend. (From the isotropic mesh
+// at once, splits run along the wrong edges: some ten million tetrahedra where forty thousand are wanted.)
+#include "background/adapt.hpp"
+
+#include "background/shape_repair.hpp"
+#include "base/degrees.hpp"
+#include "base/stage.hpp"
+#include "remeshing/angle_notes.hpp"
+#include "remeshing/length_rounds.hpp"
+#include "remeshing/springs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cleft
+{
+
+namespace
+{
+
+// The stretch of one sweep over that of the sweep before. With larger steps, tetrahedra get worse on the way.
+constexpr double kStretchOfSweep = 1.6;
+// Sweeps with the whole metric. After three there is hardly anything left to change.
+constexpr int kLastSweeps = 3;
+// While lengths are made, angles may be as bad as this. With 28, a twentieth of the edges more are too long or short.
+constexpr double kEnoughAngle = 10;  // degrees
+// Passes over long edges, and over short ones. What is left comes again in the next sweep.
+constexpr int kLengthPasses = 2;
+// The flips of a sweep. With 30 degrees the worst mean ratio of the end is less.
+constexpr double kFlippedAngle = 35;  // degrees
+constexpr int kFlipPasses = 3;
+// Of the last flips and moves, which look at angles alone: with 38, 1.5 % of the edges get too long or short for it.
+constexpr double kFinalAngle = 30;  // degrees
+constexpr int kFinalPasses = 15;
+
+class Adaptation
+{
+public:
+    Adaptation(LocalMesh& mesh, const MetricField& metric) : metric_(metric), mesh_(mesh), repair_(mesh) {}
+
+    void work(const Run& run)
+    {
+        const int steps = static_cast<int>(std::ceil(std::log(greatest_stretch(metric_)) / std::log(kStretchOfSweep)));
+        const int sweeps = steps + kLastSweeps;
+        Steps parts(run, Array<Step>(sweeps + 1, {nullptr, 1}));
+        for (int sweep = 1; sweep <= sweeps; ++sweep)
+            work_at(steps > 0 ? std::min(1.0, double(sweep) / steps) : 1, parts.next());
+        repair_.improve_bad(kFinalAngle, kFinalPasses, true, parts.next());
+    }
+
+private:
+    void work_at(double stretch, const Run& run)
+    {
+        Steps steps(run, {{nullptr, 4}, {nullptr, 4}, {nullptr, 3}, {nullptr, 2}});
+        mesh_.measure_by({&metric_, stretch}, run);
+        split_long_edges(mesh_, goal_, kLengthPasses, steps.next());
+        contract_short_edges(mesh_, goal_, kLengthPasses, steps.next());
+        repair_.improve_bad(kFlippedAngle, kFlipPasses, false, steps.next());
+        relax_springs(mesh_, goal_.enough, steps.next());
+    }
+
+    const MetricField& metric_;
+    LocalMesh& mesh_;
+    const LengthGoal goal_{kShortest, kLongest, kLongestMade, sine_of(kEnoughAngle)};
+    ShapeRepair repair_;
+};
+
+}  // namespace
+
+void adapt(TetMesh& mesh, const MetricField& metric, const Run& run)
+{
+    Stage stage(run, "background.adapt", {{"background: adapting to the metric", 1}});
+    const Run part = stage.next();
+    LocalMesh local(std::move(mesh.points), std::move(mesh.tets), {}, part);
+    Adaptation(local, metric).work(part);
+    note_angles(local, "background.adapt", "after", run);
+    LabelledMesh adapted = local.take(part);
+    mesh = {std::move(adapted.points), std::move(adapted.tets)};
+}
+
+}  // namespace cleft
