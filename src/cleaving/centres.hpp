@@ -9,6 +9,7 @@
 #include "base/fixed_array.hpp"
 #include "cleaving/sample_store.hpp"
 #include "cleaving/stencil_table.hpp"
+#include "cleaving/vertex_metrics.hpp"
 #include "volume/tie.hpp"
 
 #include <memory>
@@ -63,6 +64,9 @@ struct Centres {
 
     // By vertex: the interfaces at it may be pinched, since it or one next to it snapped unseen by PinchCheck.
     Array<uint8_t> doubtful{};
+
+    // Lengths and shapes are measured by these.
+    VertexMetrics metrics{};
 
     const Vec3& point(int32_t v) const { return points[v]; }
     const MaterialSet& materials_of(int32_t v) const { return materials[v]; }

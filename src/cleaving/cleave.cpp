@@ -15,12 +15,12 @@ namespace
 {
 
 // Also says which points may need mending.
-LabelledMesh split_background(const Volume& volume, const TetMesh& background, Snap rule, Array<int32_t>& in_doubt,
-                              Steps& steps)
+LabelledMesh split_background(const Volume& volume, const TetMesh& background, const CleaveOptions& options,
+                              Array<int32_t>& in_doubt, Steps& steps)
 {
     // Centres live in here alone, so that their memory is free before mending needs its own.
-    Centres centres = find_centres(volume, background, steps);
-    const SnapCounts counts = snap_vertices(centres, rule, steps.next());
+    Centres centres = find_centres(volume, background, options.metric, steps);
+    const SnapCounts counts = snap_vertices(centres, options.snap, steps.next());
     const Run of_assembly = steps.next();
     of_assembly.note("cleaving.snapped", static_cast<double>(counts.moved));
     of_assembly.note("cleaving.stayed", static_cast<double>(counts.stayed));
@@ -42,7 +42,7 @@ LabelledMesh cleave(const Volume& volume, const TetMesh& background, const Cleav
                  {"cleaving: tetrahedra", 11},
                  {"cleaving: mending", 13}});
     Array<int32_t> in_doubt;
-    LabelledMesh mesh = split_background(volume, background, options.snap, in_doubt, stage);
+    LabelledMesh mesh = split_background(volume, background, options, in_doubt, stage);
     mend_interfaces(mesh, in_doubt, stage.next());
     run.note("cleaving.tets", static_cast<double>(mesh.tets.size()));
     return mesh;

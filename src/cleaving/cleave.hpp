@@ -3,6 +3,7 @@
 
 #include "base/run.hpp"
 #include "mesh/tet_mesh.hpp"
+#include "metric/metric_field.hpp"
 #include "volume/volume.hpp"
 
 namespace cleft
@@ -15,6 +16,7 @@ inline constexpr size_t kSnapCount = 3;
 
 struct CleaveOptions {
     Snap snap = Snap::quality;
+    const MetricField* metric = nullptr;  // that lengths and shapes are measured by; null: by none
 };
 
 // Conforming and positively oriented for every positively oriented background, whatever its quality; covers exactly

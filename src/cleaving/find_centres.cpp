@@ -218,7 +218,7 @@ private:
 
 void list_centres(Centres& c, const Run& run) { Tables(c, run).build(); }
 
-Centres find_centres(const Volume& volume, const TetMesh& background, Steps& steps)
+Centres find_centres(const Volume& volume, const TetMesh& background, const MetricField* metric, Steps& steps)
 {
     SampledVertices sampled = sample_vertices(volume, background.points, steps.next());
     Centres c{volume,
@@ -234,6 +234,7 @@ Centres find_centres(const Volume& volume, const TetMesh& background, Steps& ste
               {},
               {}};
     const Run of_cuts = steps.next();
+    c.metrics = metrics_at(background.points, metric, of_cuts);
     list_centres(c, of_cuts);
     parallel_for(of_cuts, c.edges.count(), kCutsPlaced, [&](int64_t begin, int64_t end) {
         Samples scratch;

@@ -20,7 +20,7 @@ SafeReach find_safe_reach(const Centres& c, const VertexTets& tets_of, const Run
             const double alpha = std::min(star.shortest_edge(), star.least_altitude());
             for (const int32_t e : star.edges()) {
                 const CutEdge& edge = c.edges[e];
-                const Vec3 direction = (c.point(edge.upper) - c.point(edge.lower)).normalized();
+                const Vec3 direction = (star.in_frame(edge.upper) - star.in_frame(edge.lower)).normalized();
                 reach[e][edge.upper == v] = kSnapReach * std::min(alpha, star.width_along(direction));
             }
         }

@@ -28,7 +28,8 @@ double shortest_edge(const SnapState& state, int32_t v)
     for (const int32_t t : state.tets_of.at(v))
         for (const int32_t w : state.c.tets[t])
             if (w != v)
-                shortest = std::min(shortest, (state.c.point(v) - state.c.point(w)).squaredNorm());
+                shortest =
+                    std::min(shortest, state.c.metrics.square_on_edge(v, w, state.c.point(v) - state.c.point(w)));
     return shortest;
 }
 
@@ -41,7 +42,7 @@ Array<float> nearest_cuts(const Centres& c, const Run& run)
             const CutEdge& e = c.edges[i];
             if (!e.is_cut)
                 continue;
-            const double length = (c.point(e.upper) - c.point(e.lower)).squaredNorm();
+            const double length = c.metrics.square_on_edge(e.lower, e.upper, c.point(e.upper) - c.point(e.lower));
             lower_shared(nearest[e.lower], static_cast<float>(e.t * e.t * length));
             lower_shared(nearest[e.upper], static_cast<float>((1 - e.t) * (1 - e.t) * length));
         }

@@ -65,9 +65,10 @@ void SnapVisitor::gather(int32_t v)
     for (const int32_t e : star_.edges()) {
         const CutEdge& edge = c_.edges[e];
         const Vec3 x = c_.cut_point(edge);
-        const double distance = (x - c_.point(v)).norm();
+        const int32_t other = edge.lower == v ? edge.upper : edge.lower;
+        const double distance = std::sqrt(c_.metrics.square_on_edge(v, other, x - c_.point(v)));
         if (distance <= reach(e))
-            near_.push_back({distance, x, e, edge.lower == v ? edge.upper : edge.lower});
+            near_.push_back({distance, x, e, other});
     }
     std::sort(near_.begin(), near_.end(), [](const NearCut& a, const NearCut& b) {
         // Equal distances go by number. The order of attempts decides between equal costs, so it must be the same in
@@ -163,14 +164,14 @@ bool SnapVisitor::attempt(const Choice& choice)
         if (!materials.unite(c_.materials_of(cut.other)))
             return false;
         start += cut.x;
-        may_stay &= cut.distance <= kStay * (c_.point(cut.other) - before_.x).norm();
+        may_stay &= (cut.x - before_.x).norm() <= kStay * (c_.point(cut.other) - before_.x).norm();
     }
     if (materials.size() > kMostMaterials || std::find(tried_.begin(), tried_.end(), materials) != tried_.end())
         return false;
     tried_.push_back(materials);
     start /= static_cast<double>(choice.last - choice.first + 1);
-    auto x =
-        project_to_tie(c_.volume, before_.x, start, materials, frozen_, kSnapReach * star_.shortest_edge(), scratch_);
+    const double most = c_.metrics.greatest_distance(star_.vertex(), kSnapReach * star_.shortest_edge());
+    auto x = project_to_tie(c_.volume, before_.x, start, materials, frozen_, most, scratch_);
     // The cut was found on its edge, close to the tie of the two ends. It will do where Newton's steps do not
     // converge.
     if (!x && choice.first == choice.last && keeps_walls(near_[choice.first].x))

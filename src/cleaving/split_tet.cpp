@@ -23,7 +23,8 @@ CutRanks rank_cuts(const Centres& c, const MixedTet& m, CutMask cuts)
     for (size_t e = 0; e < 6; ++e)
         if (cuts >> e & 1u) {
             const CutEdge& edge = c.edges[m.edges[e]];
-            pieces[e] = edge.t * (1 - edge.t) * (c.point(edge.upper) - c.point(edge.lower)).squaredNorm();
+            pieces[e] = edge.t * (1 - edge.t) *
+                        c.metrics.square_on_edge(edge.lower, edge.upper, c.point(edge.upper) - c.point(edge.lower));
         }
     CutRanks ranks{};
     for (size_t e = 0; e < 6; ++e)
@@ -71,14 +72,20 @@ double shape_cost(double least_sine)
     return 1 / ((least_sine + kSoftening) * (least_sine + kSoftening));
 }
 
-Fan best_fan(const StencilTable& stencils, const SplitTet& split)
+Fan best_fan(const Centres& c, const MixedTet& mixed)
 {
+    SplitTet split = split_tet(c, mixed);
+    if (!c.metrics.empty()) {
+        const Tensor map = c.metrics.map_of(c.corners(mixed.tet));
+        for (Vec3& x : split.x)
+            x = map * x;
+    }
     Fan best;
     double best_sine = -std::numeric_limits<double>::infinity();
     for (uint16_t s = split.stencils.begin; s < split.stencils.end; ++s) {
         Fan candidate{0, s};
         double worst = 1;
-        for (const StencilTet& t : stencils.tets(s)) {
+        for (const StencilTet& t : c.stencils.tets(s)) {
             const double sine = least_sine(split.x[t[0]], split.x[t[1]], split.x[t[2]], split.x[t[3]]);
             worst = std::min(worst, sine);
             if (!(worst > best_sine))
@@ -99,7 +106,7 @@ void choose_fans(Centres& c, const Run& run)
     // Each fan depends on its own tetrahedron, so the size of chunks changes the time alone.
     parallel_for(run, c.mixed.count(), 512, [&](int64_t begin, int64_t end) {
         for (int64_t m = begin; m < end; ++m)
-            c.fans[m] = best_fan(c.stencils, split_tet(c, c.mixed[m]));
+            c.fans[m] = best_fan(c, c.mixed[m]);
     });
 }
 

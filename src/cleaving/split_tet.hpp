@@ -17,7 +17,7 @@ struct SplitTet {
 SplitTet split_tet(const Centres& c, const MixedTet& mixed);
 
 // Chosen anew; its cost is infinite if one of its tetrahedra is not positive.
-Fan best_fan(const StencilTable& stencils, const SplitTet& split);
+Fan best_fan(const Centres& c, const MixedTet& mixed);
 
 // For all mixed tetrahedra.
 void choose_fans(Centres& c, const Run& run);

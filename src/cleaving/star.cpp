@@ -20,6 +20,14 @@ int64_t place_in(const Tet& corners, int32_t v)
     return place;
 }
 
+double quality_of(const Centres& c, const Tet& t)
+{
+    if (c.metrics.empty())
+        return angle_quality(c.point(t[0]), c.point(t[1]), c.point(t[2]), c.point(t[3]));
+    const Tensor map = c.metrics.map_of(t);
+    return angle_quality(map * c.point(t[0]), map * c.point(t[1]), map * c.point(t[2]), map * c.point(t[3]));
+}
+
 }  // namespace
 
 VertexTets::VertexTets(const Centres& c, const Run& run)
@@ -56,7 +64,7 @@ void CutStar::gather(int32_t v)
                 continue;
             seen_[w] = v;
             link_.push_back(w);
-            shortest = std::min(shortest, (c_.point(w) - x).squaredNorm());
+            shortest = std::min(shortest, c_.metrics.square_on_edge(v, w, c_.point(w) - x));
             // All tetrahedra around an edge that was ever cut are mixed, so the first one is enough.
             if (mixed < 0)
                 continue;
@@ -78,9 +86,9 @@ double CutStar::least_altitude() const
     for (const Part& part : parts_) {
         const Tet& t = c_.corners(part.tet);
         const int* face = kFaceCorners[place_in(t, vertex_)];
-        const Vec3& a = c_.point(t[face[0]]);
-        const Vec3 normal = (c_.point(t[face[1]]) - a).cross(c_.point(t[face[2]]) - a).normalized();
-        least = std::min(least, std::abs(normal.dot(c_.point(vertex_) - a)));
+        const Vec3 a = in_frame(t[face[0]]);
+        const Vec3 normal = (in_frame(t[face[1]]) - a).cross(in_frame(t[face[2]]) - a).normalized();
+        least = std::min(least, std::abs(normal.dot(in_frame(vertex_) - a)));
     }
     return least;
 }
@@ -90,12 +98,12 @@ double CutStar::least_altitude() const
 double CutStar::width_along(const Vec3& direction) const
 {
     double least = std::numeric_limits<double>::infinity();
-    const Vec3& x = c_.point(vertex_);
+    const Vec3 x = in_frame(vertex_);
     for (const Part& part : parts_) {
         const Tet& t = c_.corners(part.tet);
         const int* others = kFaceCorners[place_in(t, vertex_)];
         for (int i = 0; i < 3; ++i) {
-            const auto corner = [&](int k) { return c_.point(t[others[(i + k) % 3]]); };
+            const auto corner = [&](int k) { return in_frame(t[others[(i + k) % 3]]); };
             const Vec3 across = (corner(0) - x).cross(corner(2) - corner(1));
             const double distance = std::abs((corner(1) - x).dot(across)), along = std::abs(direction.dot(across));
             if (distance < least * along)
@@ -188,7 +196,7 @@ void measure_background(const Centres& c, const CutStar& star, StarShape& shape)
     shape.fans.resize(star.parts().size());
     for (const CutStar::Part& part : star.parts()) {
         const Tet& t = c.corners(part.tet);
-        const double quality = angle_quality(c.point(t[0]), c.point(t[1]), c.point(t[2]), c.point(t[3]));
+        const double quality = quality_of(c, t);
         shape.least_background = std::min(shape.least_background, quality);
         // A mixed tetrahedron counts by its pieces, but none may be inverted itself.
         if (!(quality > 0) || part.mixed < 0)
@@ -203,7 +211,7 @@ void measure_fans(const Centres& c, const CutStar& star, double limit, StarShape
         const int32_t mixed = star.parts()[i].mixed;
         if (mixed < 0)
             continue;
-        shape.fans[i] = best_fan(c.stencils, split_tet(c, c.mixed[mixed]));
+        shape.fans[i] = best_fan(c, c.mixed[mixed]);
         shape.cost += shape.fans[i].cost;
     }
 }

@@ -44,13 +44,14 @@ public:
     const Array<Part>& parts() const { return parts_; }
     const Array<int32_t>& link() const { return link_; }    // the other vertices
     const Array<int32_t>& edges() const { return edges_; }  // still cut
+    // These lengths are in the metric at the vertex, if there is one.
     double shortest_edge() const { return shortest_edge_; }
-
     // The altitude of the vertex in one of its tetrahedra that is least.
     double least_altitude() const;
-
     // How far along a unit direction an edge at the vertex would meet the opposite edge of its tetrahedron, at least.
     double width_along(const Vec3& direction) const;
+    // Places in the frame in which that metric is the identity, for the two.
+    Vec3 in_frame(int32_t v) const { return c_.metrics.in_frame(vertex_, c_.point(v)); }
 
     // Axes along which the vertex must not move, as frozen_axes of mesh/adjacency.hpp has them, from the star alone.
     unsigned frozen_axes() const;

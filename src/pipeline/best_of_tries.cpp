@@ -4,6 +4,7 @@
 
 #include "base/degrees.hpp"
 #include "base/stage.hpp"
+#include "improving/improve_lengths.hpp"
 #include "improving/search.hpp"
 #include "pipeline/hold_surfaces.hpp"
 
@@ -27,12 +28,23 @@ struct Try {
     bool holds_surfaces;
 };
 
-Try try_with(const Volume& volume, const Cleaved& cleaved, const ImproveOptions& options, double surface_error,
-             const Run& run)
+Try try_with(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& pipeline,
+             const ImproveOptions& options, const Run& run)
 {
+    const double surface_error = pipeline.sizing.surface_error;
     bool holds = surface_error > 0;
-    Steps steps(run, {{nullptr, 45}, {nullptr, holds ? 10.0 : 0}, {nullptr, 30}, {nullptr, holds ? 15.0 : 0}});
+    const bool is_measured = pipeline.cleave.metric != nullptr;
+    Steps steps(run, {{nullptr, 45},
+                      {nullptr, is_measured ? 5.0 : 0},
+                      {nullptr, holds ? 10.0 : 0},
+                      {nullptr, 30},
+                      {nullptr, holds ? 15.0 : 0}});
     LocalMesh mesh(cleaved(steps.next()), run);
+    const Run of_lengths = steps.next();
+    if (is_measured) {
+        mesh.measure_by({pipeline.cleave.metric}, run);
+        improve_lengths(mesh, target_angle(options), of_lengths);
+    }
     const Run of_surfaces = steps.next();
     holds = holds && hold_surfaces(mesh, volume, surface_error, of_surfaces);
     Shortfall left = improve(mesh, volume, options, steps.next());
@@ -49,8 +61,7 @@ Improved best_of_tries(const Volume& volume, const Cleaved& cleaved, const Pipel
     Array<Step> shares(1 + std::size(kHigherAims), {nullptr, 0});
     shares[0].share = 1;  // others are seldom needed
     Steps steps(run, shares);
-    const double surface_error = options.sizing.surface_error;
-    Try best = try_with(volume, cleaved, options.improve, surface_error, steps.next());
+    Try best = try_with(volume, cleaved, options, options.improve, steps.next());
     int tries = 1;
     int64_t places = best.left.places;
     for (const double margin : kHigherAims) {
@@ -67,7 +78,7 @@ Improved best_of_tries(const Volume& volume, const Cleaved& cleaved, const Pipel
         // Warnings and figures are to be those of the mesh that is returned.
         quiet.on_warning = nullptr;
         quiet.metrics = &noted;
-        Try other = try_with(volume, cleaved, higher, surface_error, quiet);
+        Try other = try_with(volume, cleaved, options, higher, quiet);
         places += other.left.places;
         // On equal terms the earlier try stays.
         if (other.left.least <= best.left.least)

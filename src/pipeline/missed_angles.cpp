@@ -27,9 +27,10 @@ struct MissedAngles {
     double least_quality = 1;
     Vec3 worst = Vec3::Zero();  // the centroid of the first tetrahedron of that quality
 
-    void add(const FixedArray<Vec3, 4>& x, double quality)
+    void add(const std::array<Vec3, 4>& x, const MetricField* metric, double quality)
     {
-        const auto angles = dihedral_angles(x[0], x[1], x[2], x[3]);
+        const auto y = metric ? measured(x, *metric) : x;
+        const auto angles = dihedral_angles(y[0], y[1], y[2], y[3]);
         const auto [low, high] = std::minmax_element(angles.begin(), angles.end());
         join({1, *low, *high, quality, (x[0] + x[1] + x[2] + x[3]) / 4});
     }
@@ -46,25 +47,42 @@ struct MissedAngles {
     }
 };
 
-MissedAngles missed_angles(const LabelledMesh& mesh, double target, const KeptMaterials& kept, const Run& run)
+std::array<Vec3, 4> corners_of(const LabelledMesh& mesh, int64_t t)
+{
+    const Tet& tet = mesh.tets[t];
+    return {mesh.points[tet[0]], mesh.points[tet[1]], mesh.points[tet[2]], mesh.points[tet[3]]};
+}
+
+// Of the tetrahedra from `begin` to before `end`. It needs no arc cosine, and few come further than this.
+Array<double> qualities_of(const LabelledMesh& mesh, const MetricField* metric, int64_t begin, int64_t end)
+{
+    Array<double> qualities(end - begin);
+    if (metric) {
+        for (int64_t t = begin; t < end; ++t) {
+            const auto x = measured(corners_of(mesh, t), *metric);
+            qualities[t - begin] = angle_quality(x[0], x[1], x[2], x[3]);
+        }
+        return qualities;
+    }
+    Foursome four;
+    for (int64_t t = begin; t < end; ++t)
+        if (four.add(t - begin, mesh.tets[t], mesh.points))
+            four.measure(qualities);
+    four.measure(qualities);
+    return qualities;
+}
+
+MissedAngles missed_angles(const LabelledMesh& mesh, const MetricField* metric, double target,
+                           const KeptMaterials& kept, const Run& run)
 {
     constexpr int64_t kTetsAtOnce = 4096;
     const double least_quality = sine_of(target) * (1 - kRounding);
     Array<MissedAngles> parts(chunk_count(mesh.tets.count(), kTetsAtOnce));
     parallel_chunks(run, mesh.tets.count(), kTetsAtOnce, [&](int64_t chunk, int64_t begin, int64_t end) {
-        // The quality needs no arc cosine, and few tetrahedra come further than this.
-        Array<double> qualities(end - begin);
-        Foursome four;
+        const Array<double> qualities = qualities_of(mesh, metric, begin, end);
         for (int64_t t = begin; t < end; ++t)
-            if (four.add(t - begin, mesh.tets[t], mesh.points))
-                four.measure(qualities);
-        four.measure(qualities);
-        for (int64_t t = begin; t < end; ++t) {
-            const Tet& tet = mesh.tets[t];
             if (qualities[t - begin] < least_quality && kept.has(mesh.material[t]))
-                parts[chunk].add({mesh.points[tet[0]], mesh.points[tet[1]], mesh.points[tet[2]], mesh.points[tet[3]]},
-                                 qualities[t - begin]);
-        }
+                parts[chunk].add(corners_of(mesh, t), metric, qualities[t - begin]);
     });
     MissedAngles missed;
     for (const MissedAngles& part : parts)
@@ -93,7 +111,7 @@ void warn_of_missed_angles(const Volume& volume, const LabelledMesh& mesh, const
     if (options.improve.effort == Effort::off || (!run.on_warning && !run.metrics))
         return;
     const double target = target_angle(options.improve);
-    const MissedAngles missed = missed_angles(mesh, target, options.kept, run);
+    const MissedAngles missed = missed_angles(mesh, options.cleave.metric, target, options.kept, run);
     run.note("improving.target_angle", target);
     run.note("improving.tets_missed", static_cast<double>(missed.tets));
     if (missed.tets == 0)

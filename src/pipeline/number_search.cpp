@@ -43,7 +43,7 @@ LabelledMesh attempt(const Volume& volume, const ScaledSizing& sizing, const Pip
     const double share = row_of(options.background.kind).share_of_time;
     Steps steps(run, {{nullptr, share}, {nullptr, 100 - share}});
     const TetMesh background = make_background(sizing, options, steps.next());
-    return cleave_improve_and_fit(volume, background, options, steps.next());
+    return cleave_improve_and_fit(volume, background, measured_by(sizing.field.metric.get(), options), steps.next());
 }
 
 // Finds the factor on the sizing field that gives the wanted number. The number falls with the factor by a power

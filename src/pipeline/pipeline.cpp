@@ -2,6 +2,7 @@
 // drift apart.
 #include "pipeline/pipeline.hpp"
 
+#include "background/metric_background.hpp"
 #include "background/repair.hpp"
 #include "base/counted.hpp"
 #include "base/stage.hpp"
@@ -13,6 +14,7 @@
 #include "pipeline/missed_angles.hpp"
 #include "pipeline/number_search.hpp"
 #include "pipeline/volume_differences.hpp"
+#include "sizing/metric_sizing.hpp"
 #include "sizing/volume_sizing.hpp"
 
 #include <algorithm>
@@ -148,6 +150,13 @@ LabelledMesh finished_and_stripped(const Volume& volume, LabelledMesh mesh, cons
 
 }  // namespace
 
+PipelineOptions measured_by(const MetricField* metric, const PipelineOptions& options)
+{
+    PipelineOptions measured = options;
+    measured.cleave.metric = metric;
+    return measured;
+}
+
 SizingField sizes_of(const Volume& volume, const PipelineOptions& options, const Run& run)
 {
     SizingOptions sizing = options.sizing;
@@ -170,7 +179,9 @@ ScaledSizing make_sizing(const Volume& volume, SizingField given, bool is_combin
     Steps steps = steps_of_sizing(options, run);
     const Run first = steps.next();
     given.gradation = options.sizing.gradation;  // by which a search for a number scales it
-    if (is_combined) {
+    if (is_combined && given.metric) {
+        intersect_metric(given, sizes_of(volume, options, first), first);
+    } else if (is_combined) {
         // The old field is read until the new one is complete; the assignment comes after that.
         options.sizing.user = given.h.data();
         given = sizes_of(volume, options, first);
@@ -184,7 +195,8 @@ TetMesh make_background(const ScaledSizing& sizing, const PipelineOptions& optio
     const Run part = stage.next();
     if (!is_graded(options.background.kind))
         warn_of_coarse_lattice(sizing.field, sizing.scale, part);
-    TetMesh mesh = row_of(options.background.kind).make(sizing.field, options.background, part);
+    TetMesh mesh = !sizing.field.metric ? row_of(options.background.kind).make(sizing.field, options.background, part)
+                                        : metric_background(sizing.field, options.background, part);
     run.note("background.points", static_cast<double>(mesh.points.size()));
     run.note("background.tets", static_cast<double>(mesh.tets.size()));
     return mesh;
@@ -228,17 +240,21 @@ LabelledMesh mesh_from_sizing(const Volume& volume, ScaledSizing sizing, const P
         LabelledMesh mesh = mesh_of_number(volume, sizing, options, steps.next());
         if (!is_graded(options.background.kind))
             warn_of_coarse_lattice(sizing.field, sizing.scale, run);
+        const std::shared_ptr<const MetricField> metric = sizing.field.metric;
         sizing = ScaledSizing();
-        return finished_and_stripped(volume, std::move(mesh), options, steps.next());
+        return finished_and_stripped(volume, std::move(mesh), measured_by(metric.get(), options), steps.next());
     }
     const double share = row_of(options.background.kind).share_of_time;
     Steps steps(run, {{nullptr, share}, {nullptr, 97 - share}, {nullptr, 3}});
     TetMesh background = make_background(sizing, options, steps.next());
-    // Only the background needs the sizes. Freed here, their memory is there for cleaving.
+    // Only the background needs the sizes, and a metric is needed to the end. Freed here, their memory is there for
+    // cleaving.
+    const std::shared_ptr<const MetricField> metric = sizing.field.metric;
     sizing = ScaledSizing();
-    LabelledMesh mesh = cleave_improve_and_fit(volume, background, options, steps.next());
+    const PipelineOptions measured = measured_by(metric.get(), options);
+    LabelledMesh mesh = cleave_improve_and_fit(volume, background, measured, steps.next());
     background = TetMesh();
-    return finished_and_stripped(volume, std::move(mesh), options, steps.next());
+    return finished_and_stripped(volume, std::move(mesh), measured, steps.next());
 }
 
 LabelledMesh mesh_from_background(const Volume& volume, TetMesh background, const PipelineOptions& options,

@@ -27,6 +27,9 @@ struct PipelineOptions {
     KeptMaterials kept;  // the tetrahedra of others are left out of the finished mesh
 };
 
+// These options, with lengths and shapes measured by the metric, if there is one. It must outlive them.
+PipelineOptions measured_by(const MetricField* metric, const PipelineOptions& options);
+
 // The sizing field of the volume. max_tets limits the tetrahedra of the background that the options name.
 SizingField sizes_of(const Volume& volume, const PipelineOptions& options, const Run& run);
 
