@@ -578,6 +578,39 @@ module cleft_c
       integer(c_int32_t) :: answer
     end function
 
+    function cleft_sizing_create_metric(context, volume, type, tensors, combine, options, out) bind(C) result(answer)
+      import
+      type(c_ptr), value :: context, volume
+      integer(c_int32_t), value :: type
+      type(c_ptr), value :: tensors
+      integer(c_int32_t), value :: combine
+      type(c_ptr), value :: options
+      type(c_ptr), intent(out) :: out
+      integer(c_int32_t) :: answer
+    end function
+
+    function cleft_sizing_create_constant_metric(context, volume, tensor, out) bind(C) result(answer)
+      import
+      type(c_ptr), value :: context, volume
+      real(c_double), intent(in) :: tensor(6)
+      type(c_ptr), intent(out) :: out
+      integer(c_int32_t) :: answer
+    end function
+
+    function cleft_sizing_has_metric(sizing) bind(C) result(answer)
+      import
+      type(c_ptr), value :: sizing
+      integer(c_int32_t) :: answer
+    end function
+
+    function cleft_sizing_copy_metric(sizing, tensors, capacity) bind(C) result(answer)
+      import
+      type(c_ptr), value :: sizing
+      real(c_float), intent(inout) :: tensors(*)
+      integer(c_int64_t), value :: capacity
+      integer(c_int32_t) :: answer
+    end function
+
     subroutine cleft_sizing_destroy(sizing) bind(C)
       import
       type(c_ptr), value :: sizing

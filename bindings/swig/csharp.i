@@ -30,6 +30,7 @@ CLEFT_CSHARP_TYPES(byte[], $csinput, const char* PATH)
 CLEFT_CSHARP_TYPES(long[], $csinput, int64_t* ARRAY_OUT)
 CLEFT_CSHARP_TYPES(int[], $csinput, int32_t* ARRAY_OUT)
 CLEFT_CSHARP_TYPES(double[], $csinput, double* ARRAY_OUT)
+CLEFT_CSHARP_TYPES(float[], $csinput, float* ARRAY_OUT)
 // The runtime may copy an array instead of pinning it, and by default towards C alone. The library
 // writes into these.
 %typemap(imtype, inattributes="[global::System.Runtime.InteropServices.In, global::System.Runtime.InteropServices.Out]")
@@ -38,6 +39,8 @@ CLEFT_CSHARP_TYPES(double[], $csinput, double* ARRAY_OUT)
     int32_t* ARRAY_OUT "int[]"
 %typemap(imtype, inattributes="[global::System.Runtime.InteropServices.In, global::System.Runtime.InteropServices.Out]")
     double* ARRAY_OUT "double[]"
+%typemap(imtype, inattributes="[global::System.Runtime.InteropServices.In, global::System.Runtime.InteropServices.Out]")
+    float* ARRAY_OUT "float[]"
 CLEFT_CSHARP_TYPES(out global::System.IntPtr, out $csinput, const char** OUT_NAME)
 
 // Arrays of addresses, with their number as an argument of its own.

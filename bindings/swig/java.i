@@ -142,6 +142,7 @@ CLEFT_JAVA_ARRAY(JNI_ABORT, const char* PATH)
 CLEFT_JAVA_ARRAY(0, int32_t* ARRAY_OUT)
 CLEFT_JAVA_ARRAY(0, int64_t* ARRAY_OUT)
 CLEFT_JAVA_ARRAY(0, double* ARRAY_OUT)
+CLEFT_JAVA_ARRAY(0, float* ARRAY_OUT)
 
 %typemap(jni) (const void* const* FIELDS, int64_t COUNT) "jobjectArray"
 %typemap(jtype) (const void* const* FIELDS, int64_t COUNT) "Object[]"

@@ -89,9 +89,9 @@ CLEFT_HANDLE(cleft_mesh)
 CLEFT_HANDLE(cleft_surface)
 CLEFT_HANDLE(cleft_report)
 
-%apply const void* ARRAY_IN { const void* voxels, const void* values };
+%apply const void* ARRAY_IN { const void* voxels, const void* values, const void* tensors };
 %apply const int64_t* ARRAY_IN { const int64_t dims[3] };
-%apply const double* ARRAY_IN { const double affine[12], const double point[3], const double* points };
+%apply const double* ARRAY_IN { const double affine[12], const double point[3], const double tensor[6], const double* points };
 %apply const int32_t* ARRAY_IN {
     const int32_t* labels, const int32_t* tets, const int32_t* strip, const int32_t* whole
 };
@@ -103,6 +103,7 @@ CLEFT_HANDLE(cleft_report)
 %apply int32_t* ARRAY_OUT { int32_t* major, int32_t* minor, int32_t* patch, int32_t* tets, int32_t* labels };
 %apply int64_t* ARRAY_OUT { int64_t dims[3], int64_t* counts, int64_t* value, int64_t* point_count };
 %apply double* ARRAY_OUT { double affine[12], double* points, double* value, double* size };
+%apply float* ARRAY_OUT { float* tensors };
 %apply const char** OUT_NAME { const char** name };
 %apply const void* ADDRESS { const double*, const int32_t*, const float* };
 

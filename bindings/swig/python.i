@@ -9,6 +9,7 @@
 %thread cleft_volume_sample;
 %thread cleft_sizing_create;
 %thread cleft_sizing_create_values;
+%thread cleft_sizing_create_metric;
 %thread cleft_background_create;
 %thread cleft_mesh_create;
 %thread cleft_mesh_cleave;
@@ -98,14 +99,14 @@ static int cleft_buffer_open(PyObject* array, Py_buffer* buffer, int flags)
     $1 = ($1_ltype)buffer.buf;
 }
 %typemap(in) int32_t* ARRAY_OUT (Py_buffer buffer = {0}), int64_t* ARRAY_OUT (Py_buffer buffer = {0}),
-             double* ARRAY_OUT (Py_buffer buffer = {0})
+             double* ARRAY_OUT (Py_buffer buffer = {0}), float* ARRAY_OUT (Py_buffer buffer = {0})
 {
     if (!cleft_buffer_open($input, &buffer, PyBUF_C_CONTIGUOUS | PyBUF_WRITABLE))
         SWIG_fail;
     $1 = ($1_ltype)buffer.buf;
 }
 %typemap(freearg) const void* ARRAY_IN, const int64_t* ARRAY_IN, const int32_t* ARRAY_IN, const double* ARRAY_IN,
-                  const char* PATH, int32_t* ARRAY_OUT, int64_t* ARRAY_OUT, double* ARRAY_OUT
+                  const char* PATH, int32_t* ARRAY_OUT, int64_t* ARRAY_OUT, double* ARRAY_OUT, float* ARRAY_OUT
     "PyBuffer_Release(&buffer$argnum);"
 
 // An array of addresses, and their number.

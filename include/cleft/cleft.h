@@ -451,6 +451,41 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_create_values(cleft_context*
                                                                   cleft_type type, const void* values, int32_t combine,
                                                                   const cleft_options* options,
                                                                   cleft_sizing** out) CLEFT_NOEXCEPT;
+/** Makes a sizing field with a metric: wanted lengths that depend on the direction. An edge v has the wanted length
+ *  where v^T M v = 1, in world units. `tensors` has six numbers per voxel of the volume, FLOAT32 or FLOAT64: xx, xy,
+ * xz, yy, yz, zz of the symmetric M of the first voxel, then those of the next, x fastest. The library interpolates the
+ *  logarithm of M.
+ *
+ *  With a metric, cleft_background_create() makes tetrahedra whose edges have the wanted lengths and whose angles are
+ *  good where M measures them. cleft_mesh_cleave(), cleft_mesh_improve() and cleft_mesh_volume() then measure lengths
+ *  and angles by M as well: MIN_ANGLE is a goal for angles in the metric. Validity, volumes of labels, the exact box
+ *  and the same bytes for any threads stay promised.
+ *
+ *  If `combine` is nonzero, no length is greater, in any direction, than the computed field with `options` asks for.
+ *  Else the library uses the metric unchanged. If SIZE_MIN or SIZE_MAX is set, it bounds the lengths in every
+ * direction. With TETS the library scales the metric as cleft_sizing_create() does.
+ *
+ *  CLEFT_ERROR_NOT_FINITE for NaN and infinity. CLEFT_ERROR_ARGUMENT if a tensor is not positive definite, if it asks
+ *  for a length beyond 1e-30 to 1e30, or if its greatest length is more than 10000 times its least. The sentence names
+ *  the first such voxel. The caller owns *out. \since 0.1 */
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_create_metric(cleft_context* context, const cleft_volume* volume,
+                                                                  cleft_type type, const void* tensors, int32_t combine,
+                                                                  const cleft_options* options,
+                                                                  cleft_sizing** out) CLEFT_NOEXCEPT;
+/** Makes a sizing field with one metric everywhere: xx, xy, xz, yy, yz, zz, as in cleft_sizing_create_metric(). If its
+ *  axes are those of the voxels, all kinds of backgrounds meet it exactly: they are made in a stretched box. The
+ *  function reads no options. The caller owns *out. \since 0.1 */
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_create_constant_metric(cleft_context* context,
+                                                                           const cleft_volume* volume,
+                                                                           const double tensor[6],
+                                                                           cleft_sizing** out) CLEFT_NOEXCEPT;
+/** Returns 1 if the field has a metric, 0 if it has sizes alone or is NULL. \since 0.1 */
+CLEFT_API int32_t cleft_sizing_has_metric(const cleft_sizing* sizing) CLEFT_NOEXCEPT;
+/** Copies the metric, in world units and the order of cleft_sizing_create_metric(). The values are single precision
+ *  inside, so they may differ in last digits from those given. `capacity` counts floats and must be at least six times
+ *  the number of voxels, else CLEFT_ERROR_BUFFER. CLEFT_ERROR_ARGUMENT if the field has no metric. \since 0.1 */
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_copy_metric(const cleft_sizing* sizing, float* tensors,
+                                                                int64_t capacity) CLEFT_NOEXCEPT;
 /** Destroys a sizing field and the array borrowed from it; NULL is allowed. \since 0.1 */
 CLEFT_API void cleft_sizing_destroy(cleft_sizing* sizing) CLEFT_NOEXCEPT;
 /** Copies the number of values along each axis. \since 0.1 */
@@ -458,7 +493,8 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_dims(const cleft_sizing* siz
 /** Copies the affine map from indices of values to world coordinates, 3 rows of 4. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_affine(const cleft_sizing* sizing,
                                                            double affine[12]) CLEFT_NOEXCEPT;
-/** Returns the field: one value per voxel, x fastest; borrowed. \since 0.1 */
+/** Returns the field: one value per voxel, x fastest; borrowed. Of a field with a metric, these are the lengths of
+ *  regular tetrahedra that are as large. \since 0.1 */
 CLEFT_API const float* cleft_sizing_values(const cleft_sizing* sizing) CLEFT_NOEXCEPT;
 /** Gets the field at a world point, interpolated. CLEFT_ERROR_NOT_FINITE for NaN and infinity. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_at(const cleft_sizing* sizing, const double point[3],

@@ -20,6 +20,7 @@
 
 #include <array>
 #include <atomic>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -110,6 +111,8 @@ struct cleft_mesh : cleft::capi::Handle<cleft::capi::Mark::mesh> {
     std::optional<cleft::Frame> frame;  // of the volume or sizing field that it came from
     cleft::capi::MadeBy made_by = cleft::capi::MadeBy::user;
     cleft::Array<cleft::Vec3> local;  // a stage's own points for the next one, if the way back differs in last digits
+    // That the stage's lengths and shapes are measured by, for the next stages too; null: by none.
+    std::shared_ptr<const cleft::MetricField> metric;
     cleft::UserMesh mesh;
     cleft::Array<int32_t> labels;  // the different numbers, ascending
     cleft::capi::LabelNames names;

@@ -60,7 +60,8 @@ LabelledMesh meshed(const cleft_volume& volume, const cleft_sizing* sizing, cons
         run.warn("tets has no effect on a background that is given");
     if (background) {
         GivenBackground from = given_background(*background, volume.frame, run);
-        return cleft::mesh_from_background(volume.volume, std::move(from.mesh), from.options(p), run);
+        return cleft::mesh_from_background(volume.volume, std::move(from.mesh),
+                                           cleft::measured_by(background->metric.get(), from.options(p)), run);
     }
     // A field that is given is complete: the options on sizes were applied when it was made.
     if (sizing)
@@ -82,7 +83,10 @@ cleft_status cleft_background_create(cleft_context* context, const cleft_sizing*
         // A background is a mesh like others to a caller, who may look at it or write it: it needs a label.
         labelled.material.assign(labelled.tets.size(), 0);
         // The handle keeps the points of the stage as well, for cleaving to go on from them.
-        return to_next_stage(std::move(labelled), MadeBy::background, s->frame, {cleft::UserLabel{0}}, run);
+        cleft_mesh result =
+            to_next_stage(std::move(labelled), MadeBy::background, s->frame, {cleft::UserLabel{0}}, run);
+        result.metric = s->sizing.field.metric;
+        return result;
     });
 }
 
@@ -96,8 +100,10 @@ cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volum
         const cleft::PipelineOptions p = pipeline_options(options);
         warn_of_unused_smooth(v->volume, options, run);
         GivenBackground given = given_background(*from, v->frame, run);
-        LabelledMesh cleaved = cleft::repair_and_cleave(v->volume, std::move(given.mesh), given.options(p), run);
+        const cleft::PipelineOptions measured = cleft::measured_by(from->metric.get(), given.options(p));
+        LabelledMesh cleaved = cleft::repair_and_cleave(v->volume, std::move(given.mesh), measured, run);
         cleft_mesh result = to_next_stage(std::move(cleaved), MadeBy::cleaving, v->frame, v->volume.labels(), run);
+        result.metric = from->metric;
         add_label_names(result.names, v->names, result.labels);
         return result;
     });
@@ -117,8 +123,10 @@ cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volu
             require_valid(*from, "mesh", run);
         // The caller's handle holds the cleaved mesh, so further tries copy it instead of cleaving again.
         const cleft::Cleaved cleaved = [&](const Run&) { return to_stage(*from, *v); };
-        cleft_mesh result = cleft::capi::to_user(cleft::improve_and_finish(v->volume, cleaved, p, run), v->frame,
+        const cleft::PipelineOptions measured = cleft::measured_by(from->metric.get(), p);
+        cleft_mesh result = cleft::capi::to_user(cleft::improve_and_finish(v->volume, cleaved, measured, run), v->frame,
                                                  v->volume.labels(), run);
+        result.metric = from->metric;
         // Names on the mesh come first: the caller gave them later than those of the volume.
         add_label_names(result.names, from->names, result.labels);
         add_label_names(result.names, v->names, result.labels);

@@ -4,6 +4,7 @@
 #include "capi/kept_labels.hpp"
 #include "capi/options.hpp"
 #include "pipeline/pipeline.hpp"
+#include "sizing/metric_sizing.hpp"
 
 #include <cmath>
 
@@ -24,6 +25,15 @@ SizingField field_of(cleft_type type, const void* values, const cleft::Grid& gri
     if (type == CLEFT_TYPE_FLOAT64)
         return cleft::sizing_from_values(grid, static_cast<const double*>(values));
     throw Error(CLEFT_ERROR_ARGUMENT, "the values of a sizing field must be FLOAT32 or FLOAT64");
+}
+
+SizingField metric_of(cleft_type type, const void* tensors, const cleft::Frame& frame, const Run& run)
+{
+    if (type == CLEFT_TYPE_FLOAT32)
+        return cleft::sizing_from_metric(frame.grid, frame, static_cast<const float*>(tensors), run);
+    if (type == CLEFT_TYPE_FLOAT64)
+        return cleft::sizing_from_metric(frame.grid, frame, static_cast<const double*>(tensors), run);
+    throw Error(CLEFT_ERROR_ARGUMENT, "the tensors of a metric must be FLOAT32 or FLOAT64");
 }
 
 // The handle of a field.
@@ -79,6 +89,61 @@ cleft_status cleft_sizing_create_values(cleft_context* context, const cleft_volu
         warn_of_unused_smooth(v->volume, options, run);
         SizingField field = field_of(type, values, v->frame.grid);
         return finished(*v, cleft::make_sizing(v->volume, std::move(field), combine != 0, p, run), p, run);
+    });
+}
+
+cleft_status cleft_sizing_create_metric(cleft_context* context, const cleft_volume* volume, cleft_type type,
+                                        const void* tensors, int32_t combine, const cleft_options* options,
+                                        cleft_sizing** out) noexcept
+{
+    return guarded_create(context, out, "sizing", [&](const Run& run) {
+        const auto v = held(volume, "volume");
+        required(tensors, "tensors");
+        const auto held_options = held_if_any(options, "options");
+        const cleft::PipelineOptions p = pipeline_options(options, *v);
+        if (combine)
+            warn_of_unknown_sizes(v->volume, options, run);
+        warn_of_unused_smooth(v->volume, options, run);
+        SizingField field = metric_of(type, tensors, v->frame, run);
+        if (p.sizing.size_min > 0 || p.sizing.size_max > 0)
+            cleft::bound_metric(field, p.sizing.size_min, p.sizing.size_max, run);
+        return finished(*v, cleft::make_sizing(v->volume, std::move(field), combine != 0, p, run), p, run);
+    });
+}
+
+cleft_status cleft_sizing_create_constant_metric(cleft_context* context, const cleft_volume* volume,
+                                                 const double tensor[6], cleft_sizing** out) noexcept
+{
+    return guarded_create(context, out, "sizing", [&](const Run& run) {
+        const auto v = held(volume, "volume");
+        required(tensor, "tensor");
+        SizingField field = cleft::constant_metric(v->frame.grid, v->frame,
+                                                   {tensor[0], tensor[1], tensor[2], tensor[3], tensor[4], tensor[5]});
+        return finished(*v, {std::move(field)}, pipeline_options(nullptr), run);
+    });
+}
+
+int32_t cleft_sizing_has_metric(const cleft_sizing* sizing) noexcept
+{
+    return is_sound(sizing) && sizing->sizing.field.metric ? 1 : 0;
+}
+
+cleft_status cleft_sizing_copy_metric(const cleft_sizing* sizing, float* tensors, int64_t capacity) noexcept
+{
+    return guarded(nullptr, [&] {
+        const cleft_sizing& s = checked(sizing, "sizing");
+        const SizingField& field = s.sizing.field;
+        if (!field.metric)
+            throw Error(CLEFT_ERROR_ARGUMENT, "the sizing field has no metric");
+        required(tensors, "tensors");
+        if (capacity < 6 * field.grid.size())
+            throw Error(CLEFT_ERROR_BUFFER, "the metric has " + std::to_string(6 * field.grid.size()) +
+                                                " numbers, and the buffer " + std::to_string(capacity));
+        for (int64_t voxel = 0; voxel < field.grid.size(); ++voxel) {
+            const cleft::Tensor m = cleft::world_metric(field, s.frame, voxel);
+            for (const double value : {m.xx, m.xy, m.xz, m.yy, m.yz, m.zz})
+                *tensors++ = static_cast<float>(value);
+        }
     });
 }
 
