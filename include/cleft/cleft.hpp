@@ -138,11 +138,32 @@ public:
         });
     }
 
-    View<float> values() const
+    /** One metric everywhere: xx, xy, xz, yy, yz, zz. */
+    static Sizing constant_metric(const Context& context, const Volume& volume, const std::array<double, 6>& tensor)
     {
-        Dims dims{};
-        check(cleft_sizing_dims(get(), dims.data()));
-        return {cleft_sizing_values(get()), dims[0] * dims[1] * dims[2]};
+        return made<Sizing, cleft_sizing>(context, [&](cleft_sizing** out) {
+            return cleft_sizing_create_constant_metric(context.get(), volume.get(), tensor.data(), out);
+        });
+    }
+    /** `tensors` has six floats or doubles per voxel of the volume: xx, xy, xz, yy, yz, zz. */
+    template <class Real>
+    static Sizing from_metric(const Context& context, const Volume& volume, const Real* tensors, bool combine = false,
+                              const Options& options = Options())
+    {
+        return made<Sizing, cleft_sizing>(context, [&](cleft_sizing** out) {
+            return cleft_sizing_create_metric(context.get(), volume.get(), TypeOf<Real>::value, tensors, combine,
+                                              options.get(), out);
+        });
+    }
+
+    View<float> values() const { return {cleft_sizing_values(get()), count()}; }
+    bool has_metric() const noexcept { return cleft_sizing_has_metric(get()) != 0; }
+    /** Six numbers per voxel, as from_metric() takes them. */
+    std::vector<float> metric() const
+    {
+        std::vector<float> tensors(has_metric() ? 6 * static_cast<std::size_t>(count()) : 0);
+        check(cleft_sizing_copy_metric(get(), tensors.data(), static_cast<int64_t>(tensors.size())));
+        return tensors;
     }
     double at(const Point& point) const
     {
@@ -151,6 +172,14 @@ public:
         return size;
     }
     double expected_tets() const noexcept { return cleft_sizing_expected_tets(get()); }
+
+private:
+    int64_t count() const
+    {
+        Dims dims{};
+        check(cleft_sizing_dims(get(), dims.data()));
+        return dims[0] * dims[1] * dims[2];
+    }
 };
 
 /** The findings of cleft_mesh_validate(), and the sentence about the first fault. */

@@ -2,6 +2,7 @@
 #include "cleft/cleft.hpp"
 #include "support/cmocka.hpp"
 
+#include <cmath>
 #include <cstring>
 #include <type_traits>
 
@@ -102,6 +103,32 @@ void arrays_and_indicators_come_in(void**)
     });
 }
 
+void metrics_come_in_and_go_out(void**)
+{
+    const cleft::Context context;
+    const cleft::Volume volume = ball(context);
+    std::vector<double> tensors;
+    for (int v = 0; v < N * N * N; ++v)
+        for (const double entry : {0.25, 0.01, -0.02, 0.2 + 0.01 * (v % N), 0.03, 1.0})
+            tensors.push_back(entry);
+    const cleft::Sizing sizing = cleft::Sizing::from_metric(context, volume, tensors.data());
+    assert_true(sizing.has_metric());
+    const std::vector<float> back = sizing.metric();
+    assert_int_equal(back.size(), tensors.size());
+    for (size_t i = 0; i < back.size(); ++i)
+        assert_true(std::abs(static_cast<double>(back[i]) - tensors[i]) < 1e-5);
+    const cleft::Sizing flat = cleft::Sizing::constant_metric(context, volume, {{1.0 / 9, 0, 0, 1.0 / 9, 0, 1}});
+    assert_true(flat.has_metric() && std::abs(static_cast<double>(flat.metric().back()) - 1) < 1e-6);
+    assert_int_equal(cleft::Mesh::of_volume(context, volume, coarse(), &flat).validate(context, true).valid, 1);
+    const cleft::Sizing plain = cleft::Sizing::constant(context, volume, 2);
+    assert_false(plain.has_metric());
+    assert_string_not_equal(thrown_by<cleft::Error>([&] { plain.metric(); }).c_str(), "nothing was thrown");
+    tensors[0] = -1;
+    assert_non_null(
+        strstr(thrown_by<cleft::Error>([&] { cleft::Sizing::from_metric(context, volume, tensors.data()); }).c_str(),
+               "voxel"));
+}
+
 void failures_are_thrown_with_status_and_sentence(void**)
 {
     const cleft::Context context;
@@ -164,6 +191,7 @@ int main()
     const CMUnitTest tests[] = {
         cmocka_unit_test(a_volume_becomes_a_mesh_by_stages_and_at_once),
         cmocka_unit_test(arrays_and_indicators_come_in),
+        cmocka_unit_test(metrics_come_in_and_go_out),
         cmocka_unit_test(failures_are_thrown_with_status_and_sentence),
         cmocka_unit_test(callbacks_are_functions_and_their_exceptions_come_out),
     };
