@@ -35,6 +35,8 @@ class Errors(unittest.TestCase):
             lambda: mesh.write("x.vtu"),
             lambda: mesh.__enter__(),
             lambda: sizing.values,
+            lambda: sizing.has_metric,
+            lambda: sizing.metric,
             lambda: sizing.at((0, 0, 0)),
             lambda: cleft.make_background(sizing),
             lambda: surface.hull_sides,

@@ -83,6 +83,62 @@ class Meshes(unittest.TestCase):
         with self.assertRaises(ValueError):
             sizing.at((np.nan, 0, 0))
 
+    def test_metric(self):
+        volume = ball_volume()
+        tensors = np.zeros(volume.shape + (6,))
+        tensors[..., 0] = np.linspace(0.04, 0.25, volume.shape[0])[:, None, None]  # lengths along x: 5 to 2
+        tensors[..., 3] = np.linspace(0.1, 0.2, volume.shape[1])[None, :, None]
+        tensors[..., 5] = np.linspace(0.2, 0.4, volume.shape[2])[None, None, :]
+        tensors[..., (1, 2, 4)] = 0.01, -0.02, 0.03
+        matrices = tensors[..., [[0, 1, 2], [1, 3, 4], [2, 4, 5]]]
+        for given in (tensors, np.asfortranarray(tensors), tensors.astype(np.float32), matrices):
+            sizing = cleft.Sizing.from_metric(volume, given)
+            self.assertTrue(sizing.has_metric)
+            self.assertEqual((sizing.metric.shape, sizing.metric.dtype), (tensors.shape, np.float32))
+            self.assertLess(np.abs(sizing.metric - tensors).max(), 1e-5)
+        self.assertGreater(len(cleft.mesh(volume, sizing=sizing, improve="off").tets), 100)
+        bounded = cleft.Sizing.from_metric(volume, tensors, size_max=1.0).metric
+        self.assertLess(np.abs(bounded - (1, 0, 0, 1, 0, 1)).max(), 1e-5)
+        both = cleft.Sizing.from_metric(volume, tensors, combine=True, size=1.0).metric
+        self.assertGreater(np.linalg.eigvalsh(both[..., [[0, 1, 2], [1, 3, 4], [2, 4, 5]]]).min(), 1 - 1e-5)
+        self.assertFalse(cleft.Sizing.constant(volume, 2.0).has_metric)
+        with self.assertRaises(cleft.InvalidArgument):
+            cleft.Sizing.constant(volume, 2.0).metric
+
+    def test_constant_metric(self):
+        volume = ball_volume()
+        for given in ([1 / 9, 0, 0, 1 / 9, 0, 1], np.diag((1 / 9, 1 / 9, 1)).astype(np.float32)):
+            sizing = cleft.Sizing.constant_metric(volume, given)
+            self.assertTrue(sizing.has_metric)
+            self.assertLess(np.abs(sizing.metric - (1 / 9, 0, 0, 1 / 9, 0, 1)).max(), 1e-6)
+        mesh = cleft.mesh(volume, sizing=sizing, background="lattice", improve="off")
+        edges = np.abs(mesh.points[mesh.tets[:, 1:]] - mesh.points[mesh.tets[:, :1]]).mean(axis=(0, 1))
+        self.assertGreater(min(edges[0], edges[1]), 2 * edges[2])  # elements are flat along z
+
+    def test_tensors_that_are_no_metric(self):
+        volume = ball_volume()
+        flat = np.tile(np.diag((0.25, 0.25, 1.0)), volume.shape + (1, 1))
+        for make, words in (
+            (lambda m: m[1:], "shape"),
+            (lambda m: m[..., 0], "shape"),
+            (lambda m: -m, "1st along x"),
+            (lambda m: m * np.nan, "1st along x"),
+        ):
+            with self.assertRaisesRegex(cleft.InvalidArgument, words):
+                cleft.Sizing.from_metric(volume, make(flat))
+        flat[2, 3, 4, 0, 1] = 0.1
+        with self.assertRaisesRegex(cleft.InvalidArgument, r"metric\[2, 3, 4\] is not symmetric: its \[0, 1\] is 0.1"):
+            cleft.Sizing.from_metric(volume, flat)
+        with self.assertRaisesRegex(cleft.InvalidArgument, "metric is not symmetric"):
+            cleft.Sizing.constant_metric(volume, flat[2, 3, 4])
+        flat[2, 3, 4, 1, 0] = 0.1 * (1 + 1e-6)  # rounding is no fault
+        self.assertTrue(cleft.Sizing.from_metric(volume, flat).has_metric)
+        with self.assertRaisesRegex(cleft.InvalidArgument, "shape"):
+            cleft.Sizing.constant_metric(volume, flat)
+        for wrong in ("abcdef", flat[0, 0, 0] + 1j):
+            with self.assertRaises(TypeError):
+                cleft.Sizing.constant_metric(volume, wrong)
+
     def test_report(self):
         volume = ball_volume()
         rows = cleft.mesh(volume, **QUICK).report(volume)

@@ -41,7 +41,8 @@ def type_named(name: str) -> int:
     return _TYPES[np.dtype(_BY_NAME[name])]
 
 
-def _unmasked(values: Any, name: str) -> np.ndarray[Any, Any]:
+def unmasked(values: Any, name: str) -> np.ndarray[Any, Any]:
+    """An array; TypeError if something of it is masked."""
     if np.ma.is_masked(values):
         raise TypeError(f"{name} is masked; say what the masked values are, by {name}.filled()")
     return np.asarray(values)
@@ -49,7 +50,7 @@ def _unmasked(values: Any, name: str) -> np.ndarray[Any, Any]:
 
 def int32_array(values: Any, name: str) -> np.ndarray[Any, Any]:
     """Whole numbers as contiguous int32; OverflowError for those that do not fit."""
-    array = _unmasked(values, name)
+    array = unmasked(values, name)
     if array.size == 0:
         return np.zeros(array.shape, np.int32)
     if array.dtype.kind not in "iu":
@@ -62,7 +63,7 @@ def int32_array(values: Any, name: str) -> np.ndarray[Any, Any]:
 
 def float_array(values: Any, name: str) -> np.ndarray[Any, Any]:
     """Numbers as contiguous double."""
-    array = _unmasked(values, name)
+    array = unmasked(values, name)
     if array.dtype.kind not in "iuf":
         raise TypeError(f"{name} must be real numbers, not {array.dtype}")
     return np.ascontiguousarray(array, np.float64)
@@ -76,7 +77,7 @@ def rows(array: np.ndarray[Any, Any], width: int, name: str) -> np.ndarray[Any, 
 
 
 def _volume_shaped(values: Any, name: str) -> np.ndarray[Any, Any]:
-    array = _unmasked(values, name)
+    array = unmasked(values, name)
     if array.dtype.kind not in "biuf":
         found = type(values).__name__ if array.ndim == 0 else f"an array of {array.dtype}"
         raise TypeError(f"{name} must be an array of real numbers, not {found}")

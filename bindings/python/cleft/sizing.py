@@ -9,6 +9,7 @@ import numpy.typing as npt
 from . import native
 from ._arrays import affine_from, buffer_of, real_number, real_voxels, triple, true_or_false, type_of
 from ._handle import Handle, Owner, required, view
+from ._tensors import metric_tensors
 from .errors import InvalidArgument, raise_for
 from .mesher import Mesher, mesher_or_plain
 from .options import OptionKeywords, Options, options_of
@@ -83,6 +84,55 @@ class Sizing(Owner):
             )
         )
 
+    @classmethod
+    def constant_metric(cls, volume: Volume, metric: npt.ArrayLike, *, mesher: Mesher | None = None) -> Sizing:
+        """One metric everywhere: xx, xy, xz, yy, yz, zz of the symmetric tensor, or its 3 x 3 matrix."""
+        handle = required(volume, Volume, "volume")
+        tensor = metric_tensors(metric, "metric", ()).astype(np.float64)
+        return cls._adopt(mesher_or_plain(mesher)._call(native.cleft_sizing_create_constant_metric, handle, tensor))
+
+    @classmethod
+    def from_metric(
+        cls,
+        volume: Volume,
+        metric: npt.ArrayLike,
+        *,
+        combine: bool = False,
+        mesher: Mesher | None = None,
+        options: Options | None = None,
+        **keywords: Unpack[OptionKeywords],
+    ) -> Sizing:
+        """Wanted lengths that depend on the direction: an edge v is to have v @ M @ v = 1.
+
+        `metric[i, j, k]` has xx, xy, xz, yy, yz, zz of the symmetric M of a voxel, or its 3 x 3 matrix. With `combine`,
+        no length is greater than that of the computed field, for which the options are read.
+        """
+        handle = required(volume, Volume, "volume")
+        tensors = metric_tensors(metric, "metric", volume.shape)
+        chosen = options_of(options, keywords)
+        return cls._adopt(
+            mesher_or_plain(mesher)._call(
+                native.cleft_sizing_create_metric,
+                handle,
+                type_of(tensors),
+                tensors,
+                int(true_or_false(combine, "combine")),
+                chosen._native if chosen else None,
+            )
+        )
+
+    @property
+    def has_metric(self) -> bool:
+        """Whether the wanted lengths depend on the direction."""
+        return bool(native.cleft_sizing_has_metric(self._native))
+
+    @property
+    def metric(self) -> npt.NDArray[np.float32]:
+        """metric[i, j, k] has xx, xy, xz, yy, yz, zz; a copy. InvalidArgument if the field has no metric."""
+        tensors = np.zeros(self.shape[::-1] + (6,), np.float32)
+        raise_for(native.cleft_sizing_copy_metric(self._native, tensors, tensors.size), "the field has no metric")
+        return tensors.transpose(2, 1, 0, 3)
+
     @property
     def shape(self) -> tuple[int, int, int]:
         """Values along x, y and z."""
@@ -98,7 +148,7 @@ class Sizing(Owner):
 
     @property
     def values(self) -> npt.NDArray[np.float32]:
-        """values[i, j, k]; a view."""
+        """values[i, j, k]; a view. With a metric, the lengths of regular tetrahedra that are as large."""
         handle = self._native
         return view(handle, native.cleft_sizing_values(handle), self.shape[::-1], np.float32).T
 
