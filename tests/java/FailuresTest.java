@@ -25,7 +25,8 @@ final class FailuresTest {
         for (Checks.Body body : new Checks.Body[] {
             volume::dims, volume::labels, volume::voxelCounts, () -> volume.sample(0, 0, 0), mesh::points,
             mesh::pointsView,
-            mesh::labels, () -> mesh.quadratic(0), sizing::values, () -> sizing.at(0, 0, 0), sizing::expectedTets,
+            mesh::labels, () -> mesh.quadratic(0), sizing::values, sizing::hasMetric, sizing::metric,
+            () -> sizing.at(0, 0, 0), sizing::expectedTets,
             surface::hullSides, other::threads, other::cancel, other::metrics, () -> other.threads(2),
             () -> mesher.mesh(volume, null), () -> mesher.quality(mesh), () -> mesher.surface(mesh),
             () -> mesher.background(sizing, null), () -> Checks.ballVolume(other)
@@ -47,7 +48,10 @@ final class FailuresTest {
             () -> mesher.surface(null), () -> mesher.report(volume, null),
             () -> mesher.meshOf(null, new int[4], null, 0),
             () -> mesher.meshOf(new double[3], null, null, 0), () -> volume.sample((double[]) null),
-            () -> mesher.sizing(volume, (float[]) null, false, null)
+            () -> mesher.sizing(volume, (float[]) null, false, null),
+            () -> mesher.metricSizing(volume, (float[]) null, false, null),
+            () -> mesher.metricSizing(null, new double[6], false, null),
+            () -> mesher.constantMetricSizing(volume, null), () -> mesher.constantMetricSizing(null, new double[6])
         })
             Checks.thrown(NullPointerException.class, body);
     }
@@ -69,6 +73,8 @@ final class FailuresTest {
             () -> mesher.indicators(new double[][] {new double[3]}, Checks.GRID, null),
             () -> mesher.indicators(new float[][] {new float[12 * 13 * 14]}, Checks.GRID, new int[1]),
             () -> mesher.sizing(volume, new float[3], false, null), () -> volume.sample(1, 2),
+            () -> mesher.metricSizing(volume, new float[12 * 13 * 14], false, null),
+            () -> mesher.constantMetricSizing(volume, new double[9]),
             () -> mesher.meshOf(new double[4], new int[4], null, 0), () -> mesher.meshOf(points, new int[5], null, 0),
             () -> mesher.meshOf(points, new int[4], new int[2], 0), () -> new Grid(0, 1, 1), () -> new Grid(1, -1, 1),
             () -> new Grid(Long.MAX_VALUE, 2, 2), () -> Checks.GRID.spacing(1, 0, 1), () -> Checks.GRID.affine(1, 2, 3),

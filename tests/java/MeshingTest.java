@@ -132,6 +132,31 @@ final class MeshingTest {
             Checks.check(value <= 2, "combined");
     }
 
+    void testMetric() {
+        Volume volume = Checks.ballVolume(mesher);
+        double[] tensors = new double[6 * 12 * 13 * 14];
+        float[] floats = new float[tensors.length];
+        for (int i = 0; i < tensors.length; ++i)
+            floats[i] = (float) (tensors[i] = new double[] {0.2 + 1e-4 * i, 0.01, -0.02, 0.3, 0.03, 0.5}[i % 6]);
+        for (Sizing sizing : new Sizing[] {
+            mesher.metricSizing(volume, tensors, false, null), mesher.metricSizing(volume, floats, false, null)
+        }) {
+            Checks.check(sizing.hasMetric(), "it has a metric");
+            float[] metric = sizing.metric();
+            Checks.equal(tensors.length, metric.length);
+            for (int i = 0; i < metric.length; ++i)
+                Checks.check(Math.abs(metric[i] - tensors[i]) < 1e-5, "a tensor comes back");
+        }
+        float[] bounded = mesher.metricSizing(volume, tensors, true, new Options().sizeMax(0.5)).metric();
+        Checks.near(4, bounded[0], 1e-5);
+        Sizing flat = mesher.constantMetricSizing(volume, new double[] {1.0 / 9, 0, 0, 1.0 / 9, 0, 1});
+        Checks.near(1, flat.metric()[5], 1e-6);
+        Checks.check(mesher.mesh(volume, flat, null, Checks.quick()).tetCount() > 100, "flat");
+        Sizing plain = mesher.constantSizing(volume, 2);
+        Checks.check(!plain.hasMetric(), "sizes alone");
+        Checks.thrown(CleftException.InvalidArgument.class, plain::metric);
+    }
+
     void testIndicators() {
         double[] inside = new double[12 * 13 * 14];
         for (int i = 0; i < inside.length; ++i)

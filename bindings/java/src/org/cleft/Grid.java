@@ -129,6 +129,13 @@ public final class Grid {
                     name + " has " + length + " elements; the grid has " + voxels() + " voxels");
     }
 
+    /** An array with several elements a voxel. */
+    void checkLength(String name, long length, int each) {
+        if (length % each != 0 || length / each != voxels())
+            throw new IllegalArgumentException(name + " has " + length + " elements; the grid has " + voxels()
+                    + " voxels, with " + each + " elements each");
+    }
+
     @Override
     public String toString() {
         return "Grid of " + size() + " voxels";

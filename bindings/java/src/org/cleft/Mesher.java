@@ -246,6 +246,45 @@ public final class Mesher extends NativeObject {
         return VoxelArrays.sizing(this, volume, VoxelType.FLOAT64, values, combine, options);
     }
 
+    /**
+     * One metric everywhere: wanted lengths that depend on the direction.
+     *
+     * @param volume the volume
+     * @param tensor xx, xy, xz, yy, yz, zz of a symmetric M; an edge v is to have v^T M v = 1, in world units
+     * @return a sizing field
+     */
+    public Sizing constantMetricSizing(Volume volume, double[] tensor) {
+        return VoxelArrays.constantMetricSizing(this, volume, tensor);
+    }
+
+    /**
+     * A sizing field with a metric: wanted lengths that depend on the direction.
+     *
+     * @param volume the volume
+     * @param tensors xx, xy, xz, yy, yz, zz of a symmetric M for each voxel, x fastest; copied. An edge v is to have
+     *     v^T M v = 1, in world units
+     * @param combine whether no length may be greater than that of the computed field
+     * @param options for the computed field, and the bounds of lengths; may be null
+     * @return a sizing field
+     */
+    public Sizing metricSizing(Volume volume, float[] tensors, boolean combine, Options options) {
+        return VoxelArrays.metricSizing(this, volume, VoxelType.FLOAT32, tensors, combine, options);
+    }
+
+    /**
+     * A sizing field with a metric, in double precision.
+     *
+     * @param volume the volume
+     * @param tensors xx, xy, xz, yy, yz, zz of a symmetric M for each voxel, x fastest; copied. An edge v is to have
+     *     v^T M v = 1, in world units
+     * @param combine whether no length may be greater than that of the computed field
+     * @param options for the computed field, and the bounds of lengths; may be null
+     * @return a sizing field
+     */
+    public Sizing metricSizing(Volume volume, double[] tensors, boolean combine, Options options) {
+        return VoxelArrays.metricSizing(this, volume, VoxelType.FLOAT64, tensors, combine, options);
+    }
+
     // --------------------------------------------------------------------------------------------------- meshes
 
     /**

@@ -31,7 +31,8 @@ public final class Sizing extends NativeObject {
     }
 
     /**
-     * The values, x fastest, without a copy: read-only, and good as long as the buffer is held.
+     * The values, x fastest, without a copy: read-only, and good as long as the buffer is held. Of a field with a
+     * metric, these are the lengths of regular tetrahedra that are as large.
      *
      * @return a view
      */
@@ -50,6 +51,27 @@ public final class Sizing extends NativeObject {
         float[] values = new float[view.remaining()];
         view.get(values);
         return values;
+    }
+
+    /**
+     * Do the wanted lengths depend on the direction?
+     *
+     * @return whether the field has a metric
+     */
+    public boolean hasMetric() {
+        return with(address -> CleftNative.cleft_sizing_has_metric(address) != 0);
+    }
+
+    /**
+     * The metric: xx, xy, xz, yy, yz, zz of each voxel, x fastest. A field without one throws a {@link CleftException}.
+     *
+     * @return a copy
+     */
+    public float[] metric() {
+        long[] dims = dims();
+        float[] tensors = new float[hasMetric() ? length(dims[0] * dims[1] * dims[2], 6) : 0];
+        checked(address -> CleftNative.cleft_sizing_copy_metric(address, tensors, tensors.length));
+        return tensors;
     }
 
     /**

@@ -57,6 +57,24 @@ final class VoxelArrays {
                 context, arguments[0], type.number, values, combine ? 1 : 0, arguments[1], out), volume, options));
     }
 
+    /** A sizing field with one metric everywhere. */
+    static Sizing constantMetricSizing(Mesher mesher, Volume volume, double[] tensor) {
+        Objects.requireNonNull(volume, "volume");
+        Arguments.length("tensor", Objects.requireNonNull(tensor, "tensor").length, 6);
+        return new Sizing(mesher.make((context, arguments, out) ->
+                CleftNative.cleft_sizing_create_constant_metric(context, arguments[0], tensor, out), volume));
+    }
+
+    /** A sizing field with a metric of the user's own, of 6 numbers a voxel. */
+    static Sizing metricSizing(
+            Mesher mesher, Volume volume, VoxelType type, Object tensors, boolean combine, Options options) {
+        Objects.requireNonNull(volume, "volume");
+        Objects.requireNonNull(tensors, "tensors");
+        volume.grid().checkLength("tensors", Array.getLength(tensors), 6);
+        return new Sizing(mesher.make((context, arguments, out) -> CleftNative.cleft_sizing_create_metric(
+                context, arguments[0], type.number, tensors, combine ? 1 : 0, arguments[1], out), volume, options));
+    }
+
     private static void checkLength(String name, Object array, Grid grid) {
         Objects.requireNonNull(array, name);
         Objects.requireNonNull(grid, "grid").checkLength(name, Array.getLength(array));
