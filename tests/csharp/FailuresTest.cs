@@ -24,6 +24,7 @@ sealed class FailuresTest
             () => volume.Grid.ToString(), () => volume.Labels.ToArray(), () => volume.Sample(0, 0, 0),
             () => mesh.Points.ToArray(), () => mesh.CopyTets(), () => mesh.PointCount.ToString(),
             () => mesh.CopyQuadratic(out int[] tets), () => sizing.Values.ToArray(), () => sizing.At(0, 0, 0),
+            () => sizing.HasMetric.ToString(), () => sizing.CopyMetric(),
             () => sizing.ExpectedTets.ToString(), () => surface.HullSides.ToArray(), () => other.Threads.ToString(),
             () => other.Cancel(), () => other.Metrics(), () => other.Threads = 2, () => mesher.Mesh(volume),
             () => mesher.Quality(mesh), () => mesher.Surface(mesh), () => mesher.BackgroundMesh(sizing),
@@ -66,6 +67,8 @@ sealed class FailuresTest
             () => mesher.Indicators(new[] { new double[3] }, Checks.Grid),
             () => mesher.Indicators(new[] { new float[12 * 13 * 14] }, Checks.Grid, new int[1]),
             () => mesher.Sizing(volume, new float[3]), () => volume.Sample(1, 2),
+            () => mesher.MetricSizing(volume, new float[12 * 13 * 14]),
+            () => mesher.ConstantMetricSizing(volume, new double[9]),
             () => mesher.MeshOf(new double[4], new int[4]), () => mesher.MeshOf(new double[12], new int[5]),
             () => mesher.MeshOf(new double[12], new int[4], new int[2]), () => new Grid(0, 1, 1),
             () => new Grid(1, -1, 1),
@@ -165,6 +168,11 @@ sealed class FailuresTest
                 () => mesher.MeshOf(new double[12], new int[4], new int[2]) },
             ["values"] = new Action[] {
                 () => mesher.Sizing(volume, (double[])null), () => mesher.Sizing(volume, new float[3]) },
+            ["tensors"] = new Action[] {
+                () => mesher.MetricSizing(volume, (double[])null), () => mesher.MetricSizing(volume, new float[3]) },
+            ["tensor"] = new Action[] {
+                () => mesher.ConstantMetricSizing(volume, null),
+                () => mesher.ConstantMetricSizing(volume, new double[9]) },
             ["points"] = new Action[] {
                 () => mesher.MeshOf(null, new int[4]), () => mesher.MeshOf(new double[2], new int[4]),
                 () => volume.Sample(1) },

@@ -131,6 +131,28 @@ sealed class MeshingTest
         Checks.Check(both.Values.All(value => value <= 2), "combined");
     }
 
+    void TestMetric()
+    {
+        Volume volume = Checks.BallVolume(mesher);
+        double[] tensors = Enumerable.Range(0, 6 * 12 * 13 * 14)
+            .Select(i => new[] { 0.2 + 1e-4 * i, 0.01, -0.02, 0.3, 0.03, 0.5 }[i % 6]).ToArray();
+        float[] floats = Array.ConvertAll(tensors, value => (float)value);
+        foreach (Sizing sizing in new[] { mesher.MetricSizing(volume, tensors), mesher.MetricSizing(volume, floats) }) {
+            Checks.Check(sizing.HasMetric, "it has a metric");
+            float[] metric = sizing.CopyMetric();
+            Checks.Equal(tensors.Length, metric.Length);
+            Checks.Check(metric.Zip(tensors, (a, b) => Math.Abs(a - b)).Max() < 1e-5, "tensors come back");
+        }
+        float[] bounded = mesher.MetricSizing(volume, tensors, true, new Options { SizeMax = 0.5 }).CopyMetric();
+        Checks.Near(4, bounded[0], 1e-5);
+        Sizing flat = mesher.ConstantMetricSizing(volume, new[] { 1.0 / 9, 0, 0, 1.0 / 9, 0, 1 });
+        Checks.Near(1, flat.CopyMetric()[5], 1e-6);
+        Checks.Check(mesher.Mesh(volume, flat, null, Checks.Quick()).TetCount > 100, "flat");
+        Sizing plain = mesher.ConstantSizing(volume, 2);
+        Checks.Check(!plain.HasMetric, "sizes alone");
+        Checks.Thrown<InvalidArgumentException>(() => plain.CopyMetric());
+    }
+
     void TestIndicators()
     {
         double[] inside = Enumerable.Range(0, 12 * 13 * 14).Select(i => 5.5 - i % 12).ToArray();

@@ -114,5 +114,13 @@ namespace Cleft
                 throw new ArgumentException(
                     name + part + " has " + array.LongLength + " elements; the grid has " + Voxels + " voxels", name);
         }
+
+        /// <summary>An array with several elements a voxel.</summary>
+        internal void CheckLength(Array array, int each, string name)
+        {
+            if (Arguments.NotNull(array, name).LongLength != each * Voxels)
+                throw new ArgumentException(name + " has " + array.LongLength + " elements; the grid has " + Voxels +
+                    " voxels, with " + each + " elements each", name);
+        }
     }
 }

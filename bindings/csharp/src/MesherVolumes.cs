@@ -142,6 +142,43 @@ namespace Cleft
                     context, of, (int)type, addresses[0], combine ? 1 : 0, how, out made))));
         }
 
+        /// <summary>
+        /// One metric everywhere: xx, xy, xz, yy, yz, zz of a symmetric M. An edge v is to have v^T M v = 1, in world
+        /// units.
+        /// </summary>
+        public Sizing ConstantMetricSizing(Volume volume, double[] tensor)
+        {
+            NativeHandle of = Required(volume, nameof(volume));
+            Arguments.Length(tensor, 6, nameof(tensor));
+            return new Sizing(Make((NativeHandle context, out IntPtr made) =>
+                CleftNative.cleft_sizing_create_constant_metric(context, of, tensor, out made)));
+        }
+
+        /// <summary>
+        /// A sizing field with a metric, wanted lengths that depend on the direction: xx, xy, xz, yy, yz, zz of a
+        /// symmetric M for each voxel, x fastest; copied. An edge v is to have v^T M v = 1, in world units. With
+        /// combine, no length is greater than that of the computed field, for which the options are read.
+        /// </summary>
+        public Sizing MetricSizing(Volume volume, double[] tensors, bool combine = false, Options options = null)
+        {
+            return MetricSizing(volume, tensors, VoxelType.Float64, combine, options);
+        }
+
+        /// <summary>A sizing field with a metric in single precision; else as that of double precision.</summary>
+        public Sizing MetricSizing(Volume volume, float[] tensors, bool combine = false, Options options = null)
+        {
+            return MetricSizing(volume, tensors, VoxelType.Float32, combine, options);
+        }
+
+        private Sizing MetricSizing(Volume volume, Array tensors, VoxelType type, bool combine, Options options)
+        {
+            NativeHandle of = Required(volume, nameof(volume)), how = HandleOf(options);
+            volume.Grid.CheckLength(tensors, 6, nameof(tensors));
+            return Pinned(new[] { tensors }, addresses => new Sizing(Make((NativeHandle context, out IntPtr made) =>
+                CleftNative.cleft_sizing_create_metric(
+                    context, of, (int)type, addresses[0], combine ? 1 : 0, how, out made))));
+        }
+
         /// <summary>Runs something with the addresses of arrays that the collector leaves where they are.</summary>
         private static T Pinned<T>(Array[] arrays, Func<IntPtr[], T> use)
         {

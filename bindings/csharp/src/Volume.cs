@@ -98,13 +98,30 @@ namespace Cleft
             }
         }
 
-        /// <summary>The values, x fastest; a view.</summary>
+        /// <summary>
+        /// The values, x fastest; a view. Of a field with a metric, these are the lengths of regular tetrahedra that
+        /// are as large.
+        /// </summary>
         public ArrayView<float> Values
         {
             get {
                 long count = Grid.Voxels;
                 return new FloatView(Handle, CleftNative.cleft_sizing_values, handle => count);
             }
+        }
+
+        /// <summary>Whether the wanted lengths depend on the direction.</summary>
+        public bool HasMetric => CleftNative.cleft_sizing_has_metric(Handle) != 0;
+
+        /// <summary>
+        /// The metric: xx, xy, xz, yy, yz, zz of each voxel, x fastest. A field without one throws an
+        /// InvalidArgumentException.
+        /// </summary>
+        public float[] CopyMetric()
+        {
+            float[] tensors = new float[HasMetric ? 6 * Grid.Voxels : 0];
+            CleftException.Check(CleftNative.cleft_sizing_copy_metric(Handle, tensors, tensors.LongLength));
+            return tensors;
         }
 
         /// <summary>Tetrahedra that a background of this field will have, within some 10 %.</summary>
