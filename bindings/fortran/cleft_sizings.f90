@@ -17,13 +17,18 @@ module cleft_sizings
     procedure :: create
     procedure :: create_constant
     generic :: create_values => create_values_32, create_values_64
+    procedure :: create_constant_metric
+    generic :: create_metric => create_metric_32, create_metric_64
     procedure :: dims
     procedure :: affine
     procedure :: values
+    procedure :: has_metric
+    procedure :: metric
     procedure :: at
     procedure :: expected_tets
     procedure :: adopt
     procedure, private :: create_values_32, create_values_64, create_any
+    procedure, private :: create_metric_32, create_metric_64, create_any_metric
   end type
 
   character(len=*), parameter :: closed = 'the sizing field is not there: destroyed, or never made'
@@ -116,6 +121,78 @@ contains
     call context%conclude(status, stat, errmsg)
   end subroutine
 
+  ! One metric everywhere: xx, xy, xz, yy, yz, zz. An edge v is to have v M v = 1.
+  subroutine create_constant_metric(self, context, volume, tensor, stat, errmsg)
+    class(cleft_sizing), intent(inout) :: self
+    type(cleft_context), intent(inout) :: context
+    type(cleft_volume), intent(in) :: volume
+    real(c_double), intent(in) :: tensor(6)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    type(c_ptr) :: made
+    integer(c_int32_t) :: status
+    status = cleft_sizing_create_constant_metric(context%c_handle(), volume%c_handle(), tensor, made)
+    call self%adopt(made)
+    call context%conclude(status, stat, errmsg)
+  end subroutine
+
+  ! Your own metric: tensors(:, i, j, k) has xx, xy, xz, yy, yz, zz of a voxel. With `combine`, no length is greater
+  ! than that of create().
+  subroutine create_metric_32(self, context, volume, tensors, combine, options, stat, errmsg)
+    class(cleft_sizing), intent(inout) :: self
+    type(cleft_context), intent(inout) :: context
+    type(cleft_volume), intent(in) :: volume
+    real(c_float), intent(in), contiguous, target :: tensors(:, :, :, :)
+    logical, intent(in), optional :: combine
+    type(cleft_options), intent(inout), optional :: options
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call self%create_any_metric(context, volume, CLEFT_TYPE_FLOAT32, c_loc(tensors), shape(tensors), &
+      combine, options, stat, errmsg)
+  end subroutine
+
+  subroutine create_metric_64(self, context, volume, tensors, combine, options, stat, errmsg)
+    class(cleft_sizing), intent(inout) :: self
+    type(cleft_context), intent(inout) :: context
+    type(cleft_volume), intent(in) :: volume
+    real(c_double), intent(in), contiguous, target :: tensors(:, :, :, :)
+    logical, intent(in), optional :: combine
+    type(cleft_options), intent(inout), optional :: options
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call self%create_any_metric(context, volume, CLEFT_TYPE_FLOAT64, c_loc(tensors), shape(tensors), &
+      combine, options, stat, errmsg)
+  end subroutine
+
+  subroutine create_any_metric(self, context, volume, type, tensors, counts, combine, options, stat, errmsg)
+    class(cleft_sizing), intent(inout) :: self
+    type(cleft_context), intent(inout) :: context
+    type(cleft_volume), intent(in) :: volume
+    integer(c_int32_t), intent(in) :: type
+    type(c_ptr), intent(in) :: tensors
+    integer, intent(in) :: counts(4)
+    logical, intent(in), optional :: combine
+    type(cleft_options), intent(inout), optional :: options
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    type(c_ptr) :: made
+    integer(c_int32_t) :: status, c_combine
+    integer :: wanted(3), there
+
+    call self%destroy()
+    wanted = volume%dims(there)
+    if (there == CLEFT_OK .and. any(counts /= [6, wanted])) then
+      call conclude(CLEFT_ERROR_ARGUMENT, 'tensors must have the shape 6, then that of the volume', stat, errmsg)
+      return
+    end if
+    c_combine = 0
+    if (present(combine)) c_combine = merge(1_c_int32_t, 0_c_int32_t, combine)
+    status = cleft_sizing_create_metric(context%c_handle(), volume%c_handle(), type, tensors, c_combine, &
+      c_options(options), made)
+    call self%adopt(made)
+    call context%conclude(status, stat, errmsg)
+  end subroutine
+
   ! Voxels along x, y, z.
   function dims(self, stat, errmsg) result(counts)
     class(cleft_sizing), intent(in) :: self
@@ -154,6 +231,28 @@ contains
     if (status /= CLEFT_OK) return
     call c_f_pointer(cleft_sizing_values(self%c_handle()), borrowed, counts)
     values = borrowed
+  end function
+
+  ! Whether the wanted lengths depend on the direction.
+  function has_metric(self)
+    class(cleft_sizing), intent(in) :: self
+    logical :: has_metric
+    has_metric = cleft_sizing_has_metric(self%c_handle()) /= 0
+  end function
+
+  ! The metric: tensors(:, i, j, k) has xx, xy, xz, yy, yz, zz of a voxel.
+  function metric(self, stat, errmsg) result(tensors)
+    class(cleft_sizing), intent(in) :: self
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    real(c_float), allocatable :: tensors(:, :, :, :)
+    integer :: counts(3), there
+
+    counts = 0
+    if (self%has_metric()) counts = self%dims(there)
+    allocate (tensors(6, counts(1), counts(2), counts(3)))
+    call conclude(cleft_sizing_copy_metric(self%c_handle(), tensors, size(tensors, kind=c_int64_t)), &
+      'the sizing field is not there, or has no metric', stat, errmsg)
   end function
 
   ! The field at a world point.

@@ -164,6 +164,8 @@ contains
   subroutine sizings_refuse()
     type(cleft_sizing) :: sizing
     real(c_double) :: short(14, 12, 9), values(14, 12, 10)
+    real(c_double), allocatable :: tensors(:, :, :, :)
+    real(c_float), allocatable :: metric(:, :, :, :)
 
     short = 1
     call sizing%create_values(context, volume, short, stat=stat, errmsg=errmsg)
@@ -174,6 +176,18 @@ contains
     call failed(CLEFT_ERROR_NOT_FINITE, 'a size of NaN is refused')
     call sizing%create_constant(context, volume, 0d0, stat, errmsg)
     call check(stat /= CLEFT_OK, 'a size of zero is refused')
+    allocate (tensors(6, 14, 12, 10), source=1d0)
+    call sizing%create_metric(context, volume, reshape(tensors, [5, 14, 12, 10]), stat=stat, errmsg=errmsg)
+    call failed(CLEFT_ERROR_ARGUMENT, 'tensors of another shape are refused')
+    call sizing%create_metric(context, volume, tensors, stat=stat, errmsg=errmsg)
+    call reported('voxel')
+    call failed(CLEFT_ERROR_ARGUMENT, 'a tensor that is not positive definite is refused')
+    call sizing%create_constant_metric(context, volume, tensors(:, 1, 1, 1), stat, errmsg)
+    call failed(CLEFT_ERROR_ARGUMENT, 'a constant tensor that is not positive definite is refused')
+    call sizing%create_constant(context, volume, 2d0)
+    metric = sizing%metric(stat, errmsg)
+    call failed(CLEFT_ERROR_ARGUMENT, 'sizes alone have no metric')
+    call check(size(metric) == 0, 'a metric that is not there is empty')
   end subroutine
 
   subroutine meshes_refuse()

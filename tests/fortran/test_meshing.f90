@@ -32,6 +32,7 @@ program test_meshing
   call mesh_is_sound()
   call mesh_goes_through_arrays()
   call stages_make_a_mesh()
+  call metrics_come_in_and_go_out()
   call the_one_call_is_the_five_calls()
   call the_estimate_is_near()
   call surface_belongs_to_mesh()
@@ -138,6 +139,33 @@ contains
     call strip%set_strip([0])
     call stripped%strip(context, improved, strip)
     call check(all(stripped%labels() == [5, 9]), 'label 0 can be stripped')
+  end subroutine
+
+  subroutine metrics_come_in_and_go_out()
+    type(cleft_sizing) :: sizing
+    type(cleft_mesh) :: mesh
+    real(c_double), allocatable :: tensors(:, :, :, :)
+    integer :: n(3), i
+
+    n = volume%dims()
+    allocate (tensors(6, n(1), n(2), n(3)))
+    do i = 1, n(1)
+      tensors(:, i, :, :) = spread(spread([0.2d0 + 0.01d0 * i, 0.01d0, -0.02d0, 0.3d0, 0.03d0, 0.5d0], 2, n(2)), 3, &
+        n(3))
+    end do
+    call sizing%create_metric(context, volume, tensors)
+    call check(sizing%has_metric(), 'a field of tensors has a metric')
+    call check(all(shape(sizing%metric()) == [6, n]), 'a metric has six numbers for each voxel')
+    call check(maxval(abs(sizing%metric() - tensors)) < 1d-5, 'a metric comes back as it was given')
+    call sizing%create_metric(context, volume, real(tensors, c_float), combine=.true., options=options)
+    call check(sizing%has_metric(), 'a metric can be combined with features')
+    call sizing%create_constant_metric(context, volume, [1d0 / 9, 0d0, 0d0, 1d0 / 9, 0d0, 1d0])
+    tensors = sizing%metric()
+    call check(maxval(abs(tensors(6, :, :, :) - 1)) < 1d-6, 'a constant metric is constant')
+    call mesh%create(context, volume, options, sizing)
+    call check(mesh%tet_count() > 100, 'a metric makes a mesh')
+    call sizing%create_constant(context, volume, 2d0)
+    call check(.not. sizing%has_metric(), 'sizes alone are no metric')
   end subroutine
 
   subroutine the_one_call_is_the_five_calls()
