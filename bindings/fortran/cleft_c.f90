@@ -149,6 +149,25 @@ module cleft_c
     integer(c_int64_t) :: dihedral_histogram(36)
   end type
 
+  type, bind(C) :: cleft_metric_quality
+    integer(c_int32_t) :: struct_size
+    integer(c_int32_t) :: reserved
+    integer(c_int64_t) :: tet_count
+    integer(c_int64_t) :: edge_count
+    integer(c_int64_t) :: edges_in_range
+    real(c_double) :: edge_least
+    real(c_double) :: edge_01
+    real(c_double) :: edge_median
+    real(c_double) :: edge_99
+    real(c_double) :: edge_greatest
+    real(c_double) :: mean_ratio_least
+    real(c_double) :: mean_ratio_01
+    real(c_double) :: mean_ratio_median
+    real(c_double) :: min_dihedral
+    real(c_double) :: max_dihedral
+    integer(c_int64_t) :: dihedral_histogram(36)
+  end type
+
   type, bind(C) :: cleft_validation
     integer(c_int32_t) :: struct_size
     integer(c_int32_t) :: valid
@@ -814,6 +833,13 @@ module cleft_c
       import
       type(c_ptr), value :: context, mesh
       type(cleft_quality), intent(inout) :: out
+      integer(c_int32_t) :: answer
+    end function
+
+    function cleft_mesh_metric_quality(context, mesh, sizing, out) bind(C) result(answer)
+      import
+      type(c_ptr), value :: context, mesh, sizing
+      type(cleft_metric_quality), intent(inout) :: out
       integer(c_int32_t) :: answer
     end function
 

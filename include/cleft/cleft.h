@@ -684,6 +684,35 @@ typedef struct cleft_quality {
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_quality(cleft_context* context, const cleft_mesh* mesh,
                                                           cleft_quality* out) CLEFT_NOEXCEPT;
 
+/** How well a mesh meets a metric. A metric measures an edge of the wanted length as 1. The measures are those of the
+ *  Unstructured Grid Adaptation Working Group; docs/method.md defines them. The caller sets struct_size to
+ *  sizeof(cleft_metric_quality). \since 0.1 */
+typedef struct cleft_metric_quality {
+    uint32_t struct_size;
+    uint32_t reserved;
+    int64_t tet_count;              /**< number of tetrahedra */
+    int64_t edge_count;             /**< number of edges */
+    int64_t edges_in_range;         /**< edges whose length in the metric is within 1/sqrt(2) to sqrt(2) */
+    double edge_least;              /**< the least length of an edge in the metric */
+    double edge_01;                 /**< 1st percentile of the lengths */
+    double edge_median;             /**< median of the lengths */
+    double edge_99;                 /**< 99th percentile of the lengths */
+    double edge_greatest;           /**< the greatest length */
+    double mean_ratio_least;        /**< the least mean ratio: 1 is regular in the metric, 0 flat */
+    double mean_ratio_01;           /**< 1st percentile of the mean ratio */
+    double mean_ratio_median;       /**< median of the mean ratio */
+    double min_dihedral;            /**< the least dihedral angle in the metric, in degrees */
+    double max_dihedral;            /**< the greatest dihedral angle in the metric, in degrees */
+    int64_t dihedral_histogram[36]; /**< counts of all dihedral angles in the metric, in bins of 5 degrees */
+} cleft_metric_quality;
+
+/** Measures a mesh by the metric of a sizing field. Beyond the volume of the field, the metric is that of its outermost
+ *  voxels. CLEFT_ERROR_ARGUMENT if the field has no metric. CLEFT_ERROR_INVALID_MESH if a tetrahedron names a point
+ *  twice. \since 0.1 */
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_metric_quality(cleft_context* context, const cleft_mesh* mesh,
+                                                                 const cleft_sizing* sizing,
+                                                                 cleft_metric_quality* out) CLEFT_NOEXCEPT;
+
 /** The faults of a mesh. All counts of faults are 0 for a valid mesh. The caller sets struct_size to
  *  sizeof(cleft_validation). \since 0.1 */
 typedef struct cleft_validation {

@@ -2,6 +2,7 @@
 #include "base/struct_size.hpp"
 #include "capi/firewall.hpp"
 #include "capi/mesh_frame.hpp"
+#include "checking/metric_quality.hpp"
 #include "checking/validate.hpp"
 #include "mesh/bounding_box.hpp"
 #include "mesh/quality.hpp"
@@ -14,6 +15,9 @@ using cleft::Run;
 
 template <>
 inline constexpr size_t cleft::kFirstSize<cleft_quality> = CLEFT_END_OF(cleft_quality, dihedral_histogram);
+template <>
+inline constexpr size_t cleft::kFirstSize<cleft_metric_quality> = CLEFT_END_OF(cleft_metric_quality,
+                                                                               dihedral_histogram);
 template <>
 inline constexpr size_t cleft::kFirstSize<cleft_validation> = CLEFT_END_OF(cleft_validation, box_area);
 
@@ -93,6 +97,38 @@ cleft_status cleft_mesh_quality(cleft_context* context, const cleft_mesh* mesh, 
         row.max_edge = q.max_edge;
         row.min_volume = q.min_volume;
         row.total_volume = q.total_volume;
+        std::copy(q.dihedral_histogram.begin(), q.dihedral_histogram.end(), row.dihedral_histogram);
+        cleft::copy_out(row, *out);
+    });
+}
+
+cleft_status cleft_mesh_metric_quality(cleft_context* context, const cleft_mesh* mesh, const cleft_sizing* sizing,
+                                       cleft_metric_quality* out) noexcept
+{
+    return guarded_run(context, "metric quality", [&](const Run& run) {
+        const auto from = held(mesh, "mesh");
+        const auto field = held(sizing, "sizing");
+        cleft::check_struct_size(*required(out, "out"), "cleft_metric_quality");
+        if (!field->sizing.field.metric)
+            throw Error(CLEFT_ERROR_ARGUMENT, "the sizing field has no metric");
+        cleft::TetMesh local;
+        to_local(*from, field->frame, local.points, local.tets);
+        const cleft::MetricQuality q = cleft::measure_by_metric(local, *field->sizing.field.metric, run);
+        run.report(1);
+        cleft_metric_quality row{};
+        row.tet_count = local.tets.count();
+        row.edge_count = q.edges;
+        row.edges_in_range = q.edges_in_range;
+        row.edge_least = q.edge_least;
+        row.edge_01 = q.edge_01;
+        row.edge_median = q.edge_median;
+        row.edge_99 = q.edge_99;
+        row.edge_greatest = q.edge_greatest;
+        row.mean_ratio_least = q.mean_ratio_least;
+        row.mean_ratio_01 = q.mean_ratio_01;
+        row.mean_ratio_median = q.mean_ratio_median;
+        row.min_dihedral = q.min_dihedral;
+        row.max_dihedral = q.max_dihedral;
         std::copy(q.dihedral_histogram.begin(), q.dihedral_histogram.end(), row.dihedral_histogram);
         cleft::copy_out(row, *out);
     });

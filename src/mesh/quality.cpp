@@ -3,6 +3,7 @@
 
 #include "base/degrees.hpp"
 #include "base/parallel.hpp"
+#include "base/percentile.hpp"
 #include "base/stage.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/angle_quality.hpp"
@@ -212,19 +213,6 @@ FixedArray<double, 2> extreme_angles(const FourPoints& x)
     const FixedArray<double, 6> angles = angles_at_edges(x, orient(x[0], x[1], x[2], x[3]));
     const auto [least, greatest] = std::minmax_element(angles.begin(), angles.end());
     return {*least, *greatest};
-}
-
-// Between the two nearest ranks; reorders the values, of which there is at least one.
-double percentile(Array<double>& values, double share)
-{
-    // Selection instead of sorting: three values are asked for, of millions.
-    const double rank = share * static_cast<double>(values.size() - 1);
-    const auto below = values.begin() + static_cast<std::ptrdiff_t>(rank);
-    std::nth_element(values.begin(), below, values.end());
-    if (below + 1 == values.end())
-        return *below;
-    const double above = *std::min_element(below + 1, values.end());
-    return *below + (rank - std::floor(rank)) * (above - *below);
 }
 
 void add_radius_ratios(Array<double> ratios, Quality& q)

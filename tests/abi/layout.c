@@ -58,6 +58,25 @@ PLACE(cleft_quality, min_volume, 128);
 PLACE(cleft_quality, total_volume, 136);
 PLACE(cleft_quality, dihedral_histogram, 144);
 
+HOLDS(sizeof(cleft_metric_quality) >= 400);
+ENDS_WITH(cleft_metric_quality, dihedral_histogram);
+PLACE(cleft_metric_quality, struct_size, 0);
+PLACE(cleft_metric_quality, reserved, 4);
+PLACE(cleft_metric_quality, tet_count, 8);
+PLACE(cleft_metric_quality, edge_count, 16);
+PLACE(cleft_metric_quality, edges_in_range, 24);
+PLACE(cleft_metric_quality, edge_least, 32);
+PLACE(cleft_metric_quality, edge_01, 40);
+PLACE(cleft_metric_quality, edge_median, 48);
+PLACE(cleft_metric_quality, edge_99, 56);
+PLACE(cleft_metric_quality, edge_greatest, 64);
+PLACE(cleft_metric_quality, mean_ratio_least, 72);
+PLACE(cleft_metric_quality, mean_ratio_01, 80);
+PLACE(cleft_metric_quality, mean_ratio_median, 88);
+PLACE(cleft_metric_quality, min_dihedral, 96);
+PLACE(cleft_metric_quality, max_dihedral, 104);
+PLACE(cleft_metric_quality, dihedral_histogram, 112);
+
 HOLDS(sizeof(cleft_validation) >= 128);
 ENDS_WITH(cleft_validation, hull_triangles);
 PLACE(cleft_validation, struct_size, 0);
