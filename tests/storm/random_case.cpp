@@ -2,6 +2,7 @@
 // balls, ties, plateaus, sentinels, what is not finite) and options, each chosen at random.
 #include "storm/random_case.hpp"
 
+#include "storm/random_metric.hpp"
 #include "support/random.hpp"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ double distance_to(const std::array<double, 3>& place, const Voxel& v)
 class Maker
 {
 public:
-    explicit Maker(uint64_t seed) : random_(seed * 0x9e3779b97f4a7c15u + 1) {}
+    explicit Maker(uint64_t seed) : seed_(seed), random_(seed * 0x9e3779b97f4a7c15u + 1) {}
 
     Case make()
     {
@@ -49,6 +50,8 @@ public:
             set_functions();
         set_options();
         set_way();
+        if (has_metric(seed_))
+            set_metric(made_, seed_, least_spacing_);
         return std::move(made_);
     }
 
@@ -291,6 +294,7 @@ private:
         describe(name + " " + value);
     }
 
+    uint64_t seed_;
     Random random_;
     Case made_;
     double least_spacing_ = 1;

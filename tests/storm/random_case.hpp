@@ -17,6 +17,7 @@ enum class Way {
     whole,       // one call
     sizing,      // one call with a user-supplied sizing field
     background,  // one call with a user-supplied background, poor and tampered with at times
+    metric,      // a user-supplied metric, in one call or several
     stages,      // background, cleaving, improving and stripping, a call each
 };
 
@@ -29,8 +30,11 @@ struct Case {
     std::vector<std::vector<float>> functions;
     Way way = Way::whole;
     std::vector<double> sizes;  // a user-supplied field, for Way::sizing
-    double constant_size = 0;   // of the background, for Way::stages and Way::background
-    int64_t cancel_at = 0;      // the call of the progress callback that asks to cancel; 0: none
+    // Six numbers a voxel, or six for all, for Way::metric.
+    std::vector<double> tensors;
+    bool is_staged = false, is_combined = false;
+    double constant_size = 0;  // of the background, for Way::stages and Way::background
+    int64_t cancel_at = 0;     // the call of the progress callback that asks to cancel; 0: none
     int32_t threads = 1;
     // Options by name.
     std::vector<std::pair<std::string, std::string>> options;

@@ -132,6 +132,8 @@ private:
                 return mesh_by_own_sizes();
             case Way::background:
                 return mesh_by_own_background();
+            case Way::metric:
+                return mesh_by_own_metric();
             case Way::stages:
                 return mesh_by_stages();
             default:
@@ -218,12 +220,35 @@ private:
         return CLEFT_ERROR_TOO_LARGE;
     }
 
+    cleft_status mesh_by_own_metric()
+    {
+        const double* tensors = case_.tensors.data();
+        const cleft_status status = case_.tensors.size() == 6
+                                        ? cleft_sizing_create_constant_metric(context_, volume_, tensors, &sizing_)
+                                        : cleft_sizing_create_metric(context_, volume_, CLEFT_TYPE_FLOAT64, tensors,
+                                                                     case_.is_combined, options_, &sizing_);
+        if (status != CLEFT_OK)
+            return status;
+        if (cleft_sizing_has_metric(sizing_) != 1)
+            fault_ = "the sizing field has no metric";
+        if (cleft_sizing_expected_tets(sizing_) > kMostTets)
+            return left_out();
+        if (case_.is_staged)
+            return mesh_on(background_of_sizing());
+        return checked(cleft_mesh_volume(context_, volume_, sizing_, nullptr, options_, next()), kept_box());
+    }
+
     cleft_status make_background()
     {
         if (const cleft_status status = cleft_sizing_create_constant(context_, volume_, case_.constant_size, &sizing_))
             return status;
         if (cleft_sizing_expected_tets(sizing_) > kMostTets)
             return left_out();
+        return background_of_sizing();
+    }
+
+    cleft_status background_of_sizing()
+    {
         Expectation plain = whole_box();
         plain.labels = {0};
         return checked(cleft_background_create(context_, sizing_, options_, next()), plain);
@@ -251,9 +276,11 @@ private:
         return checked(cleft_mesh_volume(context_, volume_, nullptr, given, options_, next()), kept);
     }
 
-    cleft_status mesh_by_stages()
+    cleft_status mesh_by_stages() { return mesh_on(make_background()); }
+
+    // The stages after the background, whose status is given.
+    cleft_status mesh_on(cleft_status status)
     {
-        cleft_status status = make_background();
         if (status == CLEFT_OK)
             status = checked(cleft_mesh_cleave(context_, volume_, previous(), options_, next()), whole_box());
         if (status == CLEFT_OK)
