@@ -2,6 +2,7 @@
 #include "faults/digest.hpp"
 #include "faults/works.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 
@@ -17,6 +18,7 @@ constexpr double affine[12] = {1, 0, 0, 10, 0, 1, 0, -20, 0, 0, 1.5, 30};
 struct Voxels {
     std::array<uint8_t, voxel_count> labels{};
     std::array<float, voxel_count> inside{}, sizes{};
+    std::array<float, 6 * voxel_count> tensors{};
 
     Voxels()
     {
@@ -26,6 +28,8 @@ struct Voxels {
             labels[v] = in ? 7 : (z > 3 ? 3 : 0);
             inside[v] = in ? 1.0F : -1.0F - 0.1F * static_cast<float>(z);
             sizes[v] = 2.0F + 0.25F * static_cast<float>(x);
+            const float tensor[6] = {0.1F + 0.03F * static_cast<float>(x), 0.02F, -0.01F, 0.15F, 0.03F, 0.4F};
+            std::copy(tensor, tensor + 6, tensors.data() + 6 * v);
         }
     }
 };
@@ -198,6 +202,29 @@ cleft_status size(Bench& bench)
         .status();
 }
 
+// Lengths that depend on the direction, to the end.
+cleft_status mesh_by_a_metric(Bench& bench)
+{
+    OwnSizing constant, own;
+    OwnMesh background, cleaved, improved;
+    const double flat[6] = {0.1, 0, 0, 0.1, 0, 0.4};
+    return Steps()
+        .then([&] { return cleft_sizing_create_constant_metric(bench.context, bench.volume, flat, &constant.handle); })
+        .then([&] {
+            return cleft_sizing_create_metric(bench.context, bench.volume, CLEFT_TYPE_FLOAT32, voxels.tensors.data(), 1,
+                                              bench.options, &own.handle);
+        })
+        .then([&] { return cleft_background_create(bench.context, own.handle, bench.options, &background.handle); })
+        .then([&] {
+            return cleft_mesh_cleave(bench.context, bench.volume, background.handle, bench.options, &cleaved.handle);
+        })
+        .then([&] {
+            return cleft_mesh_improve(bench.context, bench.volume, cleaved.handle, bench.options, &improved.handle);
+        })
+        .then([&] { return look_at(bench, improved.handle); })
+        .status();
+}
+
 cleft_status stages(Bench& bench)
 {
     OwnMesh background, cleaved, improved, stripped;
@@ -282,6 +309,7 @@ std::vector<Work> core_works()
         works.push_back(
             {"particles" + on, [](Bench& b) { return mesh_on(b, CLEFT_BACKGROUND_PARTICLES); }, {}, threads});
         works.push_back({"stages" + on, stages, {}, threads});
+        works.push_back({"metric" + on, mesh_by_a_metric, {}, threads});
     }
     return works;
 }
