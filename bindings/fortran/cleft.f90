@@ -9,7 +9,8 @@
 ! and options mean; docs/fortran.md leads through.
 module cleft
   use cleft_c, only: &
-    cleft_quality, cleft_validation, cleft_label_report, cleft_contact, cleft_distance, cleft_estimate
+    cleft_quality, cleft_metric_quality, cleft_validation, cleft_label_report, cleft_contact, cleft_distance, &
+    cleft_estimate
   ! <numbers> made by tools/generate.py from include/cleft/cleft.h
   use cleft_c, only: CLEFT_OK, CLEFT_ERROR_INTERNAL, CLEFT_ERROR_OUT_OF_MEMORY, CLEFT_ERROR_CANCELLED, &
     CLEFT_ERROR_NULL, CLEFT_ERROR_ARGUMENT, CLEFT_ERROR_NOT_FINITE, CLEFT_ERROR_TOO_LARGE, CLEFT_ERROR_BUFFER, &

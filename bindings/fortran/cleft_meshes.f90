@@ -31,6 +31,7 @@ module cleft_meshes
     procedure :: label_name
     procedure :: quadratic
     procedure :: quality
+    procedure :: metric_quality
     procedure :: validate
     procedure :: adopt
   end type
@@ -311,6 +312,19 @@ contains
     type(cleft_quality) :: figures
     figures%struct_size = int(c_sizeof(figures), c_int32_t)
     call context%conclude(cleft_mesh_quality(context%c_handle(), self%c_handle(), figures), stat, errmsg)
+  end function
+
+  ! How well the mesh meets the metric of a sizing field.
+  function metric_quality(self, context, sizing, stat, errmsg) result(figures)
+    class(cleft_mesh), intent(in) :: self
+    type(cleft_context), intent(inout) :: context
+    type(cleft_sizing), intent(in) :: sizing
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    type(cleft_metric_quality) :: figures
+    figures%struct_size = int(c_sizeof(figures), c_int32_t)
+    call context%conclude(cleft_mesh_metric_quality(context%c_handle(), self%c_handle(), sizing%c_handle(), figures), &
+      stat, errmsg)
   end function
 
   ! What is wrong with the mesh: result%valid is 1 if nothing is, else context%last_error() names the first fault.

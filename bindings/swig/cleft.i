@@ -20,6 +20,7 @@
 // classes fill from these.
 CLEFT_STRUCT(cleft_option_description, NativeOptionDescription)
 CLEFT_STRUCT(cleft_quality, NativeQuality)
+CLEFT_STRUCT(cleft_metric_quality, NativeMetricQuality)
 CLEFT_STRUCT(cleft_validation, NativeValidation)
 CLEFT_STRUCT(cleft_label_report, NativeLabelReport)
 CLEFT_STRUCT(cleft_contact, NativeContact)
@@ -29,6 +30,10 @@ CLEFT_STRUCT(cleft_estimate, NativeEstimate)
 // cost a call each, and there are 36.
 %ignore cleft_quality::dihedral_histogram;
 %extend cleft_quality {
+    int64_t histogram_bin(int32_t bin) { return $self->dihedral_histogram[bin]; }
+}
+%ignore cleft_metric_quality::dihedral_histogram;
+%extend cleft_metric_quality {
     int64_t histogram_bin(int32_t bin) { return $self->dihedral_histogram[bin]; }
 }
 

@@ -19,6 +19,7 @@
 %thread cleft_mesh_volume;
 %thread cleft_mesh_copy_quadratic;
 %thread cleft_mesh_quality;
+%thread cleft_mesh_metric_quality;
 %thread cleft_mesh_validate;
 %thread cleft_surface_create;
 %thread cleft_report_create;

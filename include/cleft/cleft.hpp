@@ -268,6 +268,13 @@ public:
         context.check(cleft_mesh_quality(context.get(), get(), &found));
         return found;
     }
+    cleft_metric_quality metric_quality(const Context& context, const Sizing& sizing) const
+    {
+        cleft_metric_quality found{};
+        found.struct_size = sizeof found;
+        context.check(cleft_mesh_metric_quality(context.get(), get(), sizing.get(), &found));
+        return found;
+    }
     Validation validate(const Context& context, bool fills_box = false) const
     {
         Validation found{};

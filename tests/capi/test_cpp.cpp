@@ -119,7 +119,11 @@ void metrics_come_in_and_go_out(void**)
         assert_true(std::abs(static_cast<double>(back[i]) - tensors[i]) < 1e-5);
     const cleft::Sizing flat = cleft::Sizing::constant_metric(context, volume, {{1.0 / 9, 0, 0, 1.0 / 9, 0, 1}});
     assert_true(flat.has_metric() && std::abs(static_cast<double>(flat.metric().back()) - 1) < 1e-6);
-    assert_int_equal(cleft::Mesh::of_volume(context, volume, coarse(), &flat).validate(context, true).valid, 1);
+    const cleft::Mesh mesh = cleft::Mesh::of_volume(context, volume, coarse(), &flat);
+    assert_int_equal(mesh.validate(context, true).valid, 1);
+    const cleft_metric_quality quality = mesh.metric_quality(context, flat);
+    assert_int_equal(quality.tet_count, mesh.tet_labels().size());
+    assert_true(quality.edge_least > 0 && quality.edge_least < 1 && quality.edge_greatest > 1);
     const cleft::Sizing plain = cleft::Sizing::constant(context, volume, 2);
     assert_false(plain.has_metric());
     assert_string_not_equal(thrown_by<cleft::Error>([&] { plain.metric(); }).c_str(), "nothing was thrown");

@@ -187,7 +187,7 @@ sealed class FailuresTest
             ["background"] = new Action[] { () => mesher.Cleave(volume, null) },
             ["cleaved"] = new Action[] { () => mesher.Improve(volume, null) },
             ["whole"] = new Action[] { () => mesher.Strip(null, null) },
-            ["sizing"] = new Action[] { () => mesher.BackgroundMesh(null),
+            ["sizing"] = new Action[] { () => mesher.BackgroundMesh(null), () => mesher.MetricQuality(mesh, null),
                 () => MeshFiles.WriteSizing(mesher, null, "a.nrrd") },
             ["mesher"] = new Action[] { () => MeshFiles.ReadMesh(null, "a.vtu"),
                 () => MeshFiles.ReadVolume(null, "a.nrrd") },

@@ -147,10 +147,16 @@ sealed class MeshingTest
         Checks.Near(4, bounded[0], 1e-5);
         Sizing flat = mesher.ConstantMetricSizing(volume, new[] { 1.0 / 9, 0, 0, 1.0 / 9, 0, 1 });
         Checks.Near(1, flat.CopyMetric()[5], 1e-6);
-        Checks.Check(mesher.Mesh(volume, flat, null, Checks.Quick()).TetCount > 100, "flat");
+        Mesh mesh = mesher.Mesh(volume, flat, null, Checks.Quick());
+        MetricQuality quality = mesher.MetricQuality(mesh, flat);
+        Checks.Equal(mesh.TetCount, quality.TetCount);
+        Checks.Equal(6 * mesh.TetCount, quality.DihedralHistogram.Sum());
+        Checks.Check(quality.EdgesInRange > 0 && quality.EdgesInRange <= quality.EdgeCount, "edges in range");
+        Checks.Check(0 < quality.EdgeLeast && quality.EdgeLeast < 1 && quality.EdgeGreatest > 1, "lengths");
         Sizing plain = mesher.ConstantSizing(volume, 2);
         Checks.Check(!plain.HasMetric, "sizes alone");
         Checks.Thrown<InvalidArgumentException>(() => plain.CopyMetric());
+        Checks.Thrown<InvalidArgumentException>(() => mesher.MetricQuality(mesh, plain));
     }
 
     void TestIndicators()

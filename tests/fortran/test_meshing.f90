@@ -144,6 +144,7 @@ contains
   subroutine metrics_come_in_and_go_out()
     type(cleft_sizing) :: sizing
     type(cleft_mesh) :: mesh
+    type(cleft_metric_quality) :: figures
     real(c_double), allocatable :: tensors(:, :, :, :)
     integer :: n(3), i
 
@@ -163,7 +164,10 @@ contains
     tensors = sizing%metric()
     call check(maxval(abs(tensors(6, :, :, :) - 1)) < 1d-6, 'a constant metric is constant')
     call mesh%create(context, volume, options, sizing)
-    call check(mesh%tet_count() > 100, 'a metric makes a mesh')
+    figures = mesh%metric_quality(context, sizing)
+    call check(figures%tet_count == mesh%tet_count(), 'quality in a metric is of this mesh')
+    call check(figures%edge_least > 0 .and. figures%edge_least < 1 .and. figures%edge_greatest > 1, &
+      'a metric measures edges')
     call sizing%create_constant(context, volume, 2d0)
     call check(.not. sizing%has_metric(), 'sizes alone are no metric')
   end subroutine

@@ -51,6 +51,7 @@ final class FailuresTest {
             () -> mesher.sizing(volume, (float[]) null, false, null),
             () -> mesher.metricSizing(volume, (float[]) null, false, null),
             () -> mesher.metricSizing(null, new double[6], false, null),
+            () -> mesher.metricQuality(mesh, null), () -> mesher.metricQuality(null, mesher.constantSizing(volume, 1)),
             () -> mesher.constantMetricSizing(volume, null), () -> mesher.constantMetricSizing(null, new double[6])
         })
             Checks.thrown(NullPointerException.class, body);

@@ -151,10 +151,16 @@ final class MeshingTest {
         Checks.near(4, bounded[0], 1e-5);
         Sizing flat = mesher.constantMetricSizing(volume, new double[] {1.0 / 9, 0, 0, 1.0 / 9, 0, 1});
         Checks.near(1, flat.metric()[5], 1e-6);
-        Checks.check(mesher.mesh(volume, flat, null, Checks.quick()).tetCount() > 100, "flat");
+        Mesh mesh = mesher.mesh(volume, flat, null, Checks.quick());
+        MetricQuality quality = mesher.metricQuality(mesh, flat);
+        Checks.equal(mesh.tetCount(), quality.tetCount());
+        Checks.equal(6 * mesh.tetCount(), quality.dihedralHistogram().stream().mapToLong(Long::longValue).sum());
+        Checks.check(quality.edgesInRange() > 0 && quality.edgesInRange() <= quality.edgeCount(), "edges in range");
+        Checks.check(0 < quality.edgeLeast() && quality.edgeLeast() < 1 && quality.edgeGreatest() > 1, "lengths");
         Sizing plain = mesher.constantSizing(volume, 2);
         Checks.check(!plain.hasMetric(), "sizes alone");
         Checks.thrown(CleftException.InvalidArgument.class, plain::metric);
+        Checks.thrown(CleftException.InvalidArgument.class, () -> mesher.metricQuality(mesh, plain));
     }
 
     void testIndicators() {

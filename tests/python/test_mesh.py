@@ -114,6 +114,18 @@ class Meshes(unittest.TestCase):
         mesh = cleft.mesh(volume, sizing=sizing, background="lattice", improve="off")
         edges = np.abs(mesh.points[mesh.tets[:, 1:]] - mesh.points[mesh.tets[:, :1]]).mean(axis=(0, 1))
         self.assertGreater(min(edges[0], edges[1]), 2 * edges[2])  # elements are flat along z
+        quality = mesh.metric_quality(sizing)
+        self.assertEqual(quality.tet_count, len(mesh.tets))
+        self.assertEqual(sum(quality.dihedral_histogram), 6 * len(mesh.tets))
+        ends = mesh.tets[:, ((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3))].reshape(-1, 2)
+        ends = np.unique(np.sort(ends, axis=1), axis=0)
+        lengths = np.linalg.norm((mesh.points[ends[:, 1]] - mesh.points[ends[:, 0]]) / (3, 3, 1), axis=1)
+        self.assertEqual(quality.edge_count, len(ends))
+        self.assertAlmostEqual(quality.edge_least, lengths.min(), 5)
+        self.assertAlmostEqual(quality.edge_greatest, lengths.max(), 5)
+        for wrong, kind in ((None, TypeError), (cleft.Sizing.constant(volume, 2.0), cleft.InvalidArgument)):
+            with self.assertRaises(kind):
+                mesh.metric_quality(wrong)
 
     def test_tensors_that_are_no_metric(self):
         volume = ball_volume()

@@ -120,6 +120,7 @@ def _record(name, about, values):
 _RECORDS = {
     "Estimate": "The expected size of a mesh.",
     "Quality": "Measures of the shape of a mesh, in world units.",
+    "MetricQuality": "How well a mesh meets a metric, which measures an edge of the wanted length as 1.",
     "Validation": "The faults of a mesh. All counts of faults are 0 for a valid mesh.",
     "LabelReport": "What became of one label. Volumes are in cubic world units.",
     "Contact": "Two labels that share triangles in the mesh, although no two of their voxels share a face or an edge. "

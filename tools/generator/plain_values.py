@@ -7,6 +7,7 @@ from . import headers
 # The structs that come out of the library, and what their classes are called.
 RECORDS = {
     "cleft_quality": "Quality",
+    "cleft_metric_quality": "MetricQuality",
     "cleft_validation": "Validation",
     "cleft_label_report": "LabelReport",
     "cleft_contact": "Contact",

@@ -94,6 +94,16 @@ namespace Cleft
             }
         }
 
+        /// <summary>How well a mesh meets the metric of a sizing field.</summary>
+        public MetricQuality MetricQuality(Mesh mesh, Sizing sizing)
+        {
+            NativeHandle of = Required(mesh, nameof(mesh)), by = Required(sizing, nameof(sizing));
+            using (var figures = new NativeMetricQuality()) {
+                Run(context => CleftNative.cleft_mesh_metric_quality(context, of, by, figures));
+                return new MetricQuality(figures);
+            }
+        }
+
         /// <summary>Looks for faults. With fillsBox, the mesh is also asked to fill its bounding box.</summary>
         public Validation Validate(Mesh mesh, bool fillsBox = false)
         {

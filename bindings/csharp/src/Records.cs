@@ -68,6 +68,59 @@ namespace Cleft
         public IReadOnlyList<long> DihedralHistogram { get; }
     }
 
+    public sealed partial class MetricQuality
+    {
+        internal MetricQuality(NativeMetricQuality row)
+        {
+            TetCount = row.tet_count;
+            EdgeCount = row.edge_count;
+            EdgesInRange = row.edges_in_range;
+            EdgeLeast = row.edge_least;
+            Edge01 = row.edge_01;
+            EdgeMedian = row.edge_median;
+            Edge99 = row.edge_99;
+            EdgeGreatest = row.edge_greatest;
+            MeanRatioLeast = row.mean_ratio_least;
+            MeanRatio01 = row.mean_ratio_01;
+            MeanRatioMedian = row.mean_ratio_median;
+            MinDihedral = row.min_dihedral;
+            MaxDihedral = row.max_dihedral;
+            long[] dihedralHistogram = new long[36];
+            for (int index = 0; index < 36; ++index)
+                dihedralHistogram[index] = row.histogram_bin(index);
+            DihedralHistogram = dihedralHistogram;
+        }
+
+        /// <summary>Number of tetrahedra.</summary>
+        public long TetCount { get; }
+        /// <summary>Number of edges.</summary>
+        public long EdgeCount { get; }
+        /// <summary>Edges whose length in the metric is within 1/sqrt(2) to sqrt(2).</summary>
+        public long EdgesInRange { get; }
+        /// <summary>The least length of an edge in the metric.</summary>
+        public double EdgeLeast { get; }
+        /// <summary>1st percentile of the lengths.</summary>
+        public double Edge01 { get; }
+        /// <summary>Median of the lengths.</summary>
+        public double EdgeMedian { get; }
+        /// <summary>99th percentile of the lengths.</summary>
+        public double Edge99 { get; }
+        /// <summary>The greatest length.</summary>
+        public double EdgeGreatest { get; }
+        /// <summary>The least mean ratio: 1 is regular in the metric, 0 flat.</summary>
+        public double MeanRatioLeast { get; }
+        /// <summary>1st percentile of the mean ratio.</summary>
+        public double MeanRatio01 { get; }
+        /// <summary>Median of the mean ratio.</summary>
+        public double MeanRatioMedian { get; }
+        /// <summary>The least dihedral angle in the metric, in degrees.</summary>
+        public double MinDihedral { get; }
+        /// <summary>The greatest dihedral angle in the metric, in degrees.</summary>
+        public double MaxDihedral { get; }
+        /// <summary>Counts of all dihedral angles in the metric, in bins of 5 degrees.</summary>
+        public IReadOnlyList<long> DihedralHistogram { get; }
+    }
+
     public sealed partial class Validation
     {
         internal Validation(NativeValidation row)

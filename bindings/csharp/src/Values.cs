@@ -25,6 +25,17 @@ namespace Cleft
         }
     }
 
+    /// <summary>How well a mesh meets a metric, which measures an edge of the wanted length as 1.</summary>
+    public sealed partial class MetricQuality
+    {
+        /// <summary>What this is, in a few words.</summary>
+        public override string ToString()
+        {
+            return FormattableString.Invariant(
+                $"MetricQuality of {TetCount} tetrahedra: {EdgesInRange} of {EdgeCount} edges are in range");
+        }
+    }
+
     /// <summary>What is wrong with a mesh; all counts are 0 for a sound one.</summary>
     public sealed partial class Validation
     {

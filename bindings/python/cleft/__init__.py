@@ -53,7 +53,7 @@ from .files import (
 from .meshes import Mesh, cleave, estimate, improve, make_background, mesh, strip_labels
 from .mesher import Mesher
 from .options import OptionDescription, OptionKeywords, Options, option_table
-from .results import Contact, Distance, Estimate, LabelReport, Quality, Report, Validation
+from .results import Contact, Distance, Estimate, LabelReport, MetricQuality, Quality, Report, Validation
 from .sizing import Sizing
 from .surface import SIDES, Surface
 from .views import View, write_view
@@ -87,6 +87,7 @@ __all__ = [
     "LabelReport",
     "Mesh",
     "Mesher",
+    "MetricQuality",
     "NotFinite",
     "OptionDescription",
     "OptionError",

@@ -15,7 +15,7 @@ from ._label_names import Named
 from .errors import InvalidArgument, raise_for
 from .mesher import Mesher, mesher_or_plain
 from .options import OptionKeywords, Options, lists_options, options_of
-from .results import Contact, Distance, Estimate, LabelReport, Quality, Report, Validation, from_struct
+from .results import Contact, Distance, Estimate, LabelReport, MetricQuality, Quality, Report, Validation, from_struct
 from .sizing import Sizing
 from .surface import Surface
 from .views import View, write_view
@@ -116,6 +116,13 @@ class Mesh(Named):
         struct = native.NativeQuality()
         mesher_or_plain(mesher)._call(native.cleft_mesh_quality, self._native, struct)
         return from_struct(Quality, struct, dihedral_histogram=tuple(struct.histogram_bin(bin) for bin in range(36)))
+
+    def metric_quality(self, sizing: Sizing, *, mesher: Mesher | None = None) -> MetricQuality:
+        """How well the mesh meets the metric of a sizing field."""
+        struct, metric = native.NativeMetricQuality(), required(sizing, Sizing, "sizing")
+        mesher_or_plain(mesher)._call(native.cleft_mesh_metric_quality, self._native, metric, struct)
+        histogram = tuple(struct.histogram_bin(bin) for bin in range(36))
+        return from_struct(MetricQuality, struct, dihedral_histogram=histogram)
 
     def validate(self, *, fills_box: bool = False, mesher: Mesher | None = None) -> Validation:
         """Looks for faults. With `fills_box`, the mesh is also asked to fill its bounding box."""

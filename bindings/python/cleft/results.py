@@ -48,6 +48,28 @@ class Quality:
 
 
 @dataclass(frozen=True)
+class MetricQuality:
+    """How well a mesh meets a metric, which measures an edge of the wanted length as 1."""
+
+    # <MetricQuality> made by tools/generate.py from include/cleft/cleft.h
+    tet_count: int  #: number of tetrahedra
+    edge_count: int  #: number of edges
+    edges_in_range: int  #: edges whose length in the metric is within 1/sqrt(2) to sqrt(2)
+    edge_least: float  #: the least length of an edge in the metric
+    edge_01: float  #: 1st percentile of the lengths
+    edge_median: float  #: median of the lengths
+    edge_99: float  #: 99th percentile of the lengths
+    edge_greatest: float  #: the greatest length
+    mean_ratio_least: float  #: the least mean ratio: 1 is regular in the metric, 0 flat
+    mean_ratio_01: float  #: 1st percentile of the mean ratio
+    mean_ratio_median: float  #: median of the mean ratio
+    min_dihedral: float  #: the least dihedral angle in the metric, in degrees
+    max_dihedral: float  #: the greatest dihedral angle in the metric, in degrees
+    dihedral_histogram: tuple[int, ...]  #: counts of all dihedral angles in the metric, in bins of 5 degrees
+    # </MetricQuality>
+
+
+@dataclass(frozen=True)
 class Validation:
     """What is wrong with a mesh: the counts of faults are 0 for a sound one, which is true in a condition."""
 

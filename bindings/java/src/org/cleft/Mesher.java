@@ -433,6 +433,26 @@ public final class Mesher extends NativeObject {
     }
 
     /**
+     * How well a mesh meets the metric of a sizing field.
+     *
+     * @param mesh the mesh
+     * @param sizing a field that has a metric
+     * @return the figures
+     */
+    public MetricQuality metricQuality(Mesh mesh, Sizing sizing) {
+        Objects.requireNonNull(mesh, "mesh");
+        Objects.requireNonNull(sizing, "sizing");
+        NativeMetricQuality figures = new NativeMetricQuality();
+        try {
+            run((context, arguments, out) -> CleftNative.cleft_mesh_metric_quality(
+                    context, arguments[0], arguments[1], figures), mesh, sizing);
+            return MetricQuality.of(figures);
+        } finally {
+            figures.delete();
+        }
+    }
+
+    /**
      * Looks for faults.
      *
      * @param mesh the mesh
