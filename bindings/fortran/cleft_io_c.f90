@@ -40,6 +40,12 @@ module cleft_io_c
     CLEFT_IO_KIND_INDICATORS = 2
 
   integer(c_int32_t), parameter :: &
+    CLEFT_IO_ORDER_FILE = 0, &
+    CLEFT_IO_ORDER_NRRD = 1, &
+    CLEFT_IO_ORDER_VTK = 2, &
+    CLEFT_IO_ORDER_NIFTI = 3
+
+  integer(c_int32_t), parameter :: &
     CLEFT_IO_BY_LABEL = 0, &
     CLEFT_IO_BY_ANGLE = 1, &
     CLEFT_IO_BY_RATIO = 2, &
@@ -183,6 +189,17 @@ module cleft_io_c
       character(kind=c_char), intent(in) :: path(*)
       type(c_ptr), value :: reading
       integer(c_int32_t), value :: combine
+      type(c_ptr), value :: options
+      type(c_ptr), intent(out) :: out
+      integer(c_int32_t) :: answer
+    end function
+
+    function cleft_io_read_metric(context, volume, path, reading, order, combine, options, out) bind(C) result(answer)
+      import
+      type(c_ptr), value :: context, volume
+      character(kind=c_char), intent(in) :: path(*)
+      type(c_ptr), value :: reading
+      integer(c_int32_t), value :: order, combine
       type(c_ptr), value :: options
       type(c_ptr), intent(out) :: out
       integer(c_int32_t) :: answer

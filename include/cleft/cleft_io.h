@@ -173,7 +173,10 @@ CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_read_raw(cleft_context* conte
 
 /** Writes a sizing field as a volume of float for viewers: .nrrd, .nii, .nii.gz, .mha or .vtk, by the extension.
  *  `world` must be the one in which the field's volume was read. CLEFT_ERROR_UNSUPPORTED if the grid is sheared and
- *  the format is NIfTI, MetaImage or VTK, or if it is rotated and the format is VTK. \since 0.1 */
+ *  the format is NIfTI, MetaImage or VTK, or if it is rotated and the format is VTK.
+ *
+ *  Of a field with a metric, the file has the tensors: a 3D-symmetric-matrix in .nrrd, TENSORS in .vtk. They are in the
+ *  coordinates of the file. CLEFT_ERROR_UNSUPPORTED for other formats. \since 0.1 */
 CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_write_sizing(cleft_context* context, const cleft_sizing* sizing,
                                                                 const char* path, cleft_io_world world) CLEFT_NOEXCEPT;
 
@@ -198,6 +201,33 @@ CLEFT_IO_API void cleft_io_free(void* array) CLEFT_NOEXCEPT;
 CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_read_sizing(cleft_context* context, const cleft_volume* volume,
                                                                const char* path, const cleft_io_reading* reading,
                                                                int32_t combine, const cleft_options* options,
+                                                               cleft_sizing** out) CLEFT_NOEXCEPT;
+
+/** The order of the numbers of a symmetric tensor in a file. \since 0.1 */
+typedef int32_t cleft_io_tensor_order;
+enum {
+    CLEFT_IO_ORDER_FILE = 0, /**< as the file says; six numbers of which it says nothing are CLEFT_ERROR_FORMAT */
+    CLEFT_IO_ORDER_NRRD = 1, /**< xx, xy, xz, yy, yz, zz: that of NRRD and of this library */
+    CLEFT_IO_ORDER_VTK = 2,  /**< xx, yy, zz, xy, yz, xz */
+    CLEFT_IO_ORDER_NIFTI = 3 /**< xx, xy, yy, xz, yz, zz: that of NIfTI, MEDIT and mmg */
+};
+
+/** Reads a user-supplied metric from a file, and makes a sizing field of it as cleft_sizing_create_metric() does.
+ *  `combine` and `options` are those of that function. The file has six numbers a voxel, seven with a mask before them
+ *  (NRRD), or all nine. It is NRRD, NIfTI, or VTK legacy; docs/formats.md says how tensors stand in each.
+ *
+ *  CLEFT_ERROR_ARGUMENT if the file does not have the voxels of the volume, as in cleft_io_read_sizing(). If `volume`
+ *  is NULL, the field is on the grid of the file.
+ *
+ *  The tensors are in the coordinates of the file, or in its measurement frame (NRRD). `reading` may be NULL. It must
+ *  name the world in which the volume was read. Its scale multiplies the lengths that the metric asks for.
+ *
+ *  CLEFT_ERROR_FORMAT if nine numbers are not symmetric; the sentence names the voxel. Tensors that are no metric are
+ *  refused as in cleft_sizing_create_metric(). The caller owns *out. \since 0.1 */
+CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_read_metric(cleft_context* context, const cleft_volume* volume,
+                                                               const char* path, const cleft_io_reading* reading,
+                                                               cleft_io_tensor_order order, int32_t combine,
+                                                               const cleft_options* options,
                                                                cleft_sizing** out) CLEFT_NOEXCEPT;
 
 /* -------------------------------------------------------------------------------------------------- meshes -- */

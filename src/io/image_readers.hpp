@@ -1,25 +1,29 @@
 // The readers of single files, one for each format. `is` knows a format by the first bytes
-// of the file; `read` throws Errors that do not name the file.
+// of the file; `read` throws Errors that do not name the file. Formats that may have a tensor at each voxel have a
+// second function for it.
 #pragma once
 
 #include "io/file_head.hpp"
-#include "io/image.hpp"
+#include "io/tensor_image.hpp"
 
 namespace cleft::io
 {
 
 bool is_nrrd(const FileHead& head);
 Image read_nrrd(const std::string& path, const FileHead& head);
+TensorImage read_nrrd_tensors(const std::string& path, const FileHead& head);
 bool is_metaimage(const FileHead& head);
 Image read_metaimage(const std::string& path, const FileHead& head);
 bool is_vtk_volume(const FileHead& head);
 Image read_vtk_volume(const std::string& path, const FileHead& head);
+TensorImage read_vtk_tensors(const std::string& path, const FileHead& head);
 bool is_gipl(const FileHead& head);
 Image read_gipl(const std::string& path, const FileHead& head);
 bool is_mrc(const FileHead& head);
 Image read_mrc(const std::string& path, const FileHead& head);
 bool is_nifti(const FileHead& head);
 Image read_nifti(const std::string& path, const FileHead& head);
+TensorImage read_nifti_tensors(const std::string& path, const FileHead& head);
 bool is_tiff(const FileHead& head);
 Image read_tiff(const std::string& path, const FileHead& head);
 bool is_png(const FileHead& head);

@@ -217,6 +217,41 @@ NrrdAxes nrrd_axes(const NrrdHeader& header)
     return axes;
 }
 
+NrrdAxes nrrd_tensor_axes(const NrrdHeader& header)
+{
+    NrrdAxes axes;
+    // Nothing is said of axes without directions and kinds. The numbers of a voxel come first, as all writers have it.
+    const bool is_silent = header.directions.empty() && header.kinds.empty();
+    for (size_t axis = 0; axis < header.sizes.size(); ++axis) {
+        if (is_silent ? axis > 0 : is_spatial(header, axis))
+            axes.space.push_back(axis);
+        else if (!axes.other)
+            axes.other = axis;
+    }
+    if (axes.space.size() != 3 || header.sizes.size() != 4)
+        throw Error(CLEFT_ERROR_FORMAT, "a metric has three axes of space and one of numbers, but it has " +
+                                            counted(static_cast<int64_t>(axes.space.size()), "axis", "axes") +
+                                            " of space among " + std::to_string(header.sizes.size()));
+    if (*axes.other != 0 && *axes.other != 3)
+        throw Error(CLEFT_ERROR_FORMAT, "the axis of the numbers of its tensors lies between its axes of space");
+    return axes;
+}
+
+std::array<Vector3, 3> nrrd_measurement_frame(const NrrdHeader& header)
+{
+    Image unused;  // whose notes set_nrrd_geometry() has given already
+    const Vector3 signs = header.directions.empty() ? Vector3{1, 1, 1} : signs_of(header, unused);
+    std::array<Vector3, 3> frame{Vector3{signs[0], 0, 0}, Vector3{0, signs[1], 0}, Vector3{0, 0, signs[2]}};
+    if (header.measurement_frame.empty())
+        return frame;
+    const auto vectors = nrrd_vectors("measurement frame", header.measurement_frame);
+    if (vectors.size() != 3 || !vectors[0] || !vectors[1] || !vectors[2])
+        refuse_field("measurement frame", header.measurement_frame, "three vectors are wanted");
+    for (size_t a = 0; a < 3; ++a)
+        frame[a] = vector_of("measurement frame", *vectors[a], 3, signs);
+    return frame;
+}
+
 void set_nrrd_geometry(const NrrdHeader& header, const NrrdAxes& axes, Image& image)
 {
     if (header.directions.empty())

@@ -16,6 +16,11 @@ struct NrrdAxes {
 
 // Throws if the axes are none of a volume, or of several.
 NrrdAxes nrrd_axes(const NrrdHeader& header);
+// The same of a file with a tensor at each voxel, which has three axes of space; `other` is that of its numbers.
+NrrdAxes nrrd_tensor_axes(const NrrdHeader& header);
+// The axes that vectors and tensors in the file have their coordinates in, in LPS. Those of its space if it says
+// nothing else.
+std::array<Vector3, 3> nrrd_measurement_frame(const NrrdHeader& header);
 // Sets directions, spacing and origin.
 // `axes` are those of nrrd_axes(). Throws where fields contradict each other; doubts go to
 // image.notes.

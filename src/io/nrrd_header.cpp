@@ -68,35 +68,6 @@ VoxelData::Encoding encoding_named(const std::string& value)
     refuse_field("encoding", value, "raw, gzip, text and hex can be read");
 }
 
-// "(1,0,0) none (0,0,2)": vectors, of which those of axes that have none are absent.
-std::vector<std::optional<std::vector<double>>> vectors_of(const std::string& field, std::string_view value)
-{
-    std::vector<std::optional<std::vector<double>>> vectors;
-    // Blanks may stand between and inside vectors, or be missing between them, so words alone do
-    // not split the value.
-    for (std::string_view rest = trimmed(value); !rest.empty(); rest = trimmed(rest)) {
-        if (rest.substr(0, 4) == "none") {
-            vectors.emplace_back();
-            rest.remove_prefix(4);
-            continue;
-        }
-        const size_t end = rest.find(')');
-        if (rest[0] != '(' || end == std::string_view::npos)
-            refuse_field(field, value, "vectors such as (1,0,0), or none, are wanted");
-        std::vector<double> vector;
-        std::string_view inside = rest.substr(1, end - 1);
-        for (size_t comma = 0; comma != std::string_view::npos; inside.remove_prefix(comma + 1)) {
-            comma = inside.find(',');
-            vector.push_back(real_of(field, trimmed(inside.substr(0, comma))));
-            if (comma == std::string_view::npos)
-                break;
-        }
-        vectors.emplace_back(std::move(vector));
-        rest.remove_prefix(end + 1);
-    }
-    return vectors;
-}
-
 class HeaderReader
 {
 public:
@@ -207,14 +178,17 @@ private:
         } else if (field == "spacedimension") {
             header_.space_dimension = static_cast<size_t>(integer_of("space dimension", value));
         } else if (field == "spaceorigin") {
-            auto vectors = vectors_of("space origin", value);
+            auto vectors = nrrd_vectors("space origin", value);
             if (vectors.size() != 1 || !vectors[0])
                 refuse_field("space origin", value, "one vector is wanted");
             header_.origin = *vectors[0];
         } else if (field == "spacedirections") {
-            header_.directions = vectors_of("space directions", value);
+            header_.directions = nrrd_vectors("space directions", value);
             if (header_.directions.size() != axes(field))
                 refuse_field("space directions", value, "a vector for each axis is wanted");
+        } else if (field == "measurementframe") {
+            // It matters to tensors alone, and is not judged in other files.
+            header_.measurement_frame = value;
         } else {
             return false;
         }
@@ -230,9 +204,8 @@ private:
             header_.notes.emplace_back("its fields 'old min' and 'old max' are not applied to the voxels");
         // "min" and "max" are of the values. Units and thicknesses do not change the places of
         // voxels.
-        static const std::set<std::string> ignored{"content",     "number",           "sampleunits", "min",
-                                                   "max",         "oldmin",           "oldmax",      "spaceunits",
-                                                   "thicknesses", "measurementframe", "labels",      "units"};
+        static const std::set<std::string> ignored{"content", "number",     "sampleunits", "min",    "max",  "oldmin",
+                                                   "oldmax",  "spaceunits", "thicknesses", "labels", "units"};
         return ignored.count(field) > 0;
     }
 
@@ -366,6 +339,34 @@ private:
 };
 
 }  // namespace
+
+std::vector<std::optional<std::vector<double>>> nrrd_vectors(const std::string& field, std::string_view value)
+{
+    std::vector<std::optional<std::vector<double>>> vectors;
+    // Blanks may stand between and inside vectors, or be missing between them, so words alone do
+    // not split the value.
+    for (std::string_view rest = trimmed(value); !rest.empty(); rest = trimmed(rest)) {
+        if (rest.substr(0, 4) == "none") {
+            vectors.emplace_back();
+            rest.remove_prefix(4);
+            continue;
+        }
+        const size_t end = rest.find(')');
+        if (rest[0] != '(' || end == std::string_view::npos)
+            refuse_field(field, value, "vectors such as (1,0,0), or none, are wanted");
+        std::vector<double> vector;
+        std::string_view inside = rest.substr(1, end - 1);
+        for (size_t comma = 0; comma != std::string_view::npos; inside.remove_prefix(comma + 1)) {
+            comma = inside.find(',');
+            vector.push_back(real_of(field, trimmed(inside.substr(0, comma))));
+            if (comma == std::string_view::npos)
+                break;
+        }
+        vectors.emplace_back(std::move(vector));
+        rest.remove_prefix(end + 1);
+    }
+    return vectors;
+}
 
 NrrdHeader read_nrrd_header(const std::string& path) { return HeaderReader(path).read(); }
 

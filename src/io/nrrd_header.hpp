@@ -29,9 +29,13 @@ struct NrrdHeader {
     std::string space;
     size_t space_dimension = 0;
     std::vector<double> origin;
+    std::string measurement_frame;            // as written; see nrrd_measurement_frame()
     std::map<std::string, std::string> keys;  // key:=value
     std::vector<std::string> notes;
 };
+
+// "(1,0,0) none (0,0,2)": vectors, of which those of axes that have none are absent.
+std::vector<std::optional<std::vector<double>>> nrrd_vectors(const std::string& field, std::string_view value);
 
 // Throws Errors that do not name the file.
 NrrdHeader read_nrrd_header(const std::string& path);

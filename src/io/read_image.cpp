@@ -18,15 +18,16 @@ struct Reader {
     const char* name;
     bool (*is)(const FileHead& head);
     Image (*read)(const std::string& path, const FileHead& head);
+    TensorImage (*read_tensors)(const std::string& path, const FileHead& head) = nullptr;
 };
 
 // Formats with a sure mark come first. Foreign marks stand before NIfTI, since Analyze is known by
 // little more than a number, and foreign extensions come last.
 constexpr Reader kReaders[] = {
     {"DICOM", is_dicom, read_dicom_image},
-    {"NRRD", is_nrrd, read_nrrd},
+    {"NRRD", is_nrrd, read_nrrd, read_nrrd_tensors},
     {"MetaImage", is_metaimage, read_metaimage},
-    {"VTK legacy", is_vtk_volume, read_vtk_volume},
+    {"VTK legacy", is_vtk_volume, read_vtk_volume, read_vtk_tensors},
     {"GIPL", is_gipl, read_gipl},
     {"MRC", is_mrc, read_mrc},
     {"TIFF", is_tiff, read_tiff},
@@ -34,17 +35,25 @@ constexpr Reader kReaders[] = {
     {"JPEG", is_jpeg, read_jpeg},
     {"BMP", is_bmp, read_bmp},
     {"known by its first bytes, but not read", has_foreign_mark, refuse_foreign_format},
-    {"NIfTI or Analyze", is_nifti, read_nifti},
+    {"NIfTI or Analyze", is_nifti, read_nifti, read_nifti_tensors},
     {"known, but not read", is_foreign_format, refuse_foreign_format},
 };
 
-Image read_by_table(const std::string& path)
+const Reader& reader_of(const FileHead& head)
 {
-    const FileHead head = read_head(path);
     for (const Reader& reader : kReaders)
         if (reader.is(head))
-            return reader.read(path, head);
+            return reader;
     throw Error(CLEFT_ERROR_FILE, "it is in no format of volumes that can be read, or it is damaged");
+}
+
+// Notes, names and messages may carry text of the file. Control characters in it could change what a terminal shows.
+void make_printable(Image& image)
+{
+    for (std::string& note : image.notes)
+        note = printable(note);
+    for (auto& [label, name] : image.names)
+        name = printable(name);
 }
 
 }  // namespace
@@ -52,14 +61,26 @@ Image read_by_table(const std::string& path)
 Image read_image(const std::string& path)
 {
     try {
-        Image image = read_by_table(path);
-        // Notes, names and messages may carry text of the file. Control characters in it could
-        // change what a terminal shows.
-        for (std::string& note : image.notes)
-            note = printable(note);
-        for (auto& [label, name] : image.names)
-            name = printable(name);
+        const FileHead head = read_head(path);
+        Image image = reader_of(head).read(path, head);
+        make_printable(image);
         return image;
+    } catch (const Error& error) {
+        throw Error(error.status(), printable(error.what()));
+    }
+}
+
+TensorImage read_tensor_image(const std::string& path)
+{
+    try {
+        const FileHead head = read_head(path);
+        const Reader& reader = reader_of(head);
+        if (!reader.read_tensors)
+            throw Error(CLEFT_ERROR_UNSUPPORTED,
+                        "a metric can be read from NRRD, NIfTI and VTK legacy, and it is none");
+        TensorImage tensors = reader.read_tensors(path, head);
+        make_printable(tensors.image);
+        return tensors;
     } catch (const Error& error) {
         throw Error(error.status(), printable(error.what()));
     }

@@ -130,6 +130,9 @@ Component component_of(const NiftiHeader& header)
                                         std::to_string(header.datatype) + ")");
 }
 
+constexpr int kMatrixIntent = 1004;
+constexpr int kSymmetricIntent = 1005;
+
 // What is no volume of numbers, whatever its dimensions are.
 // NIFTI_INTENT_ codes of nifti1.h. A vector in three components would pass for three volumes, and
 // surface data for a volume of one row.
@@ -145,7 +148,7 @@ void check_intent(int intent)
         refuse("points in time");
     if (intent == 2003 || intent == 2004)
         refuse("colours");
-    if (intent == 1004 || intent == 1005)
+    if (intent == kMatrixIntent || intent == kSymmetricIntent)
         refuse("matrices");
     if (intent == 1006 || intent == 1007 || intent == 1010)
         refuse("vectors");
@@ -167,12 +170,17 @@ void check_dimensions(NiftiHeader& header)
             throw Error(CLEFT_ERROR_FORMAT, "dim[" + std::to_string(axis) + "] is " + std::to_string(header.dim[axis]) +
                                                 ": it has no voxels");
     }
+}
+
+void check_one_number(const NiftiHeader& header)
+{
     // nifti1.h keeps the fifth dimension for several values at each voxel.
     if (header.dim[5] > 1)
         throw Error(CLEFT_ERROR_FORMAT, "it has " + std::to_string(header.dim[5]) +
                                             " numbers a voxel (its fifth dimension); one is wanted");
     if (header.dim[6] > 1 || header.dim[7] > 1)
-        throw Error(CLEFT_ERROR_FORMAT, "it has " + std::to_string(axes) + " dimensions; at most four are wanted");
+        throw Error(CLEFT_ERROR_FORMAT,
+                    "it has " + std::to_string(header.dim[0]) + " dimensions; at most four are wanted");
 }
 
 uintmax_t offset_of_voxels(const NiftiHeader& header)
@@ -264,6 +272,44 @@ Names names_of(const std::string& path, const FileHead& head)
     return {path, path};
 }
 
+struct NiftiFile {
+    Names names;
+    NiftiHeader header;
+};
+
+NiftiFile open_nifti(const std::string& path, const FileHead& head)
+{
+    NiftiFile file{names_of(path, head), {}};
+    Names& names = file.names;
+    file.header = read_nifti_header(names.header);
+    if (file.header.single_file)
+        // "n+1" in a file called .img is a single file with a wrong name.
+        names.voxels = names.header;
+    else if (names.voxels == names.header)
+        names.voxels = partner(path, ".img", ".IMG");
+    return file;
+}
+
+Image read_fields(const std::string& path, const NiftiFile& file, int64_t fields)
+{
+    const NiftiHeader& header = file.header;
+    const std::string& voxels = file.names.voxels;
+    Image image;
+    image.dims = {header.dim[1], header.dim[2], header.dim[3]};
+    image.fields = fields;
+    image.component = component_of(header);
+    set_nifti_geometry(header, image);
+    if (header.kind == NiftiKind::analyze)
+        note_spm_file(path, image);
+    // An error in the other file must name it, as the user did not.
+    if (voxels == path)
+        read_voxels(path, header, image);
+    else
+        naming_file(voxels, [&] { read_voxels(voxels, header, image); });
+    scale_values(header.slope, header.intercept, image);
+    return image;
+}
+
 }  // namespace
 
 bool is_nifti(const FileHead& head)
@@ -274,29 +320,32 @@ bool is_nifti(const FileHead& head)
 
 Image read_nifti(const std::string& path, const FileHead& head)
 {
-    Names names = names_of(path, head);
-    NiftiHeader header = read_nifti_header(names.header);
-    if (header.single_file)
-        // "n+1" in a file called .img is a single file with a wrong name.
-        names.voxels = names.header;
-    else if (names.voxels == names.header)
-        names.voxels = partner(path, ".img", ".IMG");
-    check_intent(header.intent);
+    NiftiFile file = open_nifti(path, head);
+    check_intent(file.header.intent);
+    check_dimensions(file.header);
+    check_one_number(file.header);
+    return read_fields(path, file, file.header.dim[4]);
+}
+
+TensorImage read_nifti_tensors(const std::string& path, const FileHead& head)
+{
+    NiftiFile file = open_nifti(path, head);
+    NiftiHeader& header = file.header;
+    if (header.intent != kMatrixIntent && header.intent != kSymmetricIntent)
+        check_intent(header.intent);
     check_dimensions(header);
-    Image image;
-    image.dims = {header.dim[1], header.dim[2], header.dim[3]};
-    image.fields = header.dim[4];
-    image.component = component_of(header);
-    set_nifti_geometry(header, image);
-    if (header.kind == NiftiKind::analyze)
-        note_spm_file(path, image);
-    // An error in the other file must name it, as the user did not.
-    if (names.voxels == path)
-        read_voxels(path, header, image);
-    else
-        naming_file(names.voxels, [&] { read_voxels(names.voxels, header, image); });
-    scale_values(header.slope, header.intercept, image);
-    return image;
+    // nifti1.h keeps the fifth dimension for the numbers of a voxel. Some programs use the fourth.
+    if (header.dim[4] > 1 && header.dim[5] > 1)
+        throw Error(CLEFT_ERROR_FORMAT, "it has " + std::to_string(header.dim[4]) +
+                                            " tensors a voxel (its fourth dimension); one is wanted");
+    if (header.dim[6] > 1 || header.dim[7] > 1)
+        throw Error(CLEFT_ERROR_FORMAT, "it has " + std::to_string(header.dim[0]) + " dimensions; five are wanted");
+    TensorImage tensors;
+    tensors.image = read_fields(path, file, header.dim[4] * header.dim[5]);
+    // By rows of the lower triangle.
+    tensors.order = header.intent == kSymmetricIntent ? CLEFT_IO_ORDER_NIFTI : CLEFT_IO_ORDER_FILE;
+    tensors.frame = kRasFrame;
+    return tensors;
 }
 
 }  // namespace cleft::io

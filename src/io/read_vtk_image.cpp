@@ -242,6 +242,19 @@ VtkArray chosen(const std::vector<VtkArray>& arrays, Image& image)
     return array;
 }
 
+// The array of tensors, if there is one alone.
+VtkArray chosen_tensors(const std::vector<VtkArray>& arrays)
+{
+    std::vector<VtkArray> usable;
+    for (const VtkArray& array : arrays)
+        if (array.is_numeric && !array.is_bit && !array.is_colour && (array.components == 6 || array.components == 9))
+            usable.push_back(array);
+    if (usable.size() != 1)
+        throw Error(CLEFT_ERROR_FORMAT, "it has " + std::to_string(usable.size()) +
+                                            " arrays of six or nine numbers a voxel; one is wanted");
+    return usable.front();
+}
+
 void set_place(const Grid& grid, bool on_cells, Image& image)
 {
     image.dims = on_cells ? cells_of(grid) : grid.points;
@@ -287,8 +300,8 @@ void read_values(const std::string& path, const Grid& grid, const VtkArray& arra
     allocate_voxels(image);
     if (!grid.binary) {
         const auto store = array.is_colour ? store_colour : store_text_voxel;
-        for (int64_t voxel = 0; voxel < image.field_size(); ++voxel)
-            store(source.word(), image, voxel);
+        for (int64_t i = 0; i < image.field_size() * image.fields; ++i)
+            store(source.word(), image, i);
         note_text_end(source.left() == 0, image);
     } else if (array.is_bit) {
         read_bits(source, image);
@@ -314,6 +327,23 @@ Image read_vtk_volume(const std::string& path, const FileHead&)
     set_place(grid, array.on_cells, image);
     read_values(path, grid, array, image);
     return image;
+}
+
+TensorImage read_vtk_tensors(const std::string& path, const FileHead&)
+{
+    TextSource source(path);
+    const Grid grid = read_grid(source);
+    const VtkArray array =
+        chosen_tensors(find_vtk_arrays(source, grid.binary, product_of(grid.points), product_of(cells_of(grid))));
+    TensorImage tensors;
+    tensors.side_by_side = true;
+    // VTK has one order for six numbers, whatever keyword they come under.
+    tensors.order = array.components == 6 ? CLEFT_IO_ORDER_VTK : CLEFT_IO_ORDER_FILE;
+    tensors.image.component = array.component;
+    tensors.image.fields = array.components;
+    set_place(grid, array.on_cells, tensors.image);
+    read_values(path, grid, array, tensors.image);
+    return tensors;
 }
 
 }  // namespace cleft::io

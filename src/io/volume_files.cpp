@@ -6,6 +6,7 @@
 #include "io/image_series.hpp"
 #include "io/raw_image.hpp"
 #include "io/same_grid.hpp"
+#include "io/tensor_image.hpp"
 #include "io/text_scanner.hpp"
 #include "io/voxels.hpp"
 #include "io/write_image.hpp"
@@ -14,6 +15,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
+#include <vector>
 
 // The size of the struct in version 0.1. Callers that were compiled with it stay valid when fields
 // are added at the end.
@@ -45,14 +48,19 @@ cleft_io_reading reading_or_defaults(const cleft_io_reading* given)
     return reading;
 }
 
-Image read_and_tell(cleft_context* context, const std::string& path, const cleft_io_reading& reading)
+void tell_notes(cleft_context* context, const std::string& path, const Image& image, const cleft_io_reading& reading)
 {
-    Image image = read_image_or_series(path);
     // Notes of the reader first: they explain the geometry that the next ones speak of.
     for (const std::string& note : image.notes)
         report(context, "'" + path + "': " + note);
     for (const std::string& note : notes_on_spacing(image, reading))
         report(context, "'" + path + "': " + note);
+}
+
+Image read_and_tell(cleft_context* context, const std::string& path, const cleft_io_reading& reading)
+{
+    Image image = read_image_or_series(path);
+    tell_notes(context, path, image, reading);
     return image;
 }
 
@@ -90,6 +98,61 @@ Image read_field_image(cleft_context* context, const char* path, const cleft_io_
         make_floating(image);
     });
     return image;
+}
+
+VoxelGrid grid_of(cleft_context* context, const cleft_volume* volume)
+{
+    VoxelGrid grid{};
+    check(context, cleft_volume_dims(volume, grid.dims.data()), "volume: ");
+    check(context, cleft_volume_affine(volume, grid.affine.data()), "volume: ");
+    return grid;
+}
+
+// In LPS, the numbers of a voxel side by side.
+void copy_metric(cleft_context* context, const cleft_sizing* sizing, cleft_io_world world, Image& image)
+{
+    auto* numbers = reinterpret_cast<float*>(image.voxels.get());
+    const int64_t count = 6 * image.field_size();
+    check(context, cleft_sizing_copy_metric(sizing, numbers, count), "sizing: ");
+    if (world != CLEFT_IO_WORLD_RAS)
+        return;
+    // x and y change their signs, and so do their products with z.
+    for (int64_t i = 0; i < count; i += 6)
+        for (const int64_t product : {i + 2, i + 4})
+            numbers[product] = 0 - numbers[product];
+}
+
+struct DestroyVolume {
+    void operator()(cleft_volume* volume) const { cleft_volume_destroy(volume); }
+};
+
+// A volume of one label, for a field that has no other.
+std::unique_ptr<cleft_volume, DestroyVolume> blank_volume(cleft_context* context, const VoxelGrid& grid)
+{
+    Image image;
+    image.dims = grid.dims;
+    const std::vector<uint8_t> labels(checked_bytes(image));
+    cleft_volume* volume = nullptr;
+    check(context, cleft_volume_create_labels(context, CLEFT_TYPE_UINT8, labels.data(), grid.dims.data(),
+                                              grid.affine.data(), nullptr, &volume));
+    return std::unique_ptr<cleft_volume, DestroyVolume>(volume);
+}
+
+void read_metric(cleft_context* context, const cleft_volume* volume, const std::string& path,
+                 const cleft_io_reading& reading, cleft_io_tensor_order order, int32_t combine,
+                 const cleft_options* options, cleft_sizing** out)
+{
+    naming_file(path, [&] {
+        TensorImage tensors = read_tensor_image(path);
+        tell_notes(context, path, tensors.image, reading);
+        const VoxelGrid grid{tensors.image.dims, affine_of(tensors.image, reading)};
+        if (volume)
+            check_same_grid(grid, grid_of(context, volume), "the volume");
+        const std::vector<double> metric = metric_of(std::move(tensors), order, reading);
+        const auto blank = volume ? nullptr : blank_volume(context, grid);
+        check(context, cleft_sizing_create_metric(context, volume ? volume : blank.get(), CLEFT_TYPE_FLOAT64,
+                                                  metric.data(), combine, options, out));
+    });
 }
 
 }  // namespace
@@ -139,6 +202,8 @@ cleft_status cleft_io_write_sizing(cleft_context* context, const cleft_sizing* s
         Affine affine{};
         Image image;
         image.component = Component::float32;
+        const bool has_metric = cleft_sizing_has_metric(sizing) != 0;
+        image.fields = has_metric ? 6 : 1;
         check(context, cleft_sizing_dims(required(sizing, "sizing"), image.dims.data()), "sizing: ");
         check(context, cleft_sizing_affine(sizing, affine.data()), "sizing: ");
         // The world in which the volume was read: the field's numbers are in it, and files are
@@ -147,8 +212,11 @@ cleft_status cleft_io_write_sizing(cleft_context* context, const cleft_sizing* s
             throw cleft::Error(CLEFT_ERROR_ARGUMENT, "there is no world " + std::to_string(world));
         set_geometry(affine, world, image);
         allocate_voxels(image);
-        std::memcpy(image.voxels.get(), cleft_sizing_values(sizing), image.bytes());
-        naming_file(path, [&] { write_image(path, image); });
+        if (has_metric)
+            copy_metric(context, sizing, world, image);
+        else
+            std::memcpy(image.voxels.get(), cleft_sizing_values(sizing), image.bytes());
+        naming_file(path, [&] { has_metric ? write_tensors(path, image) : write_image(path, image); });
     });
 }
 
@@ -181,10 +249,7 @@ cleft_status cleft_io_read_sizing(cleft_context* context, const cleft_volume* vo
                                   cleft_sizing** out) noexcept
 {
     return entry_making(context, out, {volume, options}, [&] {
-        std::array<int64_t, 3> dims{};
-        Affine affine{};
-        check(context, cleft_volume_dims(required(volume, "volume"), dims.data()), "volume: ");
-        check(context, cleft_volume_affine(volume, affine.data()), "volume: ");
+        const VoxelGrid grid = grid_of(context, required(volume, "volume"));
         Affine map{};
         const cleft_io_reading how = reading_or_defaults(reading);
         Image image = read_field_image(context, required(path, "path"), how, map);
@@ -192,9 +257,19 @@ cleft_status cleft_io_read_sizing(cleft_context* context, const cleft_volume* vo
         // the unit of the mesh, passes 1.
         scale_values(how.scale, image);
         naming_file(path, [&] {
-            check_same_grid({image.dims, map}, {dims, affine}, "the volume");
+            check_same_grid({image.dims, map}, grid, "the volume");
             check(context, cleft_sizing_create_values(context, volume, type_of(image.component), image.voxels.get(),
                                                       combine, options, out));
         });
+    });
+}
+
+cleft_status cleft_io_read_metric(cleft_context* context, const cleft_volume* volume, const char* path,
+                                  const cleft_io_reading* reading, cleft_io_tensor_order order, int32_t combine,
+                                  const cleft_options* options, cleft_sizing** out) noexcept
+{
+    return entry_making(context, out, {volume, options}, [&] {
+        read_metric(context, volume, required(path, "path"), reading_or_defaults(reading), order, combine, options,
+                    out);
     });
 }

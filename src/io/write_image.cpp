@@ -1,5 +1,5 @@
-// Writes fields of float as volumes: NRRD, MetaImage, legacy VTK; NIfTI has a file of its own. What a format cannot
-// hold is refused.
+// Writes fields of float as volumes: NRRD, MetaImage, legacy VTK; NIfTI has a file of its own. Tensors go to NRRD and
+// legacy VTK. What a format cannot hold is refused.
 #include "io/write_image.hpp"
 
 #include "base/error.hpp"
@@ -7,6 +7,7 @@
 #include "io/file_name.hpp"
 #include "io/image_readers.hpp"
 #include "io/packed_bytes.hpp"
+#include "io/voxel_access.hpp"
 #include "io/voxel_data.hpp"
 #include "io/write_nifti.hpp"
 
@@ -40,16 +41,22 @@ void print_vector(AtomicFile& file, const Vector3& vector)
 
 void write_nrrd(AtomicFile& file, const Image& image)
 {
-    // Version 4 has the fields of space; versions above add nothing that is needed here.
-    file.print("NRRD0004\ntype: float\ndimension: 3\nspace: left-posterior-superior\nsizes: ");
+    // Tensors have an axis of their numbers in front.
+    const bool has_tensors = image.fields > 1;
+    // Version 4 has the fields of space, version 5 the measurement frame.
+    file.print(has_tensors ? "NRRD0005\ntype: float\ndimension: 4\n" : "NRRD0004\ntype: float\ndimension: 3\n",
+               "space: left-posterior-superior\nsizes: ", has_tensors ? "6 " : "");
     print_sizes(file, image);
-    file.print("space directions:");
+    file.print("space directions:", has_tensors ? " none" : "");
     for (size_t axis = 0; axis < 3; ++axis) {
         file.print(' ');
         print_vector(file, times(image.spacing[axis], image.directions[axis]));
     }
-    file.print("\nkinds: domain domain domain\nendian: little\nencoding: gzip\nspace origin: ");
+    file.print("\nkinds:", has_tensors ? " 3D-symmetric-matrix" : "",
+               " domain domain domain\nendian: little\nencoding: gzip\nspace origin: ");
     print_vector(file, image.origin);
+    if (has_tensors)
+        file.print("\nmeasurement frame: (1,0,0) (0,1,0) (0,0,1)");
     // The empty line ends the header.
     file.print("\n\n", packed_bytes(voxel_bytes(image), Wrapping::gzip));
 }
@@ -75,21 +82,47 @@ void write_metaimage(AtomicFile& file, const Image& image)
     file.print("ElementType = MET_FLOAT\nElementDataFile = LOCAL\n", voxels);
 }
 
-void write_vtk_volume(AtomicFile& file, const Image& image)
+// Numbers of legacy VTK are big-endian.
+void write_swapped(AtomicFile& file, const std::byte* from, size_t bytes)
 {
-    // Big-endian copies of 256 kB, so that the field is not held twice.
-    constexpr size_t kChunk = size_t{1} << 18;
+    std::vector<std::byte> swapped(from, from + bytes);
+    swap_bytes(swapped.data(), swapped.size() / sizeof(float), sizeof(float));
+    file.write(swapped.data(), swapped.size());
+}
+
+void write_vtk_header(AtomicFile& file, const Image& image)
+{
     file.print("# vtk DataFile Version 3.0\nCleft sizing field\nBINARY\nDATASET STRUCTURED_POINTS\nDIMENSIONS ");
     print_sizes(file, image);
     file.print("ORIGIN ", image.origin[0], ' ', image.origin[1], ' ', image.origin[2], "\nSPACING ", image.spacing[0],
-               ' ', image.spacing[1], ' ', image.spacing[2], "\nPOINT_DATA ", image.field_size(),
-               "\nSCALARS size float 1\nLOOKUP_TABLE default\n");
-    std::vector<std::byte> swapped;
-    for (size_t begin = 0; begin < image.bytes(); begin += kChunk) {
-        const std::byte* from = image.voxels.get() + begin;
-        swapped.assign(from, from + std::min(kChunk, image.bytes() - begin));
-        swap_bytes(swapped.data(), swapped.size() / sizeof(float), sizeof(float));
-        file.write(swapped.data(), swapped.size());
+               ' ', image.spacing[1], ' ', image.spacing[2], "\nPOINT_DATA ", image.field_size(), '\n');
+}
+
+void write_vtk_volume(AtomicFile& file, const Image& image)
+{
+    // Copies of 256 kB, so that the field is not held twice.
+    constexpr size_t kChunk = size_t{1} << 18;
+    write_vtk_header(file, image);
+    file.print("SCALARS size float 1\nLOOKUP_TABLE default\n");
+    for (size_t begin = 0; begin < image.bytes(); begin += kChunk)
+        write_swapped(file, image.voxels.get() + begin, std::min(kChunk, image.bytes() - begin));
+    file.print('\n');
+}
+
+// All nine numbers of each: programs show TENSORS, and few of them TENSORS6.
+void write_vtk_tensors(AtomicFile& file, const Image& image)
+{
+    constexpr int64_t kAtOnce = 1 << 13;  // tensors
+    static constexpr size_t kPlaces[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
+    write_vtk_header(file, image);
+    file.print("TENSORS metric float\n");
+    std::vector<float> nine;
+    for (int64_t begin = 0; begin < image.field_size(); begin += kAtOnce) {
+        nine.clear();
+        for (int64_t v = begin; v < std::min(begin + kAtOnce, image.field_size()); ++v)
+            for (const size_t place : kPlaces)
+                nine.push_back(load<float>(image.voxels.get(), 6 * v + static_cast<int64_t>(place)));
+        write_swapped(file, reinterpret_cast<const std::byte*>(nine.data()), nine.size() * sizeof(float));
     }
     file.print('\n');
 }
@@ -134,6 +167,22 @@ void write_image(const std::string& path, const Image& image)
         write_metaimage(file, image);
     else
         write_vtk_volume(file, image);
+    file.commit();
+}
+
+void write_tensors(const std::string& path, const Image& image)
+{
+    const std::string extension = extension_of(path);
+    const bool is_nrrd = extension == ".nrrd";
+    if (!is_nrrd && extension != ".vtk")
+        throw Error(CLEFT_ERROR_UNSUPPORTED,
+                    "a field with a metric can be written as .nrrd or .vtk, not as '" + extension + "'");
+    check_geometry(image, extension);
+    AtomicFile file(path);
+    if (is_nrrd)
+        write_nrrd(file, image);
+    else
+        write_vtk_tensors(file, image);
     file.commit();
 }
 

@@ -203,6 +203,7 @@ HOLDS(sizeof(cleft_io_backdrop) == 4);
 HOLDS(sizeof(cleft_io_colouring) == 4);
 HOLDS(sizeof(cleft_io_format) == 4);
 HOLDS(sizeof(cleft_io_kind) == 4);
+HOLDS(sizeof(cleft_io_tensor_order) == 4);
 HOLDS(sizeof(cleft_io_world) == 4);
 HOLDS(sizeof(cleft_option) == 4);
 HOLDS(sizeof(cleft_status) == 4);
@@ -314,6 +315,11 @@ HOLDS(CLEFT_IO_WORLD_RAS == 1);
 HOLDS(CLEFT_IO_KIND_AUTO == 0);
 HOLDS(CLEFT_IO_KIND_LABELS == 1);
 HOLDS(CLEFT_IO_KIND_INDICATORS == 2);
+
+HOLDS(CLEFT_IO_ORDER_FILE == 0);
+HOLDS(CLEFT_IO_ORDER_NRRD == 1);
+HOLDS(CLEFT_IO_ORDER_VTK == 2);
+HOLDS(CLEFT_IO_ORDER_NIFTI == 3);
 
 HOLDS(CLEFT_IO_BY_LABEL == 0);
 HOLDS(CLEFT_IO_BY_ANGLE == 1);

@@ -32,6 +32,7 @@ MAY_BE_NULL = {
     "cleft_io_read_volume.reading",
     "cleft_io_read_field.reading",
     "cleft_io_read_sizing.reading",
+    "cleft_io_read_metric.reading",
     "cleft_io_read_field.dims",
     "cleft_io_read_field.affine",
     "cleft_io_write_picture.strip",
