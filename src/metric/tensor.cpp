@@ -1,6 +1,7 @@
 // Exponentials by scaling and squaring: no eigenvectors, whose choice jumps where eigenvalues meet.
 #include "metric/tensor.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -48,6 +49,28 @@ Tensor log(const Tensor& metric)
     const Eigen::SelfAdjointEigenSolver<Mat3> solver(metric.matrix());
     const Vec3 logs = solver.eigenvalues().array().log();
     return to_tensor(solver.eigenvectors() * logs.asDiagonal() * solver.eigenvectors().transpose());
+}
+
+Tensor intersection(const Tensor& a, const Tensor& b)
+{
+    // In the frame in which a is the identity, the eigenvectors of b are common axes.
+    const Eigen::LLT<Mat3> root(a.matrix());
+    const Mat3 lower = root.matrixL();
+    Mat3 there = root.matrixL().solve(b.matrix());
+    there = root.matrixL().solve(there.transpose().eval()).eval();
+    Eigen::SelfAdjointEigenSolver<Mat3> axes;
+    axes.computeDirect(0.5 * (there + there.transpose()));
+    const Mat3 back = lower * axes.eigenvectors();
+    return to_tensor(back * axes.eigenvalues().cwiseMax(1).asDiagonal() * back.transpose());
+}
+
+bool covers(const Tensor& a, const Tensor& b)
+{
+    // The difference is positive definite: its leading minors are positive (Sylvester).
+    const Tensor d = a + -1.0 * b;
+    const double second = d.xx * d.yy - d.xy * d.xy;
+    return d.xx > 0 && second > 0 &&
+           d.zz * second - d.xx * d.yz * d.yz + 2 * d.xy * d.xz * d.yz - d.yy * d.xz * d.xz > 0;
 }
 
 // By the angle of the cubic's roots (Smith 1961). An error of its rounding is far below what a size needs.

@@ -48,6 +48,11 @@ Tensor unit_exp(const Tensor& log);
 Tensor exp(const Tensor& log);
 // Of a positive definite tensor.
 Tensor log(const Tensor& metric);
+// The least metric that is nowhere less than either: its lengths are no greater than theirs in any direction, and their
+// unit balls touch its own (simultaneous reduction; Alauzet 2010). The first must be positive definite.
+Tensor intersection(const Tensor& a, const Tensor& b);
+// a is greater than b in every direction. At equality, either answer.
+bool covers(const Tensor& a, const Tensor& b);
 // From the least to the greatest.
 Vec3 eigenvalues(const Tensor& tensor);
 

@@ -5,6 +5,7 @@
 #include "background/metric_background.hpp"
 #include "background/repair.hpp"
 #include "base/counted.hpp"
+#include "base/number_text.hpp"
 #include "base/stage.hpp"
 #include "fitting/fit_volumes.hpp"
 #include "mesh/order.hpp"
@@ -14,6 +15,7 @@
 #include "pipeline/missed_angles.hpp"
 #include "pipeline/number_search.hpp"
 #include "pipeline/volume_differences.hpp"
+#include "sizing/anisotropic_sizing.hpp"
 #include "sizing/metric_sizing.hpp"
 #include "sizing/volume_sizing.hpp"
 
@@ -150,6 +152,32 @@ LabelledMesh finished_and_stripped(const Volume& volume, LabelledMesh mesh, cons
 
 }  // namespace
 
+namespace
+{
+
+SizingField anisotropic_sizes_of(const Volume& volume, const SizingOptions& options, BackgroundKind kind,
+                                 const Run& run)
+{
+    if (kind != BackgroundKind::particles)
+        throw Error(CLEFT_ERROR_OPTION, "an anisotropy above 1 needs the particles background");
+    if (options.size > 0) {
+        run.warn("anisotropy has no effect on a size that is given for all places");
+        return compute_sizing(volume, options, run);
+    }
+    SizingField field = anisotropic_sizing(volume, options, run);
+    const double expected = expected_particle_tets(field);
+    if (options.max_tets > 0 && options.size_min <= 0 && expected > options.max_tets) {
+        const double factor = std::cbrt(expected / options.max_tets);
+        scale_sizing(field, factor, run);
+        run.warn("the metric of the features asks for about " + count_text(expected) +
+                 " tetrahedra: its sizes were made " + digits_text(factor, 3) +
+                 " times as large to keep to max_tets, " + count_text(options.max_tets));
+    }
+    return field;
+}
+
+}  // namespace
+
 PipelineOptions measured_by(const MetricField* metric, const PipelineOptions& options)
 {
     PipelineOptions measured = options;
@@ -163,6 +191,8 @@ SizingField sizes_of(const Volume& volume, const PipelineOptions& options, const
     sizing.expected_tets = row_of(options.background.kind).tets_near_limit;
     if (!sizing.expected_tets)
         sizing.max_tets = 0;
+    if (sizing.anisotropy > 1)
+        return anisotropic_sizes_of(volume, sizing, options.background.kind, run);
     return compute_sizing(volume, sizing, run);
 }
 

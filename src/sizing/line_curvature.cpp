@@ -66,7 +66,12 @@ Array<CurvedPoint> line_curvatures(const Volume& volume, const Run& run)
         });
         return curvature_of(near, blocks.size().minCoeff());
     };
-    return curvatures_by_block(blocks, points, is_same_line, curvature_at, run);
+    const auto found = found_by_block<double>(blocks, points, is_same_line, curvature_at, run);
+    Array<CurvedPoint> curved;
+    curved.reserve(points.size());
+    for (size_t i = 0; i < points.size(); ++i)
+        curved.push_back({points[i].x, static_cast<float>(found[i])});
+    return curved;
 }
 
 }  // namespace cleft

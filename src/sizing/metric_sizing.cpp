@@ -117,6 +117,21 @@ SizingField constant_metric(const Grid& grid, const Placement& placement, const 
     return field;
 }
 
+SizingField sizing_of_tensors(const Grid& grid, const Array<Tensor>& metric, double gradation, const Run& run)
+{
+    SizingField field{grid, Array<float>(grid.size()), gradation};
+    MetricField logs{grid, Array<Six>(grid.size())};
+    parallel_for(run, grid.size(), kTensorsAtOnce, [&](int64_t begin, int64_t end) {
+        for (int64_t v = begin; v < end; ++v) {
+            const Tensor log = cleft::log(metric[v]);
+            logs.log[v] = to_six(log);
+            field.h[v] = mean_size(log);
+        }
+    });
+    field.metric = std::make_shared<const MetricField>(std::move(logs));
+    return field;
+}
+
 Tensor world_metric(const SizingField& field, const Placement& placement, int64_t voxel)
 {
     const Mat3 inverse = placement.linear.inverse();

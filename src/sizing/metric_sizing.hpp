@@ -19,6 +19,9 @@ SizingField sizing_from_metric(const Grid& grid, const Placement& placement, con
 // The same tensor everywhere.
 SizingField constant_metric(const Grid& grid, const Placement& placement, const Tensor& metric);
 
+// Of tensors of the local frame, which must be positive definite.
+SizingField sizing_of_tensors(const Grid& grid, const Array<Tensor>& metric, double gradation, const Run& run);
+
 // The metric of edges in the world at a voxel of a field that has one.
 Tensor world_metric(const SizingField& field, const Placement& placement, int64_t voxel);
 

@@ -60,24 +60,24 @@ private:
     Groups<int64_t, int32_t> groups_;
 };
 
-// The curvature at each point. Curvatures hardly change within a block: all of its points that are alike, of one
+// What is found at each point. Curvatures hardly change within a block: all of its points that are alike, of one
 // interface and one side of it, have that of the first.
-template <class Point, class IsAlike, class CurvatureAt>
-Array<CurvedPoint> curvatures_by_block(const PointBlocks& blocks, const Array<Point>& points, const IsAlike& is_alike,
-                                       const CurvatureAt& curvature_at, const Run& run)
+template <class Found, class Point, class IsAlike, class FindAt>
+Array<Found> found_by_block(const PointBlocks& blocks, const Array<Point>& points, const IsAlike& is_alike,
+                            const FindAt& find_at, const Run& run)
 {
     constexpr int64_t kBlocksAtOnce = 64;
-    Array<CurvedPoint> out(points.size());
+    Array<Found> out(points.size());
     parallel_for(run, blocks.count(), kBlocksAtOnce, [&](int64_t begin, int64_t end) {
-        Array<std::pair<int32_t, float>> known;
+        Array<std::pair<int32_t, Found>> known;
         for (int64_t block = begin; block < end; ++block) {
             known.clear();
             blocks.for_each_in(block, [&](int32_t i) {
                 const auto is_like_it = [&](const auto& first) { return is_alike(points[first.first], points[i]); };
                 auto found = std::find_if(known.begin(), known.end(), is_like_it);
                 if (found == known.end())
-                    found = known.insert(found, {i, static_cast<float>(curvature_at(block, points[i]))});
-                out[i] = {points[i].x, found->second};
+                    found = known.insert(found, {i, find_at(block, points[i])});
+                out[i] = found->second;
             });
         }
     });

@@ -24,9 +24,10 @@ struct SizingOptions {
     double gradation = 0.3;     // Lipschitz constant of h
     double interface_size = 0;  // greatest size at an interface; 0: none
     double surface_error = 0;   // greatest distance of triangles from their interface; 0: no limit
-    bool keep_thin = false;     // half the least spacing where a material is one voxel thick
-    double max_tets = 0;        // where size_min is 0, sizes from features are at least as large as keeps the expected
-                                // number of background tetrahedra to about this; 0: no limit
+    double anisotropy = 1;   // greatest ratio of the sizes along and across an interface; 1: the same in all directions
+    bool keep_thin = false;  // half the least spacing where a material is one voxel thick
+    double max_tets = 0;     // where size_min is 0, sizes from features are at least as large as keeps the expected
+                             // number of background tetrahedra to about this; 0: no limit
     // The number that max_tets limits, of the background that will be made. It need be exact near the limit only.
     // Empty: of particles.
     std::function<double(const SizingField& field, double limit, const Run& run)> expected_tets;

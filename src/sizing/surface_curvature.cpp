@@ -5,6 +5,7 @@
 #include "sizing/point_blocks.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 namespace cleft
@@ -71,34 +72,42 @@ struct Sums {
     }
 };
 
-double greatest_curvature(const Sums& s, double window)
+// The two directions are those of the window, with what the curvature along each is.
+Bend bend_of(const Sums& s, double window)
 {
+    Bend bend{Vec3::Zero(), Vec3::Zero(), {Vec3::Zero(), Vec3::Zero()}, {-1, -1}};
     if (s.count < kLeastPoints)
-        return 0;
+        return bend;
     const Vec3 x = s.x / s.weight, n = s.normal.normalized();
     const Mat3 spread = s.x_x / s.weight - x * x.transpose();
     const Mat3 slope = s.normal_x / s.weight - s.normal / s.weight * x.transpose();
     Eigen::Matrix<double, 3, 2> tangent;
     tangent.col(0) = n.unitOrthogonal();
     tangent.col(1) = n.cross(tangent.col(0));
-    const Eigen::Matrix2d S = tangent.transpose() * spread * tangent, M = tangent.transpose() * slope * tangent;
+    const Eigen::Matrix2d places = tangent.transpose() * spread * tangent,
+                          normals = tangent.transpose() * slope * tangent;
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
-    axes.computeDirect(S);
+    axes.computeDirect(places);
     const double least = kLeastSpread * window * window;
     if (!(axes.eigenvalues()[1] > least))
-        return 0;
+        return bend;
     if (!(axes.eigenvalues()[0] > least)) {
         const Eigen::Vector2d along = axes.eigenvectors().col(1);
-        return std::abs(along.dot(M * along)) / axes.eigenvalues()[1];
+        bend.along = {Vec3(tangent * axes.eigenvectors().col(0)), Vec3(tangent * along)};
+        bend.curvature[1] = std::abs(along.dot(normals * along)) / axes.eigenvalues()[1];
+        return bend;
     }
-    const Eigen::Matrix2d W = M * S.inverse();
-    const Eigen::Matrix2d symmetric = 0.5 * (W + W.transpose());
+    const Eigen::Matrix2d curvature = normals * places.inverse();
+    const Eigen::Matrix2d symmetric = 0.5 * (curvature + curvature.transpose());
     axes.computeDirect(symmetric);
-    return axes.eigenvalues().cwiseAbs().maxCoeff();
+    for (int i = 0; i < 2; ++i) {
+        bend.along[static_cast<size_t>(i)] = tangent * axes.eigenvectors().col(i);
+        bend.curvature[static_cast<size_t>(i)] = std::abs(axes.eigenvalues()[i]);
+    }
+    return bend;
 }
 
-double curvature_at(const PointBlocks& blocks, int64_t block, const Array<SurfacePoint>& points,
-                    const SurfacePoint& middle)
+Bend bend_at(const PointBlocks& blocks, int64_t block, const Array<SurfacePoint>& points, const SurfacePoint& middle)
 {
     Sums sums;
     blocks.for_each_around(block, [&](int32_t i) {
@@ -108,18 +117,33 @@ double curvature_at(const PointBlocks& blocks, int64_t block, const Array<Surfac
         if (square < 1 && is_same_side(p, middle))
             sums.add((1 - square) * (1 - square), from, p.normal);
     });
-    return greatest_curvature(sums, blocks.size().minCoeff());
+    return bend_of(sums, blocks.size().minCoeff());
 }
 
 }  // namespace
 
-Array<CurvedPoint> surface_curvatures(const Volume& volume, const Run& run)
+Array<Bend> surface_bends(const Volume& volume, const Run& run)
 {
     const Array<SurfacePoint> points = with_normals(volume, find_interface_points(volume, run), run);
     const PointBlocks blocks(volume.grid(), kWindow, points, run);
-    return curvatures_by_block(
+    Array<Bend> bends = found_by_block<Bend>(
         blocks, points, is_same_side,
-        [&](int64_t block, const SurfacePoint& middle) { return curvature_at(blocks, block, points, middle); }, run);
+        [&](int64_t block, const SurfacePoint& middle) { return bend_at(blocks, block, points, middle); }, run);
+    for (size_t i = 0; i < bends.size(); ++i) {
+        bends[i].x = points[i].x;
+        bends[i].normal = points[i].normal;
+    }
+    return bends;
+}
+
+Array<CurvedPoint> surface_curvatures(const Volume& volume, const Run& run)
+{
+    const Array<Bend> bends = surface_bends(volume, run);
+    Array<CurvedPoint> points;
+    points.reserve(bends.size());
+    for (const Bend& bend : bends)
+        points.push_back({bend.x, static_cast<float>(std::max({0.0, bend.curvature[0], bend.curvature[1]}))});
+    return points;
 }
 
 }  // namespace cleft

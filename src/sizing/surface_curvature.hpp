@@ -6,6 +6,8 @@
 #include "volume/tie_points.hpp"
 #include "volume/volume.hpp"
 
+#include <array>
+
 namespace cleft
 {
 
@@ -14,6 +16,17 @@ struct CurvedPoint {
     Vec3 x;
     float curvature;
 };
+
+// How an interface bends at a point of it: along two directions in its tangent plane, which are those of the least and
+// the greatest curvature. A curvature is negative where too few points are near to tell it.
+struct Bend {
+    Vec3 x, normal;
+    std::array<Vec3, 2> along;
+    std::array<double, 2> curvature;
+};
+
+// At each point of find_interface_points(), as surface_curvatures() finds it.
+Array<Bend> surface_bends(const Volume& volume, const Run& run);
 
 // At each point of find_interface_points().
 //   The normals of the points of the same interface in a window of some voxels around are fitted by a linear function

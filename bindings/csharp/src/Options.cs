@@ -101,6 +101,17 @@ namespace Cleft
         }
 
         /// <summary>
+        /// Greatest edge length along an interface divided by that across it. Elements are long where the interface is
+        /// flat, and where voxels are long. Angles are then good in the metric of the lengths. It takes the particles
+        /// background. 1: lengths are the same in all directions (1 to 1000; default 1).
+        /// </summary>
+        public double Anisotropy
+        {
+            get { return Real(CleftNative.CLEFT_OPTION_ANISOTROPY); }
+            set { Set(CleftNative.CLEFT_OPTION_ANISOTROPY, value); }
+        }
+
+        /// <summary>
         /// Use edges of half the least voxel spacing, or of SizeMin, where a label is one voxel thick. The mesh then
         /// keeps such parts whole (on or off; default off).
         /// </summary>

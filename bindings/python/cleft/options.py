@@ -26,6 +26,7 @@ class OptionKeywords(TypedDict, total=False):
     gradation: float
     interface_size: float
     surface_error: float
+    anisotropy: float
     keep_thin: bool
     tets: int
     max_tets: int

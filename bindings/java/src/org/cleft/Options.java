@@ -190,6 +190,29 @@ public final class Options extends NativeObject {
     }
 
     /**
+     * Sets {@code anisotropy}: greatest edge length along an interface divided by that across it. Elements are long
+     * where the interface is flat, and where voxels are long. Angles are then good in the metric of the lengths. It
+     * takes the particles background. 1: lengths are the same in all directions (1 to 1000; default 1).
+     *
+     * @param value the new value
+     * @return these options
+     */
+    public Options anisotropy(double value) {
+        return set(CleftNative.CLEFT_OPTION_ANISOTROPY, value);
+    }
+
+    /**
+     * {@code anisotropy}: greatest edge length along an interface divided by that across it. Elements are long where
+     * the interface is flat, and where voxels are long. Angles are then good in the metric of the lengths. It takes the
+     * particles background. 1: lengths are the same in all directions (1 to 1000; default 1).
+     *
+     * @return the value
+     */
+    public double anisotropy() {
+        return real(CleftNative.CLEFT_OPTION_ANISOTROPY);
+    }
+
+    /**
      * Sets {@code keepThin}: use edges of half the least voxel spacing, or of sizeMin, where a label is one voxel
      * thick. The mesh then keeps such parts whole (on or off; default off).
      *
