@@ -75,6 +75,25 @@ Json quality_json(const cleft_quality& q)
             {"dihedral_histogram", q.dihedral_histogram}};
 }
 
+Json metric_quality_json(const cleft_metric_quality& q)
+{
+    return {{"edges", q.edge_count},
+            {"edges_in_range", q.edges_in_range},
+            {"share_in_range",
+             q.edge_count > 0 ? static_cast<double>(q.edges_in_range) / static_cast<double>(q.edge_count) : 0.0},
+            {"edge_least", q.edge_least},
+            {"edge_01", q.edge_01},
+            {"edge_median", q.edge_median},
+            {"edge_99", q.edge_99},
+            {"edge_greatest", q.edge_greatest},
+            {"mean_ratio_least", q.mean_ratio_least},
+            {"mean_ratio_01", q.mean_ratio_01},
+            {"mean_ratio_median", q.mean_ratio_median},
+            {"min_dihedral", q.min_dihedral},
+            {"max_dihedral", q.max_dihedral},
+            {"dihedral_histogram", q.dihedral_histogram}};
+}
+
 Json mesh_json(const MeshFindings& mesh)
 {
     Json labels = Json::array();

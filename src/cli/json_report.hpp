@@ -19,6 +19,7 @@ nlohmann::ordered_json report_head(const std::string& command);
 nlohmann::ordered_json volume_json(const VolumeFindings& volume);
 nlohmann::ordered_json mesh_json(const MeshFindings& mesh);
 nlohmann::ordered_json quality_json(const cleft_quality& quality);
+nlohmann::ordered_json metric_quality_json(const cleft_metric_quality& quality);
 // `first_fault` is "" for a valid mesh.
 nlohmann::ordered_json validation_json(const cleft_validation& validation, const std::string& first_fault);
 // `left_out` answers whether the user left a label out of the mesh.

@@ -24,6 +24,7 @@ std::string mesh_footer()
            "  cleft mesh a.nrrd b.nrrd c.nrrd -o scene.vtu        indicator functions, the largest wins\n"
            "  cleft mesh voxels.raw --dims 256 256 256 --type uint8 --spacing 0.1 0.1 0.1 -o rock.vtu\n"
            "  cleft mesh head.nrrd --estimate                     how many tetrahedra, how much memory\n"
+           "  cleft mesh flow.nrrd --metric metric.nrrd -o flow.vtu   sizes that depend on the direction\n"
            "  cleft sizing head.nrrd -o h.nrrd; cleft mesh head.nrrd --sizing h.nrrd -o head.vtu\n\n" +
            exit_code_help();
 }
@@ -63,8 +64,12 @@ void add_sizing_field_to(CLI::App& parser, MeshArguments& arguments)
         ->check(CLI::ExistingFile.description(""))
         ->type_name("FILE")
         ->group(sizes);
+    arguments.metric.add_to(parser, kMetricHelp, sizes);
+    parser.get_option("--metric")->excludes(parser.get_option("--sizing"));
     parser
-        .add_flag("--combine", arguments.combine, "With --sizing: take the smaller of your field and the computed one")
+        .add_flag("--combine", arguments.combine,
+                  "With --sizing or --metric: no length is greater than that of the\n"
+                  "computed field")
         ->group(sizes);
 }
 
@@ -79,11 +84,13 @@ std::vector<Part> MeshArguments::parts() const
             all.push_back(part);
     };
     add(!sizing_file.empty(), {"read_sizing", 2});
+    add(metric.given(), {"read_metric", 2});
     add(!background_file.empty(), {"read_background", 5});
     add(estimate, {"estimate", 20});
     if (estimate)
         return all;
     all.push_back({"mesh", 80});
+    add(metric.given() && has_report(), {"metric", 1});
     add(check, {"check", 5});
     add(has_report(), {"report", 1});
     add(has_report(), {"labels", distances ? 40.0 : 1.0});

@@ -1,6 +1,7 @@
 // What `cleft mesh` is asked to do.
 #pragma once
 
+#include "metric_arguments.hpp"
 #include "option_arguments.hpp"
 #include "session.hpp"
 #include "view_page.hpp"
@@ -20,6 +21,7 @@ struct MeshArguments {
     std::vector<std::string> outputs;
     std::string msh_version = "4.1";
     std::string sizing_file;
+    MetricArguments metric;
     std::string background_file;
     std::string names;  // path of a table, or ""
     PageArguments view;

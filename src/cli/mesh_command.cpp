@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace cleft_cli
 {
@@ -39,6 +40,7 @@ struct Inputs {
 struct Result {
     VolumeFindings volume;
     MeshFindings mesh;
+    std::optional<cleft_metric_quality> metric;
     ReportFindings report;  // contacts of kept labels only
     std::vector<OutputFile> outputs;
 };
@@ -49,7 +51,8 @@ std::vector<OutputFile> checked_outputs(const MeshArguments& arguments)
         throw usage_failure("--output is required (or --view, or --estimate)");
     std::vector<std::string> inputs = arguments.input.inputs;
     // Files that are read later are inputs, too: an output must not replace them.
-    inputs.insert(inputs.end(), {arguments.sizing_file, arguments.background_file, arguments.names});
+    inputs.insert(inputs.end(),
+                  {arguments.sizing_file, arguments.metric.file(), arguments.background_file, arguments.names});
     std::vector<std::string> written = arguments.outputs;
     if (!arguments.view.output.empty())
         written.push_back(arguments.view.output);
@@ -69,6 +72,8 @@ Sizing read_sizing(const Session& session, const MeshArguments& arguments, const
 {
     cleft_io_reading reading = arguments.input.reading();
     reading.scale = 1;  // the field is in the unit of the mesh, as `cleft sizing` writes it
+    if (arguments.metric.given())
+        return arguments.metric.read(session, volume, reading, arguments.combine, options);
     return session.make<Sizing>(EXIT_CANNOT_READ, [&](cleft_sizing** out) {
         return cleft_io_read_sizing(session.context(), volume, arguments.sizing_file.c_str(), &reading,
                                     arguments.combine ? 1 : 0, options, out);
@@ -82,8 +87,8 @@ Inputs read_inputs(Session& session, const MeshArguments& arguments, const cleft
         inputs.volume = arguments.input.read(session, options);
         read_names(session, arguments.names, inputs.volume.get());
     });
-    if (!arguments.sizing_file.empty())
-        session.timed("read_sizing", "reading the sizing field",
+    if (!arguments.sizing_file.empty() || arguments.metric.given())
+        session.timed(arguments.metric.given() ? "read_metric" : "read_sizing", "reading the sizing field",
                       [&] { inputs.sizing = read_sizing(session, arguments, inputs.volume.get(), options); });
     if (!arguments.background_file.empty())
         session.timed("read_background", "reading the background",
@@ -183,8 +188,10 @@ void print_summary(const Session& session, const MeshArguments& arguments, const
 {
     const auto left_out = [&](int32_t label) { return arguments.left_out(label); };
     const std::size_t limit = arguments.run.verbose ? result.report.labels.size() : kLabelsShown;
-    std::string text = volume_line(result.volume) + mesh_lines(result.mesh) + "\n" +
+    std::string text = volume_line(result.volume) + mesh_lines(result.mesh) +
+                       (result.metric ? metric_lines(*result.metric) : "") + "\n" +
                        dihedral_histogram(result.mesh.quality) + "\n" +
+                       (result.metric ? dihedral_histogram(*result.metric) + "\n" : "") +
                        label_report_table(result.report.labels, left_out, limit) +
                        distances_table(result.report.distances, result.volume, limit) + "\n";
     if (shows_stages(session, arguments))
@@ -219,9 +226,13 @@ nlohmann::ordered_json report_of(const Session& session, const MeshArguments& ar
     if (!arguments.background_file.empty())
         report["options"]["background"] = arguments.background_file;
     report["options"]["sizing"] = arguments.sizing_file;
+    if (arguments.metric.given())
+        report["options"]["metric"] = arguments.metric.metric;
     report["volume"] = volume_json(result.volume);
     report["mesh"] = mesh_json(result.mesh);
     report["quality"] = quality_json(result.mesh.quality);
+    if (result.metric)
+        report["metric_quality"] = metric_quality_json(*result.metric);
     report["labels"] =
         label_reports_json(result.report.labels, [&](int32_t label) { return arguments.left_out(label); });
     report["contacts"] = contacts_json(result.report.contacts);
@@ -284,6 +295,9 @@ int run_mesh(MeshArguments& arguments)
     if (arguments.estimate)
         return tell_estimate(session, arguments, inputs, options.get());
     const Mesh mesh = make_mesh(session, inputs, options.get());
+    if (arguments.metric.given() && arguments.has_report())
+        session.timed("metric", "measuring by the metric",
+                      [&] { result.metric = look_at_metric(session, mesh.get(), inputs.sizing.get()); });
     // Fields and background are as large as the volume or the mesh. They are not needed any more,
     // and the report takes memory.
     inputs.sizing.reset();

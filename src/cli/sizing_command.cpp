@@ -3,6 +3,7 @@
 #include "findings.hpp"
 #include "guarded.hpp"
 #include "json_report.hpp"
+#include "metric_arguments.hpp"
 #include "option_arguments.hpp"
 #include "output_conflicts.hpp"
 #include "output_files.hpp"
@@ -25,6 +26,8 @@ namespace
 struct SizingArguments {
     VolumeArguments input;
     OptionArguments options;
+    MetricArguments metric;
+    bool combine = false;
     RunArguments run;
     std::string output;
 };
@@ -45,10 +48,17 @@ FieldFigures look_at_field(const cleft_sizing* sizing, const VolumeFindings& vol
     return {*least, *middle, *greatest, cleft_sizing_expected_tets(sizing)};
 }
 
-Sizing make_sizing(Session& session, const cleft_volume* volume, const cleft_options* options)
+Sizing make_sizing(Session& session, const SizingArguments& arguments, const cleft_volume* volume,
+                   const cleft_options* options)
 {
     Sizing sizing;
     session.timed("sizing", "sizing field", [&] {
+        if (arguments.metric.given()) {
+            cleft_io_reading reading = arguments.input.reading();
+            reading.scale = 1;  // as `cleft mesh` reads it
+            sizing = arguments.metric.read(session, volume, reading, arguments.combine, options);
+            return;
+        }
         sizing = session.make<Sizing>(EXIT_MESHING_FAILED, [&](cleft_sizing** out) {
             return cleft_sizing_create(session.context(), volume, options, out);
         });
@@ -74,6 +84,8 @@ void write_report(const Session& session, const SizingArguments& arguments, cons
     report["outputs"] = {arguments.output};
     report["world"] = arguments.input.world;
     report["options"] = arguments.options.as_json(options);
+    if (arguments.metric.given())
+        report["options"]["metric"] = arguments.metric.metric;
     report["volume"] = volume_json(volume);
     report["sizing"] = {
         {"least", field.least}, {"median", field.median}, {"greatest", field.greatest}, {"expected_tets", field.tets}};
@@ -91,13 +103,15 @@ std::string field_lines(const FieldFigures& field)
 int run_sizing(const SizingArguments& arguments)
 {
     const Options options = arguments.options.make();
-    refuse_conflicts(arguments.input.inputs, {arguments.output}, arguments.run.json);
+    std::vector<std::string> inputs = arguments.input.inputs;
+    inputs.push_back(arguments.metric.file());
+    refuse_conflicts(inputs, {arguments.output}, arguments.run.json);
     check_sizing_output(arguments.output);
     check_json_output(arguments.run.json);
     Session session(arguments.run, {{"read", 1}, {"sizing", 8}, {"write", 1}});
     Volume volume;
     session.timed("read", "reading the volume", [&] { volume = arguments.input.read(session, options.get()); });
-    const Sizing sizing = make_sizing(session, volume.get(), options.get());
+    const Sizing sizing = make_sizing(session, arguments, volume.get(), options.get());
     StagedOutputs staged;
     write_field(session, arguments, sizing.get(), staged);
     // After writing: the figures are for the summary, and the file does not wait for them.
@@ -129,6 +143,13 @@ Command add_sizing_command(CLI::App& app)
     // The calls that this command makes. Options of meshing would have no effect here.
     arguments->options.add_to(parser, {"volume", "sizing"});
     arguments->options.add_label_sizes_to(parser);
+    const std::string sizes = parser.get_option("--size")->get_group();
+    arguments->metric.add_to(parser, kMetricHelp, sizes);
+    parser
+        .add_flag("--combine", arguments->combine,
+                  "With --metric: no length is greater than that of the computed field")
+        ->needs(parser.get_option("--metric"))
+        ->group(sizes);
     arguments->options.add_label_lists_to(parser);
     arguments->input.add_reading_to(parser);
     arguments->run.add_to(parser);

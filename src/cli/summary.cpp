@@ -112,15 +112,17 @@ std::string mesh_lines(const MeshFindings& mesh)
     return text;
 }
 
-std::string dihedral_histogram(const cleft_quality& quality)
+namespace
 {
-    const int64_t* counts = quality.dihedral_histogram;
+
+std::string angle_histogram(const char* heading, const int64_t* counts)
+{
     // 36 bins of 5 degrees, as cleft_quality has them. 1 guards the division for an empty mesh.
     const int64_t most = std::max<int64_t>(1, *std::max_element(counts, counts + 36));
     int64_t total = 0;
     for (int bin = 0; bin < 36; ++bin)
         total += counts[bin];
-    std::string text = "Dihedral angles, six a tetrahedron\n";
+    std::string text = std::string(heading) + ", six a tetrahedron\n";
     for (int bin = 0; bin < 36; ++bin) {
         // Meshes have no angles near 0 and 180 degrees; empty bins would only push the table off
         // the screen.
@@ -134,6 +136,34 @@ std::string dihedral_histogram(const cleft_quality& quality)
                 std::string(static_cast<std::size_t>(std::ceil(40 * share)), '#') + "\n";
     }
     return text;
+}
+
+}  // namespace
+
+std::string dihedral_histogram(const cleft_quality& quality)
+{
+    return angle_histogram("Dihedral angles", quality.dihedral_histogram);
+}
+
+std::string dihedral_histogram(const cleft_metric_quality& quality)
+{
+    return angle_histogram("Dihedral angles in the metric", quality.dihedral_histogram);
+}
+
+std::string metric_lines(const cleft_metric_quality& q)
+{
+    if (q.tet_count == 0)
+        return "";
+    return summary_line("Metric", share_text(static_cast<double>(q.edges_in_range), static_cast<double>(q.edge_count)) +
+                                      " of " + plural(q.edge_count, "edge") +
+                                      " are 1/sqrt(2) to sqrt(2) long; lengths " + decimals(q.edge_least, 2) + " to " +
+                                      decimals(q.edge_greatest, 2) + ", median " + decimals(q.edge_median, 2) +
+                                      ", 1 % and 99 % " + decimals(q.edge_01, 2) + " and " + decimals(q.edge_99, 2)) +
+           summary_line("", "mean ratio " + decimals(q.mean_ratio_least, 3) + " (least), " +
+                                decimals(q.mean_ratio_01, 3) + " (1 %), " + decimals(q.mean_ratio_median, 3) +
+                                " (median); 1 is the regular tetrahedron") +
+           summary_line("", "angles " + decimals(q.min_dihedral, 2) + " to " + decimals(q.max_dihedral, 2) +
+                                " degrees between faces, in the metric");
 }
 
 namespace

@@ -23,6 +23,10 @@ std::string mesh_lines(const MeshFindings& mesh);
 // A bar for each bin of 5 degrees that has an angle.
 std::string dihedral_histogram(const cleft_quality& quality);
 
+// The same of lengths, shapes and angles by a metric.
+std::string metric_lines(const cleft_metric_quality& quality);
+std::string dihedral_histogram(const cleft_metric_quality& quality);
+
 // One line a label; at most `limit` of them, those whose volumes differ most.
 std::string label_report_table(const std::vector<LabelFindings>& rows,
                                const std::function<bool(int32_t label)>& left_out, std::size_t limit);

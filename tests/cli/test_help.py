@@ -61,9 +61,7 @@ class Help(CommandTest):
         self.assertEqual(sizes[:2], ["--size", "--size-min"])
         self.assertIn("--max-tets", sizes)
         self.assertNotIn("--max-tets", self.options_of("mesh", "Meshing"))
-        self.assertEqual(
-            self.options_of("sizing", "Sizes"), [name for name in sizes if name not in ("--sizing", "--combine")]
-        )
+        self.assertEqual(self.options_of("sizing", "Sizes"), [name for name in sizes if name != "--sizing"])
         self.assertEqual(self.options_of("sizing", "Labels"), self.options_of("mesh", "Labels"))
         self.assertEqual(
             self.options_of("sizing", "Meshing"),
