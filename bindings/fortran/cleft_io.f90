@@ -10,15 +10,17 @@ module cleft_io
   implicit none
   private
   public :: cleft_read_volume, cleft_read_raw, cleft_read_field, cleft_write_mesh, cleft_read_mesh, &
-    cleft_write_sizing, cleft_read_sizing, cleft_guess, cleft_write_picture, cleft_write_view, cleft_read_names
+    cleft_write_sizing, cleft_read_sizing, cleft_read_metric, cleft_guess, cleft_write_picture, cleft_write_view, &
+    cleft_read_names
   ! <numbers> made by tools/generate.py from include/cleft/cleft_io.h
   public :: CLEFT_TYPE_UINT8, CLEFT_TYPE_UINT16, CLEFT_TYPE_INT16, CLEFT_TYPE_UINT32, CLEFT_TYPE_INT32, &
     CLEFT_TYPE_FLOAT32, CLEFT_TYPE_FLOAT64, CLEFT_FORMAT_BY_NAME, CLEFT_FORMAT_VTU, CLEFT_FORMAT_VTP, &
     CLEFT_FORMAT_VTK, CLEFT_FORMAT_MEDIT, CLEFT_FORMAT_MSH41, CLEFT_FORMAT_MSH22, CLEFT_FORMAT_ABAQUS, &
     CLEFT_FORMAT_TETGEN, CLEFT_FORMAT_STL, CLEFT_FORMAT_PLY, CLEFT_IO_UNKNOWN, CLEFT_IO_VOLUME, CLEFT_IO_MESH, &
     CLEFT_IO_WORLD_LPS, CLEFT_IO_WORLD_RAS, CLEFT_IO_KIND_AUTO, CLEFT_IO_KIND_LABELS, CLEFT_IO_KIND_INDICATORS, &
-    CLEFT_IO_BY_LABEL, CLEFT_IO_BY_ANGLE, CLEFT_IO_BY_RATIO, CLEFT_IO_BY_SIZE, CLEFT_IO_BACKDROP_LIGHT, &
-    CLEFT_IO_BACKDROP_DARK, CLEFT_IO_BACKDROP_NONE
+    CLEFT_IO_ORDER_FILE, CLEFT_IO_ORDER_NRRD, CLEFT_IO_ORDER_VTK, CLEFT_IO_ORDER_NIFTI, CLEFT_IO_BY_LABEL, &
+    CLEFT_IO_BY_ANGLE, CLEFT_IO_BY_RATIO, CLEFT_IO_BY_SIZE, CLEFT_IO_BACKDROP_LIGHT, CLEFT_IO_BACKDROP_DARK, &
+    CLEFT_IO_BACKDROP_NONE
   ! </numbers>
 
   ! One path, or several: a mask or an indicator function each, in the order of the materials.
@@ -256,6 +258,44 @@ contains
     c_combine = 0
     if (present(combine)) c_combine = merge(1_c_int32_t, 0_c_int32_t, combine)
     status = cleft_io_read_sizing(context%c_handle(), volume%c_handle(), c_text(path), c_loc(reading), c_combine, &
+      c_options(options), made)
+    call sizing%adopt(made)
+    call context%conclude(status, stat, errmsg)
+  end subroutine
+
+  ! A metric of your own. `order` says how the six numbers of a tensor follow each other: CLEFT_IO_ORDER_... Without a
+  ! volume the field has the voxels of the file; else as cleft_read_sizing().
+  subroutine cleft_read_metric( &
+    context, path, sizing, volume, order, combine, options, world, spacing, scale, stat, errmsg)
+    type(cleft_context), intent(inout) :: context
+    character(len=*), intent(in) :: path
+    type(cleft_sizing), intent(inout) :: sizing
+    type(cleft_volume), intent(in), optional :: volume
+    integer(c_int32_t), intent(in), optional :: order
+    logical, intent(in), optional :: combine
+    type(cleft_options), intent(inout), optional :: options
+    integer(c_int32_t), intent(in), optional :: world
+    real(c_double), intent(in), optional :: spacing(3), scale
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    type(cleft_io_reading), target :: reading
+    type(c_ptr) :: volume_at, made
+    integer(c_int32_t) :: status, c_combine, c_order
+
+    call sizing%destroy()
+    volume_at = c_null_ptr
+    if (present(volume)) volume_at = volume%c_handle()
+    if (present(volume) .and. .not. c_associated(volume_at)) then
+      call conclude(CLEFT_ERROR_NULL, 'volume is not there: destroyed, or never made', stat, errmsg)
+      return
+    end if
+    if (is_wrong(scale, stat, errmsg)) return
+    reading = how_to_read(world, spacing=spacing, scale=scale)
+    c_order = CLEFT_IO_ORDER_FILE
+    if (present(order)) c_order = order
+    c_combine = 0
+    if (present(combine)) c_combine = merge(1_c_int32_t, 0_c_int32_t, combine)
+    status = cleft_io_read_metric(context%c_handle(), volume_at, c_text(path), c_loc(reading), c_order, c_combine, &
       c_options(options), made)
     call sizing%adopt(made)
     call context%conclude(status, stat, errmsg)

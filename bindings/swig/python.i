@@ -29,6 +29,7 @@
 %thread cleft_io_write_sizing;
 %thread cleft_io_read_field;
 %thread cleft_io_read_sizing;
+%thread cleft_io_read_metric;
 %thread cleft_io_write_mesh;
 %thread cleft_io_read_mesh;
 %thread cleft_io_read_volume_names;

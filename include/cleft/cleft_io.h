@@ -206,10 +206,10 @@ CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_read_sizing(cleft_context* co
 /** The order of the numbers of a symmetric tensor in a file. \since 0.1 */
 typedef int32_t cleft_io_tensor_order;
 enum {
-    CLEFT_IO_ORDER_FILE = 0, /**< as the file says; six numbers of which it says nothing are CLEFT_ERROR_FORMAT */
-    CLEFT_IO_ORDER_NRRD = 1, /**< xx, xy, xz, yy, yz, zz: that of NRRD and of this library */
-    CLEFT_IO_ORDER_VTK = 2,  /**< xx, yy, zz, xy, yz, xz */
-    CLEFT_IO_ORDER_NIFTI = 3 /**< xx, xy, yy, xz, yz, zz: that of NIfTI, MEDIT and mmg */
+    CLEFT_IO_ORDER_FILE = 0, /**< as the file says; six numbers of which it says nothing are refused */
+    CLEFT_IO_ORDER_NRRD = 1, /**< that of NRRD and of this library: xx, xy, xz, yy, yz, zz */
+    CLEFT_IO_ORDER_VTK = 2,  /**< that of VTK: xx, yy, zz, xy, yz, xz */
+    CLEFT_IO_ORDER_NIFTI = 3 /**< that of NIfTI, MEDIT and mmg: xx, xy, yy, xz, yz, zz */
 };
 
 /** Reads a user-supplied metric from a file, and makes a sizing field of it as cleft_sizing_create_metric() does.
@@ -222,8 +222,9 @@ enum {
  *  The tensors are in the coordinates of the file, or in its measurement frame (NRRD). `reading` may be NULL. It must
  *  name the world in which the volume was read. Its scale multiplies the lengths that the metric asks for.
  *
- *  CLEFT_ERROR_FORMAT if nine numbers are not symmetric; the sentence names the voxel. Tensors that are no metric are
- *  refused as in cleft_sizing_create_metric(). The caller owns *out. \since 0.1 */
+ *  CLEFT_ERROR_FORMAT if the order is FILE and the file does not say it, or if nine numbers are not symmetric; the
+ *  sentence names the voxel. Tensors that are no metric are refused as in cleft_sizing_create_metric(). The caller owns
+ *  *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_read_metric(cleft_context* context, const cleft_volume* volume,
                                                                const char* path, const cleft_io_reading* reading,
                                                                cleft_io_tensor_order order, int32_t combine,

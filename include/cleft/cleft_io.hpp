@@ -44,6 +44,17 @@ inline Sizing read_sizing(const Context& context, const Volume& volume, const st
     });
 }
 
+/** Reads a metric: cleft_io_read_metric(). Without a volume, the field has the voxels of the file. */
+inline Sizing read_metric(const Context& context, const Volume* volume, const std::string& path,
+                          cleft_io_tensor_order order = CLEFT_IO_ORDER_FILE, bool combine = false,
+                          const cleft_io_reading& reading = default_reading(), const Options& options = Options())
+{
+    return made<Sizing, cleft_sizing>(context, [&](cleft_sizing** out) {
+        return cleft_io_read_metric(context.get(), volume ? volume->get() : nullptr, path.c_str(), &reading, order,
+                                    combine, options.get(), out);
+    });
+}
+
 inline void write_sizing(const Context& context, const Sizing& sizing, const std::string& path,
                          cleft_io_world world = CLEFT_IO_WORLD_LPS)
 {

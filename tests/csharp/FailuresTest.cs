@@ -200,6 +200,7 @@ sealed class FailuresTest
             ["format"] = new Action[] { () => MeshFiles.WriteMesh(mesher, mesh, "a.vtu", "jpeg") },
             ["world"] = new Action[] {
                 () => MeshFiles.WriteSizing(mesher, mesher.ConstantSizing(volume, 1), "a.nrrd", (World)7) },
+            ["order"] = new Action[] { () => MeshFiles.ReadMetric(mesher, null, "a.nrrd", (TensorOrder)7) },
             ["name"] = new Action[] { () => volume.SetLabelName(0, null), () => new Options().Set(null, "1"),
                 () => volume.SetLabelName(1, "half a \ud83d") },
             ["value"] = new Action[] { () => new Options().Set("size", null), () => new Options().Set("size", "1\0") },

@@ -118,6 +118,20 @@ sealed class FilesTest
         });
     }
 
+    void TestMetric()
+    {
+        InFolder(path => {
+            Volume volume = Checks.BallVolume(mesher);
+            Sizing sizing = mesher.ConstantMetricSizing(volume, new[] { 0.3, 0.01, -0.02, 0.4, 0.03, 0.5 });
+            MeshFiles.WriteSizing(mesher, sizing, path("metric.nrrd"));
+            foreach (Volume given in new[] { volume, null }) {
+                float[] again = MeshFiles.ReadMetric(mesher, given, path("metric.nrrd")).CopyMetric();
+                Checks.Equal(6 * volume.Grid.Voxels, again.LongLength);
+                Checks.Check(again.Zip(sizing.CopyMetric(), (a, b) => Math.Abs(a - b)).Max() < 1e-5, "tensors");
+            }
+        });
+    }
+
     void TestSizing()
     {
         InFolder(path => {

@@ -25,6 +25,7 @@ program test_files
   call check(all(again%tets() == mesh%tets()) .and. all(again%labels() == [0, 5, 9]), 'a mesh comes back as it was')
   call tables_name_labels()
   call what_is_not_there_is_named()
+  call metrics_are_written_and_read()
   call raw_voxels_are_read()
   call fields_are_read()
   call files_are_told_apart()
@@ -134,6 +135,22 @@ contains
     call check(abs(sizing%at(origin / 2) - 1) < 1d-6, 'a scale takes edge lengths too')
     call cleft_read_sizing(context, volume, 'test_files_sizes.nrrd', sizing, stat=stat, errmsg=errmsg)
     call check(stat == CLEFT_ERROR_ARGUMENT, 'without the scale, the field lies elsewhere')
+  end subroutine
+
+  subroutine metrics_are_written_and_read()
+    real(c_float), allocatable :: wanted(:, :, :, :)
+
+    call cleft_read_volume(context, voxels_file, volume)
+    call sizing%create_constant_metric(context, volume, [0.3d0, 0.01d0, -0.02d0, 0.4d0, 0.03d0, 0.5d0])
+    wanted = sizing%metric()
+    call cleft_write_sizing(context, sizing, 'test_files_metric.nrrd')
+    call cleft_read_metric(context, 'test_files_metric.nrrd', sizing, volume)
+    call check(maxval(abs(sizing%metric() - wanted)) < 1e-5, 'a metric comes back from a file')
+    call cleft_read_metric(context, 'test_files_metric.nrrd', sizing, order=CLEFT_IO_ORDER_NRRD)
+    call check(all(sizing%dims() == volume%dims()), 'without a volume, a metric has the voxels of its file')
+    call volume%destroy()
+    call cleft_read_metric(context, 'test_files_metric.nrrd', sizing, volume, stat=stat, errmsg=errmsg)
+    call check(stat == CLEFT_ERROR_NULL, 'a volume that was destroyed is not left out in silence')
   end subroutine
 
   subroutine raw_voxels_are_read()

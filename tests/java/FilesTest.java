@@ -150,6 +150,23 @@ final class FilesTest {
         });
     }
 
+    void testMetric() throws Exception {
+        inFolder(folder -> {
+            Path path = folder.resolve("metric.nrrd");
+            Volume volume = Checks.ballVolume(mesher);
+            Sizing sizing = mesher.constantMetricSizing(volume, new double[] {0.3, 0.01, -0.02, 0.4, 0.03, 0.5});
+            MeshFiles.writeSizing(mesher, sizing, MeshFiles.World.LPS, path);
+            for (Volume given : new Volume[] {volume, null}) {
+                float[] again = MeshFiles.readMetric(mesher, given, MeshFiles.Reading.DEFAULT,
+                        MeshFiles.TensorOrder.FILE, false, null, path).metric();
+                float[] wanted = sizing.metric();
+                Checks.equal(wanted.length, again.length);
+                for (int i = 0; i < wanted.length; ++i)
+                    Checks.check(Math.abs(wanted[i] - again[i]) < 1e-5, "a tensor comes back");
+            }
+        });
+    }
+
     void testSizing() throws Exception {
         inFolder(folder -> {
             Path path = folder.resolve("sizes.nrrd");

@@ -115,6 +115,25 @@ class Files(unittest.TestCase):
         self.assertTrue(np.array_equal(values, sizing.values))
         self.assertTrue(np.allclose(affine, volume.affine))
 
+    def test_metric_there_and_back(self):
+        volume = ball_volume()
+        tensors = np.tile((0.3, 0.01, -0.02, 0.4, 0.03, 0.5), volume.shape + (1,))
+        tensors[..., 5] += np.arange(volume.shape[2]) / 100
+        metric = cleft.Sizing.from_metric(volume, tensors).metric
+        for name in ("metric.nrrd", "metric.vtk"):
+            cleft.write_sizing(cleft.Sizing.from_metric(volume, tensors), self.folder / name)
+            for given in (volume, None):
+                again = cleft.read_metric(self.folder / name, given)
+                self.assertLess(np.abs(again.metric - metric).max(), 1e-5)
+            finer = cleft.read_metric(self.folder / name, volume, size_max=1.0)
+            self.assertGreater(np.linalg.eigvalsh(finer.metric[..., [[0, 1, 2], [1, 3, 4], [2, 4, 5]]]).min(), 1 - 1e-5)
+        with self.assertRaisesRegex(ValueError, "order is 'mmg'; it must be one of file, nrrd, vtk, nifti"):
+            cleft.read_metric(self.folder / "metric.nrrd", volume, order="mmg")
+        with self.assertRaises(TypeError):
+            cleft.read_metric(self.folder / "metric.nrrd", tensors)
+        with self.assertRaises(FileNotFoundError):
+            cleft.read_metric(self.folder / "nothing.nrrd", volume)
+
     def test_failures(self):
         with self.assertRaises(OSError):
             cleft.read_volume(self.folder / "nothing.nii")

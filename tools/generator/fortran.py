@@ -170,6 +170,7 @@ _PUBLIC = {
         "CLEFT_FORMAT_",
         "CLEFT_IO_WORLD_",
         "CLEFT_IO_KIND_",
+        "CLEFT_IO_ORDER_",
         "CLEFT_IO_BY_",
         "CLEFT_IO_BACKDROP_",
         "CLEFT_TYPE_",

@@ -21,6 +21,7 @@ IN_FILES = (
     ("World", "CLEFT_IO_WORLD_", ""),
     ("VoxelKind", "CLEFT_IO_KIND_", ""),
     ("Content", "CLEFT_IO_", "UNKNOWN"),
+    ("TensorOrder", "CLEFT_IO_ORDER_", ""),
     ("Colouring", "CLEFT_IO_BY_", ""),
     ("Backdrop", "CLEFT_IO_BACKDROP_", ""),
 )

@@ -140,6 +140,19 @@ namespace Cleft
         Mesh = CleftIoNative.CLEFT_IO_MESH
     }
 
+    /// <summary>The order of the numbers of a symmetric tensor in a file.</summary>
+    public enum TensorOrder
+    {
+        /// <summary>As the file says; six numbers of which it says nothing are refused.</summary>
+        File = CleftIoNative.CLEFT_IO_ORDER_FILE,
+        /// <summary>That of NRRD and of this library: xx, xy, xz, yy, yz, zz.</summary>
+        Nrrd = CleftIoNative.CLEFT_IO_ORDER_NRRD,
+        /// <summary>That of VTK: xx, yy, zz, xy, yz, xz.</summary>
+        Vtk = CleftIoNative.CLEFT_IO_ORDER_VTK,
+        /// <summary>That of NIfTI, MEDIT and mmg: xx, xy, yy, xz, yz, zz.</summary>
+        Nifti = CleftIoNative.CLEFT_IO_ORDER_NIFTI
+    }
+
     /// <summary>What gives a tetrahedron its colour.</summary>
     public enum Colouring
     {

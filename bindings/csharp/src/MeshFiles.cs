@@ -199,7 +199,25 @@ namespace Cleft
                     CleftIoNative.cleft_io_read_sizing(context, of, name, native, combine ? 1 : 0, how, out made)));
         }
 
-        /// <summary>Writes a sizing field as a volume of numbers, to look at.</summary>
+        /// <summary>
+        /// Reads a metric of your own, from a file with the same voxels as the volume; null for the voxels of the file.
+        /// </summary>
+        public static Sizing ReadMetric(Mesher mesher, Volume volume, string path,
+                                        TensorOrder order = TensorOrder.File, bool combine = false,
+                                        Options options = null, Reading reading = null)
+        {
+            Arguments.NotNull(mesher, nameof(mesher));
+            Arguments.Defined(order, nameof(order));
+            byte[] name = Utf8.Write(path, nameof(path));
+            NativeModules.Files();
+            NativeHandle of = NativeObject.HandleOf(volume), how = NativeObject.HandleOf(options);
+            using (NativeReading native = (reading ?? new Reading()).ToNative())
+                return new Sizing(mesher.Make((NativeHandle context, out IntPtr made) =>
+                    CleftIoNative.cleft_io_read_metric(
+                        context, of, name, native, (int)order, combine ? 1 : 0, how, out made)));
+        }
+
+        /// <summary>Writes a sizing field as a volume of numbers, or of tensors if it has a metric.</summary>
         public static void WriteSizing(Mesher mesher, Sizing sizing, string path, World world = World.Lps)
         {
             Arguments.NotNull(mesher, nameof(mesher));

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from . import native
 from ._arrays import affine_from, int32_array, real_number, triple, true_or_false, type_named, whole_number
-from ._handle import Handle, required, view
+from ._handle import Handle, native_of, required, view
 from ._paths import Path, path_bytes, path_list, reading, writing
 from .errors import InvalidArgument, Unsupported, raise_for
 from .mesher import Mesher, mesher_or_plain
@@ -204,8 +204,44 @@ def read_sizing(
         )
 
 
+def read_metric(
+    path: Path,
+    volume: Volume | None = None,
+    *,
+    order: str = "file",
+    combine: bool = False,
+    world: str = "LPS",
+    spacing: Sequence[float] | None = None,
+    scale: float | None = None,
+    mesher: Mesher | None = None,
+    options: Options | None = None,
+    **keywords: Unpack[OptionKeywords],
+) -> Sizing:
+    """Reads a metric of your own from a file with the same voxels as the volume; see Sizing.from_metric().
+
+    Without a volume, the field has the voxels of the file. `order` says how the numbers of a tensor follow each other:
+    "file" (as the file says), "nrrd" (xx xy xz yy yz zz), "vtk" (xx yy zz xy yz xz) or "nifti" (xx xy yy xz yz zz).
+    Give the `world`, `spacing` and `scale` with which the volume was read. `scale` multiplies the wanted lengths too.
+    """
+    io = _io()
+    chosen = options_of(options, keywords)
+    how = _reading(world, "auto", spacing, scale)
+    with reading(path, folders=True):
+        return Sizing._adopt(
+            mesher_or_plain(mesher)._call(
+                io.cleft_io_read_metric,
+                native_of(volume, Volume, "volume"),
+                path_bytes(path),
+                how,
+                _order(order),
+                int(true_or_false(combine, "combine")),
+                chosen._native if chosen else None,
+            )
+        )
+
+
 def write_sizing(sizing: Sizing, path: Path, *, world: str = "LPS", mesher: Mesher | None = None) -> None:
-    """Writes a sizing field as a volume of numbers, to look at; `world` is the one in which the volume was read."""
+    """Writes a sizing field as a volume of numbers, or of tensors; `world` is the one in which the volume was read."""
     io = _io()
     with writing(path):
         mesher_or_plain(mesher)._call(
@@ -321,6 +357,17 @@ def _kind(name: str) -> int:
         "kind",
         {"auto": io.CLEFT_IO_KIND_AUTO, "labels": io.CLEFT_IO_KIND_LABELS, "indicators": io.CLEFT_IO_KIND_INDICATORS},
     )
+
+
+def _order(name: str) -> int:
+    io = _io()
+    numbers = {
+        "file": io.CLEFT_IO_ORDER_FILE,
+        "nrrd": io.CLEFT_IO_ORDER_NRRD,
+        "vtk": io.CLEFT_IO_ORDER_VTK,
+        "nifti": io.CLEFT_IO_ORDER_NIFTI,
+    }
+    return _choice(name, "order", numbers)
 
 
 def _reading(world: str, kind: str, spacing: Sequence[float] | None, scale: float | None) -> Any:

@@ -51,6 +51,20 @@ public final class MeshFiles {
         // </Content>
     }
 
+    /** How the six numbers of a symmetric tensor follow each other in a file. */
+    public enum TensorOrder {
+        // <TensorOrder> made by tools/generate.py from include/cleft/cleft_io.h
+        /** As the file says; six numbers of which it says nothing are refused. */
+        FILE,
+        /** That of NRRD and of this library: xx, xy, xz, yy, yz, zz. */
+        NRRD,
+        /** That of VTK: xx, yy, zz, xy, yz, xz. */
+        VTK,
+        /** That of NIfTI, MEDIT and mmg: xx, xy, yy, xz, yz, zz. */
+        NIFTI
+        // </TensorOrder>
+    }
+
     /** What gives a tetrahedron its colour on a picture. */
     public enum Colouring {
         // <Colouring> made by tools/generate.py from include/cleft/cleft_io.h
@@ -284,7 +298,30 @@ public final class MeshFiles {
     }
 
     /**
-     * Writes a sizing field as a volume of numbers, to look at.
+     * Reads a metric of your own, from a file with the same voxels as the volume.
+     *
+     * @param mesher who reads
+     * @param volume the volume, or null for the voxels of the file
+     * @param reading how; the world in which the volume was read
+     * @param order how the numbers of a tensor follow each other
+     * @param combine whether no length may be greater than that of the computed field
+     * @param options for the computed field, and the bounds of lengths; may be null
+     * @param path the file
+     * @return a sizing field that has a metric
+     */
+    public static Sizing readMetric(Mesher mesher, Volume volume, Reading reading, TensorOrder order, boolean combine,
+            Options options, Path path) {
+        Objects.requireNonNull(mesher, "mesher");
+        Objects.requireNonNull(order, "order");
+        byte[] name = bytes("path", path);
+        return withReading(reading, how -> new Sizing(mesher.make((context, arguments, out) ->
+                CleftIoNative.cleft_io_read_metric(
+                        context, arguments[0], name, how, order.ordinal(), combine ? 1 : 0, arguments[1], out),
+                volume, options)));
+    }
+
+    /**
+     * Writes a sizing field as a volume of numbers, or of tensors if it has a metric.
      *
      * @param mesher who writes
      * @param sizing the field
