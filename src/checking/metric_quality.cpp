@@ -18,7 +18,7 @@ namespace
 {
 
 // Points or tetrahedra that a thread takes. The number changes the time alone.
-constexpr int64_t kMeasuredAtOnce = 4096;
+constexpr int64_t kMetricAtOnce = 4096;
 
 // The metric at each point, and its logarithm.
 struct PointMetrics {
@@ -28,7 +28,7 @@ struct PointMetrics {
 PointMetrics metrics_at(const Array<Vec3>& points, const MetricField& field, const Run& run)
 {
     PointMetrics at{Array<Tensor>(points.size()), Array<Tensor>(points.size())};
-    parallel_for(run, points.count(), kMeasuredAtOnce, [&](int64_t begin, int64_t end) {
+    parallel_for(run, points.count(), kMetricAtOnce, [&](int64_t begin, int64_t end) {
         for (int64_t p = begin; p < end; ++p) {
             at.log[p] = field.log_at(points[p]);
             at.metric[p] = exp(at.log[p]);
@@ -67,8 +67,8 @@ void add_edges_of(int32_t point, const TetMesh& mesh, const PointMetrics& at, co
 Array<double> edge_lengths(const TetMesh& mesh, const PointMetrics& at, const Run& run)
 {
     const PointStars stars(mesh.tets, mesh.points.size(), run);
-    Array<Array<double>> parts(chunk_count(mesh.points.count(), kMeasuredAtOnce));
-    parallel_chunks(run, mesh.points.count(), kMeasuredAtOnce, [&](int64_t chunk, int64_t begin, int64_t end) {
+    Array<Array<double>> parts(chunk_count(mesh.points.count(), kMetricAtOnce));
+    parallel_chunks(run, mesh.points.count(), kMetricAtOnce, [&](int64_t chunk, int64_t begin, int64_t end) {
         Array<int32_t> ends;
         for (int64_t p = begin; p < end; ++p)
             add_edges_of(static_cast<int32_t>(p), mesh, at, stars, ends, parts[chunk]);
@@ -123,8 +123,8 @@ void combine(const AnglesPart& from, AnglesPart& to)
 Array<double> measure_tets(const TetMesh& mesh, const PointMetrics& at, MetricQuality& q, const Run& run)
 {
     Array<double> ratios(mesh.tets.size());
-    Array<AnglesPart> parts(chunk_count(mesh.tets.count(), kMeasuredAtOnce));
-    parallel_chunks(run, mesh.tets.count(), kMeasuredAtOnce, [&](int64_t chunk, int64_t begin, int64_t end) {
+    Array<AnglesPart> parts(chunk_count(mesh.tets.count(), kMetricAtOnce));
+    parallel_chunks(run, mesh.tets.count(), kMetricAtOnce, [&](int64_t chunk, int64_t begin, int64_t end) {
         for (int64_t t = begin; t < end; ++t) {
             std::array<Vec3, 4> x;
             Tensor logs;
