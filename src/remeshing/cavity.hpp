@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/array.hpp"
+#include "mesh/predicates.hpp"
 #include "mesh/quality.hpp"
 #include "remeshing/local_mesh.hpp"
 
@@ -85,7 +86,8 @@ private:
         bool all_positive = true;
         for (const Tet& t : new_tets) {
             const double volume = six_volumes(t);
-            all_positive = all_positive && volume > 0;
+            all_positive =
+                all_positive && orient_sign(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]), mesh.point(t[3])) > 0;
             after += volume;
         }
         return all_positive && std::abs(after - before) <= 1e-9 * longest * longest * longest;

@@ -2,6 +2,7 @@
 #include "remeshing/length_changes.hpp"
 
 #include "mesh/adjacency.hpp"
+#include "mesh/predicates.hpp"
 #include "remeshing/edge_length.hpp"
 #include "remeshing/edge_split.hpp"
 
@@ -9,6 +10,15 @@
 
 namespace cleft
 {
+
+namespace
+{
+
+// No split makes an angle of less than a degree: where a metric jumps from voxel to voxel, splits upon splits would end
+// in tetrahedra whose sign is rounding.
+constexpr double kLeastSplit = 0.02;
+
+}  // namespace
 
 void LengthChanges::find_split(int32_t t, Proposal& proposal)
 {
@@ -25,10 +35,20 @@ void LengthChanges::find_split(int32_t t, Proposal& proposal)
         if (frozen_on_edge(mesh_, ring) >> axis & 1)
             proposal.place[axis] = a[axis];
     star_.load(mesh_, ring);
-    if (!(star_.worst_at(proposal.place, kLeastSine) > kLeastSine))
+    if (!(star_.worst_at(proposal.place, kLeastSplit) > kLeastSplit))
         return;
     cleft::find_split(mesh_, proposal.cavity);
-    proposal.kind = Proposal::Kind::split;
+    if (are_positive(proposal))
+        proposal.kind = Proposal::Kind::split;
+}
+
+// What is nearly flat may get another sign by the rounding of the star's frame.
+bool LengthChanges::are_positive(const Proposal& proposal) const
+{
+    const auto place_of = [&](int32_t v) { return v == kNewPoint ? proposal.place : mesh_.point(v); };
+    return std::all_of(proposal.cavity.new_tets.begin(), proposal.cavity.new_tets.end(), [&](const Tet& t) {
+        return orient_sign(place_of(t[0]), place_of(t[1]), place_of(t[2]), place_of(t[3])) > 0;
+    });
 }
 
 void LengthChanges::find_contraction(int32_t t, Proposal& proposal)

@@ -34,6 +34,7 @@ public:
     void find_contraction(int32_t t, Proposal& proposal);
 
 private:
+    bool are_positive(const Proposal& proposal) const;
     bool makes_no_long_edge(int32_t gone, int32_t kept);
 
     const LocalMesh& mesh_;

@@ -7,6 +7,7 @@
 #include "base/touched_array.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/angle_qualities.hpp"
+#include "mesh/predicates.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/surface_points.hpp"
 
@@ -21,6 +22,17 @@ namespace
 constexpr int64_t kSlotsAtOnce = 1 << 14;
 // Qualities are sines, at most 1.
 constexpr double kUnknown = 2;  // no quality
+
+// What is nearly flat may get another sign by the rounding of the map to the frame of a metric. So the sign is that of
+// the tetrahedron itself.
+double measured_quality(const std::array<Vec3, 4>& corners, const std::array<Vec3, 4>& mapped)
+{
+    constexpr double kSureSine = 1e-3;
+    const double sine = angle_quality(mapped[0], mapped[1], mapped[2], mapped[3]);
+    if (sine > kSureSine || orient_sign(corners[0], corners[1], corners[2], corners[3]) > 0)
+        return sine;
+    return std::min(sine, 0.0);
+}
 
 // The other two corners of a tetrahedron at the edge a b, in the order that makes a, b, c, d positive.
 Hinge hinge(const Tet& v, int32_t t, int32_t a, int32_t b)
@@ -240,8 +252,8 @@ double LocalMesh::quality(const Tet& corners) const
 {
     if (!is_measured())
         return angle_quality(point(corners[0]), point(corners[1]), point(corners[2]), point(corners[3]));
-    const auto x = measured_corners(corners);
-    return angle_quality(x[0], x[1], x[2], x[3]);
+    return measured_quality({point(corners[0]), point(corners[1]), point(corners[2]), point(corners[3])},
+                            measured_corners(corners));
 }
 
 std::array<Vec3, 4> LocalMesh::measured_corners(const Tet& corners) const
@@ -269,9 +281,8 @@ double LocalMesh::worst_with(int32_t v, const Vec3& place) const
             if (w != v && is_measured())
                 logs = logs + log_metric(w);
         }
-        if (is_measured())
-            x = measured(x, logs);
-        worst = std::min(worst, angle_quality(x[0], x[1], x[2], x[3]));
+        worst = std::min(
+            worst, is_measured() ? measured_quality(x, measured(x, logs)) : angle_quality(x[0], x[1], x[2], x[3]));
     }
     return worst;
 }

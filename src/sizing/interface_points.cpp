@@ -65,18 +65,18 @@ Array<InterfacePoint> decode_all(const Vec3& spacing)
 }
 
 // The rows around row (j, k): rows[dk + 1][dj + 1].
-using Rows = FixedArray<FixedArray<const Material*, 3>, 3>;
+using RowsAround = FixedArray<FixedArray<const Material*, 3>, 3>;
 
-Rows rows_around(RowWindow& window, int32_t j, int32_t k)
+RowsAround rows_around(RowWindow& window, int32_t j, int32_t k)
 {
-    Rows rows;
+    RowsAround rows;
     for (int dk = 0; dk < 3; ++dk)
         for (int dj = 0; dj < 3; ++dj)
             rows[dk][dj] = window.row(j + dj - 1, k + dk - 1);
     return rows;
 }
 
-FixedArray<int, 3> own_share_gradient(const Rows& rows, int32_t i)
+FixedArray<int, 3> own_share_gradient(const RowsAround& rows, int32_t i)
 {
     const Material own = rows[1][1][i];
     FixedArray<int, 3> gradient{0, 0, 0};
@@ -94,14 +94,14 @@ FixedArray<int, 3> own_share_gradient(const Rows& rows, int32_t i)
 }
 
 // As InterfacePoints::sides.
-int other_sides(const Rows& rows, int32_t i)
+int other_sides(const RowsAround& rows, int32_t i)
 {
     const Material own = rows[1][1][i];
     return (rows[1][1][i - 1] != own) | (rows[1][1][i + 1] != own) << 1 | (rows[1][0][i] != own) << 2 |
            (rows[1][2][i] != own) << 3 | (rows[0][1][i] != own) << 4 | (rows[2][1][i] != own) << 5;
 }
 
-Code code_of(const Rows& rows, int32_t i, int sides)
+Code code_of(const RowsAround& rows, int32_t i, int sides)
 {
     CLEFT_ASSERT(sides != 0);
     Code code{own_share_gradient(rows, i), 0};
@@ -133,7 +133,7 @@ InterfacePoints::InterfacePoints(const Labelling& labelling, const Run& run)
     parallel_with_progress(run, row_count(grid), grain, [&](int64_t chunk, int64_t begin, int64_t end) {
         RowWindow window(labelling);
         for (int64_t row = begin; row < end; ++row) {
-            const Rows rows =
+            const RowsAround rows =
                 rows_around(window, static_cast<int32_t>(row % grid.dims[1]), static_cast<int32_t>(row / grid.dims[1]));
             for (int32_t i = 0; i < grid.dims[0]; ++i) {
                 const int sides = other_sides(rows, i);
