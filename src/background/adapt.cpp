@@ -34,10 +34,23 @@ constexpr int kFlipPasses = 3;
 constexpr double kFinalAngle = 30;  // degrees
 constexpr int kFinalPasses = 15;
 
+// A metric that jumps from voxel to voxel asks for more wherever an edge ends in a small one.
+int32_t most_tets(double expected)
+{
+    constexpr double kGrowthOfSplits = 2, kGrowthAtLeastOfSplits = 5000;
+    return static_cast<int32_t>(std::min(kGrowthOfSplits * expected + kGrowthAtLeastOfSplits, 2147483647.0));
+}
+
 class Adaptation
 {
 public:
-    Adaptation(LocalMesh& mesh, const MetricField& metric) : metric_(metric), mesh_(mesh), repair_(mesh) {}
+    Adaptation(LocalMesh& mesh, const MetricField& metric, double expected)
+        : metric_(metric),
+          mesh_(mesh),
+          goal_{kShortest, kLongest, kLongestMade, sine_of(kEnoughAngle), most_tets(expected)},
+          repair_(mesh)
+    {
+    }
 
     void work(const Run& run)
     {
@@ -62,18 +75,18 @@ private:
 
     const MetricField& metric_;
     LocalMesh& mesh_;
-    const LengthGoal goal_{kShortest, kLongest, kLongestMade, sine_of(kEnoughAngle)};
+    const LengthGoal goal_;
     ShapeRepair repair_;
 };
 
 }  // namespace
 
-void adapt(TetMesh& mesh, const MetricField& metric, const Run& run)
+void adapt(TetMesh& mesh, const MetricField& metric, double expected, const Run& run)
 {
     Stage stage(run, "background.adapt", {{"background: adapting to the metric", 1}});
     const Run part = stage.next();
     LocalMesh local(std::move(mesh.points), std::move(mesh.tets), {}, part);
-    Adaptation(local, metric).work(part);
+    Adaptation(local, metric, expected).work(part);
     note_angles(local, "background.adapt", "after", run);
     LabelledMesh adapted = local.take(part);
     mesh = {std::move(adapted.points), std::move(adapted.tets)};

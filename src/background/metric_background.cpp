@@ -2,6 +2,7 @@
 #include "background/metric_background.hpp"
 
 #include "background/adapt.hpp"
+#include "base/number_text.hpp"
 #include "base/parallel.hpp"
 #include "base/stage.hpp"
 #include "sizing/metric_sizing.hpp"
@@ -19,6 +20,9 @@ namespace
 
 // Points that a thread takes. The number changes the time alone.
 constexpr int64_t kPointsAtOnce = 1 << 14;
+
+// About as many as particles can have.
+constexpr double kMostTetsOfMetric = 360e6;
 
 // The sizes along the axes of a metric that has these axes and is the same everywhere.
 std::optional<Vec3> sizes_along_axes(const MetricField& metric)
@@ -59,10 +63,14 @@ TetMesh metric_background(const SizingField& field, const BackgroundOptions& opt
         throw Error(CLEFT_ERROR_OPTION,
                     "a lattice or an octree follows a metric only if it is the same everywhere and has the axes of the "
                     "voxels; set the background to particles");
+    const double expected = expected_particle_tets(field);
+    if (!(expected < kMostTetsOfMetric))
+        throw Error(CLEFT_ERROR_TOO_LARGE, "the metric asks for about " + count_text(expected) +
+                                               " tetrahedra; a background can have " + count_text(kMostTetsOfMetric));
     Steps steps(run, {{nullptr, 20}, {nullptr, 80}});
     const Run of_start = steps.next();
     TetMesh mesh = particle_background(greatest_sizes(field, of_start), options.particles, of_start);
-    adapt(mesh, *field.metric, steps.next());
+    adapt(mesh, *field.metric, expected, steps.next());
     return mesh;
 }
 

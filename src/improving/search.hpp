@@ -33,7 +33,8 @@ inline int64_t most_places(const LocalMesh& mesh)
 {
     constexpr int64_t kPlacesAtLeast = 1'000'000;  // so that small meshes have all of their tries
     constexpr int64_t kPlacesEach = 120;
-    return kPlacesAtLeast + kPlacesEach * mesh.slot_count();
+    constexpr int64_t kMeasuredCost = 8;  // of a place in a mesh that is measured by a metric
+    return (kPlacesAtLeast + kPlacesEach * mesh.slot_count()) / (mesh.is_measured() ? kMeasuredCost : 1);
 }
 
 // How far the interface may move when this edge is flipped.

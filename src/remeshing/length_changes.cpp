@@ -22,6 +22,8 @@ constexpr double kLeastSplit = 0.02;
 
 void LengthChanges::find_split(int32_t t, Proposal& proposal)
 {
+    if (mesh_.slot_count() >= goal_.most_tets)
+        return;
     const auto lengths = edge_lengths(mesh_, t);
     const auto& edge = kEdgeCorners[std::max_element(lengths.begin(), lengths.end()) - lengths.begin()];
     EdgeRing& ring = proposal.cavity.ring;
