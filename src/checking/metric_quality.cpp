@@ -89,7 +89,7 @@ double mean_ratio(const Tet& tet, const std::array<Vec3, 4>& x, const PointMetri
         tet.begin(), tet.end(), [&](int32_t a, int32_t b) { return at.log[a].trace() < at.log[b].trace(); });
     double squares = 0;
     for (const auto& edge : kEdgeCorners)
-        squares += square(at.metric[corner], x[edge[1]] - x[edge[0]]);
+        squares += square(at.metric[corner], x[to_size(edge[1])] - x[to_size(edge[0])]);
     const double volume = orient(x[0], x[1], x[2], x[3]) / 6 * std::exp(at.log[corner].trace() / 2);
     return std::copysign(std::pow(std::abs(volume) / volume_of_unit, 2.0 / 3), volume) / (squares / 6);
 }

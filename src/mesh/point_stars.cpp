@@ -61,9 +61,12 @@ int32_t* PointStars::Room::take(size_t count)
     // Large enough that allocations do not show, small enough that a mesh with few changes wastes little.
     constexpr size_t kBlock = size_t{1} << 14;
     if (left < count) {
-        left = std::max(kBlock, count);
-        blocks.emplace_back(new int32_t[left]);
+        const size_t size = std::max(kBlock, count);
+        // Owned before the list grows: that may fail.
+        std::unique_ptr<int32_t[]> block(new int32_t[size]);
+        blocks.push_back(std::move(block));
         next = blocks.back().get();
+        left = size;
     }
     int32_t* const first = next;
     next += count;

@@ -106,7 +106,7 @@ void scale_sizing(SizingField& field, double factor, const Run& run)
         MetricField scaled = *field.metric;
         const auto shift = static_cast<float>(-2 * std::log(factor));
         for (auto& log : scaled.log)
-            for (const size_t diagonal : {0, 3, 5})
+            for (const size_t diagonal : {0u, 3u, 5u})
                 log[diagonal] += shift;
         field.metric = std::make_shared<const MetricField>(std::move(scaled));
         return;

@@ -28,7 +28,7 @@ struct Volume::Data {
     std::variant<LabelMap<uint8_t>, LabelMap<uint16_t>, IndicatorField> field;
     Array<UserLabel> labels;
     // Several steps ask for them, each of which would pass over all voxels.
-    std::once_flag are_counted;
+    std::mutex counting;
     Array<int64_t> counts;
 };
 
@@ -272,9 +272,11 @@ void Volume::voxel_materials(int64_t first, int64_t count, Material* out) const
 
 const Array<int64_t>& Volume::voxel_counts() const
 {
-    std::call_once(data_->are_counted, [&] {
+    // Not std::call_once(): where no memory is left, the C library ends the process when an exception passes through
+    // it.
+    const std::lock_guard<std::mutex> lock(data_->counting);
+    if (data_->counts.empty())
         data_->counts = std::visit([&](const auto& field) { return counts_of(field, labels().size()); }, data_->field);
-    });
     return data_->counts;
 }
 
