@@ -68,7 +68,7 @@ double mean_ratio(const std::array<Vec3, 4>& x, const Tensor& metric)
 {
     double squares = 0;
     for (const auto& e : kEdgeCorners) {
-        const Vec3 edge = x[e[1]] - x[e[0]];
+        const Vec3 edge = x[to_size(e[1])] - x[to_size(e[0])];
         squares += edge.dot(metric.matrix() * edge) / 6;
     }
     const double volume = orient(x[0], x[1], x[2], x[3]) * std::sqrt(metric.matrix().determinant());
