@@ -8,6 +8,7 @@
 #include "sizing/metric_sizing.hpp"
 #include "sizing/surface_curvature.hpp"
 #include "sizing/volume_sizing.hpp"
+#include "sizing/voxel_of_point.hpp"
 
 #include <Eigen/Eigenvalues>
 
@@ -51,14 +52,6 @@ Tensor metric_of(const Bend& bend, double size, double ratio)
     const Vec3 along = first.normalized();
     return across(bend.normal, size) + across(along, size_along(size, bend.curvature[0], ratio)) +
            across(bend.normal.cross(along), size_along(size, bend.curvature[1], ratio));
-}
-
-int64_t voxel_at(const Grid& grid, const Vec3& x)
-{
-    FixedArray<int32_t, 3> at{};
-    for (int a = 0; a < 3; ++a)
-        at[a] = std::clamp(static_cast<int32_t>(x[a] / grid.spacing[a]), 0, grid.dims[a] - 1);
-    return grid.index(at[0], at[1], at[2]);
 }
 
 // No size is less than the voxel is long there, and none by more than the ratio greater than the least for that.
@@ -116,7 +109,7 @@ SizingField anisotropic_sizing(const Volume& volume, const SizingOptions& option
     const Run of_metrics = steps.next();
     Array<Tensor> metrics = isotropic_metrics(wide, of_metrics);
     for (const Bend& bend : surface_bends(volume, of_metrics)) {
-        const int64_t v = voxel_at(volume.grid(), bend.x);
+        const int64_t v = voxel_of_point(volume.grid(), bend.x);
         metrics[v] = intersection(metrics[v], metric_of(bend, double{sizes.h[v]}, options.anisotropy));
     }
     limit_metric_gradation(volume.grid(), options.gradation, metrics, steps.next());

@@ -3,6 +3,7 @@
 
 #include "sizing/line_curvature.hpp"
 #include "sizing/surface_curvature.hpp"
+#include "sizing/voxel_of_point.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,10 +25,7 @@ void add_sizes(const Grid& grid, const Array<CurvedPoint>& points, double error,
     for (const CurvedPoint& point : points) {
         if (!(point.curvature > 0))
             continue;
-        FixedArray<int32_t, 3> at{};
-        for (int a = 0; a < 3; ++a)
-            at[a] = std::clamp(static_cast<int32_t>(point.x[a] / grid.spacing[a]), 0, grid.dims[a] - 1);
-        sizes.push_back({grid.index(at[0], at[1], at[2]), static_cast<float>(greatest_size(error, point.curvature))});
+        sizes.push_back({voxel_of_point(grid, point.x), static_cast<float>(greatest_size(error, point.curvature))});
     }
 }
 
