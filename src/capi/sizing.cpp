@@ -46,6 +46,20 @@ cleft_sizing finished(const cleft_volume& v, ScaledSizing sizing, const cleft::P
     return {{}, v.frame, std::move(sizing), expected.kept};
 }
 
+// Of a field of the caller's own, as it is or combined with the computed one. make(volume, options of sizes) makes it.
+template <class Make>
+cleft_sizing sizing_of_given(const cleft_volume* volume, bool combines, const cleft_options* options, const Run& run,
+                             const Make& make)
+{
+    const auto v = held(volume, "volume");
+    const auto held_options = held_if_any(options, "options");
+    const cleft::PipelineOptions p = pipeline_options(options, *v);
+    if (combines)
+        warn_of_unknown_sizes(v->volume, options, run);
+    warn_of_unused_smooth(v->volume, options, run);
+    return finished(*v, cleft::make_sizing(v->volume, make(*v, p.sizing), combines, p, run), p, run);
+}
+
 }  // namespace
 
 cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* volume, const cleft_options* options,
@@ -80,15 +94,11 @@ cleft_status cleft_sizing_create_values(cleft_context* context, const cleft_volu
                                         cleft_sizing** out) noexcept
 {
     return guarded_create(context, out, "sizing", [&](const Run& run) {
-        const auto v = held(volume, "volume");
+        checked(volume, "volume");  // before the array, so that the sentence is about the first fault
         required(values, "values");
-        const auto held_options = held_if_any(options, "options");
-        const cleft::PipelineOptions p = pipeline_options(options, *v);
-        if (combine)
-            warn_of_unknown_sizes(v->volume, options, run);
-        warn_of_unused_smooth(v->volume, options, run);
-        SizingField field = field_of(type, values, v->frame.grid);
-        return finished(*v, cleft::make_sizing(v->volume, std::move(field), combine != 0, p, run), p, run);
+        return sizing_of_given(volume, combine != 0, options, run, [&](const cleft_volume& v, const auto&) {
+            return field_of(type, values, v.frame.grid);
+        });
     });
 }
 
@@ -97,17 +107,15 @@ cleft_status cleft_sizing_create_metric(cleft_context* context, const cleft_volu
                                         cleft_sizing** out) noexcept
 {
     return guarded_create(context, out, "sizing", [&](const Run& run) {
-        const auto v = held(volume, "volume");
+        checked(volume, "volume");
         required(tensors, "tensors");
-        const auto held_options = held_if_any(options, "options");
-        const cleft::PipelineOptions p = pipeline_options(options, *v);
-        if (combine)
-            warn_of_unknown_sizes(v->volume, options, run);
-        warn_of_unused_smooth(v->volume, options, run);
-        SizingField field = metric_of(type, tensors, v->frame, run);
-        if (p.sizing.size_min > 0 || p.sizing.size_max > 0)
-            cleft::bound_metric(field, p.sizing.size_min, p.sizing.size_max, run);
-        return finished(*v, cleft::make_sizing(v->volume, std::move(field), combine != 0, p, run), p, run);
+        const auto bounded_metric = [&](const cleft_volume& v, const cleft::SizingOptions& sizes) {
+            SizingField field = metric_of(type, tensors, v.frame, run);
+            if (sizes.size_min > 0 || sizes.size_max > 0)
+                cleft::bound_metric(field, sizes.size_min, sizes.size_max, run);
+            return field;
+        };
+        return sizing_of_given(volume, combine != 0, options, run, bounded_metric);
     });
 }
 

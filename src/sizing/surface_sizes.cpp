@@ -5,7 +5,6 @@
 #include "sizing/surface_curvature.hpp"
 #include "sizing/voxel_of_point.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace cleft
