@@ -1,7 +1,7 @@
 // One mesh: mouse, touch, keys and buttons reach all of it, and bring it back.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { about, changes, closed, opened, pictureOf, pressed } from "./support.mjs";
+import { about, changes, closed, drawn, opened, pictureOf, pressed } from "./support.mjs";
 
 test("a cut goes to the chosen one, wherever it was", async () => {
     const page = await opened(about.page);
@@ -20,10 +20,8 @@ test("a cut goes to the chosen one, wherever it was", async () => {
         () => page.locator("#cut-flip").click(),
     ]) {
         await act();
-        await pictureOf(page);
         assert.ok(await cutHere.isEnabled());
         await cutHere.click();
-        await pictureOf(page);
         assert.ok(await cutHere.isDisabled());
         const far = await isKept();
         assert.ok(far >= 0 && far < 1e-5, `${far}`);
@@ -101,6 +99,7 @@ test("a finger turns, two zoom, and a tap picks", async () => {
     );
     assert.ok((await page.evaluate(() => cleftPage.state.camera.distance)) < far);
     await page.click("#reset");
+    await drawn(page);
     await page.touchscreen.tap(300, 330);
     assert.ok(await page.isVisible(".card"));
     await closed(page);

@@ -1,7 +1,7 @@
 // How a page opens: all of the mesh is in the picture, and what would cover the rest is hidden and told.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { about, closed, opened, pictureOf, trianglesOf } from "./support.mjs";
+import { about, closed, opened, trianglesOf } from "./support.mjs";
 
 // How far out in the picture the outermost point that is shown lies: 1 is the edge.
 function farthest(page) {
@@ -93,7 +93,6 @@ test("sizes that differ by rounding have one colour", async () => {
     const page = await opened(about.uniform);
     await page.uncheck("#edges");
     await page.selectOption("#by-choice", "size");
-    await pictureOf(page);
     assert.match(await page.textContent(".legend"), /all tetrahedra have one size/);
     assert.equal(await page.evaluate(() => new Set(cleftPage.views[0].coloursNow).size), 1);
     await closed(page);

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
-import { about, changes, closed, opened, pictureOf, trianglesOf } from "./support.mjs";
+import { about, changes, closed, drawn, opened, pictureOf, trianglesOf } from "./support.mjs";
 
 const { report } = about;
 const labels = report.mesh.labels.map((row) => row.label);
@@ -50,7 +50,6 @@ test("a flat cut at a place has the area of the box", async () => {
     await page.selectOption("#cut-choice", "z");
     await page.check("#cut-flat");
     await page.locator("#cut-at").fill("0.37");
-    await pictureOf(page);
     const area = await page.evaluate(() => {
         const { places, triangles } = cleftPage.views[0].slice;
         let sum = 0;
@@ -149,6 +148,7 @@ test("the worst ones can be flown to, and others picked", async () => {
     await page.click(".card .close");
     assert.ok(await page.isHidden(".card"));
     await page.click("#reset");
+    await drawn(page);
     await page.mouse.click(300, 330);
     assert.match(await page.textContent(".card"), /Tetrahedron [\d,]+.*Material[37] /);
     await closed(page);
@@ -204,6 +204,7 @@ test("a box of nanometres in metres is drawn as others are", async () => {
     assert.ok((await pictureOf(page)).colours > 20);
     for (const by of ["angle", "size"]) assert.ok(await changes(page, () => page.selectOption("#by-choice", by)), by);
     await page.keyboard.press("Escape");
+    await drawn(page);
     await page.mouse.click(300, 330);
     assert.match(await page.textContent(".card"), /Centre.*e-9/);
     await closed(page);
@@ -253,7 +254,7 @@ test("a picture that is saved says what its colours mean", async () => {
     };
     assert.equal(await saved(), 1);
     await page.selectOption("#by-choice", "angle");
-    await pictureOf(page);
+    await drawn(page);
     assert.ok((await saved()) > 50);
     await closed(page);
 });

@@ -41,7 +41,35 @@ export async function opened(file, options = {}, edit = null) {
     if (edit) await page.route(url, async (route) => route.fulfill({ contentType: "text/html", body: await edit() }));
     await page.goto(url);
     await page.waitForFunction(() => document.documentElement.dataset.ready);
+    askWhenDrawn(page);
     return page;
+}
+
+// Until the page has drawn all that was asked of it: it does what an action asks for in the frames after it. Something
+// that was asked for in a frame takes the next one.
+export async function drawn(page) {
+    await page.mainFrame().evaluate(async () => {
+        for (let frame = 0; frame < 3 || cleftPage.pending || cleftPage.nextDraw; ++frame)
+            await new Promise(requestAnimationFrame);
+    });
+}
+
+const kQuestions = [
+    ...["$$eval", "evaluate", "evaluateAll", "count", "title", "textContent", "inputValue", "getAttribute"],
+    ...["isVisible", "isHidden", "isEnabled", "isDisabled", "isChecked"],
+];
+
+// Makes all questions to a page wait until it has drawn. No script can forget it so.
+function askWhenDrawn(page) {
+    for (const prototype of [page, page.locator("body")].map(Object.getPrototypeOf))
+        for (const name of kQuestions.filter((name) => prototype[name] && !prototype[name].waits)) {
+            const ask = prototype[name];
+            prototype[name] = async function (...values) {
+                await drawn(this.page?.() ?? this);
+                return ask.apply(this, values);
+            };
+            prototype[name].waits = true;
+        }
 }
 
 export async function closed(page) {
@@ -49,10 +77,9 @@ export async function closed(page) {
     await page.context().close();
 }
 
-// The bytes of the picture as one number, and how many colours it has. All frames that were asked for are drawn.
+// The bytes of the picture as one number, and how many colours it has.
 export function pictureOf(page, number = 0) {
-    return page.evaluate(async (number) => {
-        for (let frame = 0; frame < 3; ++frame) await new Promise(requestAnimationFrame);
+    return page.evaluate((number) => {
         cleftPage.isMoving = false;
         cleftPage.draw(performance.now());
         const { canvas } = cleftPage.views[number];
@@ -75,8 +102,7 @@ export async function changes(page, action, number = 0) {
 }
 
 // How many triangles are drawn.
-export async function trianglesOf(page) {
-    await pictureOf(page);
+export function trianglesOf(page) {
     return page.evaluate(() => cleftPage.views.map((view) => view.surface.triangles + view.slice.triangles));
 }
 
