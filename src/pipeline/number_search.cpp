@@ -2,12 +2,14 @@
 // first scale, then meshes are counted.
 #include "pipeline/number_search.hpp"
 
+#include "base/error.hpp"
 #include "base/number_text.hpp"
 #include "base/stage.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace cleft
 {
@@ -113,6 +115,26 @@ PipelineOptions without_limit(PipelineOptions options)
     return options;
 }
 
+// Whether sizes so many times as large left the number as it was: cells are no longer than the box is thin, whatever
+// size they are to have, so that a plate has a least number. Else the number falls by at least the factor squared, but
+// for the steps of an octree.
+bool is_least(double factor, double before, double now)
+{
+    constexpr double kBeyondSteps = 2, kSame = 0.99;
+    return factor >= kBeyondSteps && now >= kSame * before;
+}
+
+// A least number that is far from what is wanted, and takes long to mesh, is no answer.
+void refuse_flat_box(double least, const PipelineOptions& options)
+{
+    constexpr double kFar = 10, kLittleWork = 100'000;
+    if (least > std::max(kLittleWork, kFar * static_cast<double>(options.tets)))
+        throw Error(CLEFT_ERROR_TOO_LARGE, "the box is so thin that the background has about " + count_text(least) +
+                                               " tetrahedra, whatever their size, far more than the wanted number, " +
+                                               std::to_string(options.tets) +
+                                               ": set a greater number by tets or another background");
+}
+
 // The promise is 10 %. Less than kTolerance would take more rounds, each of which makes a mesh. Where the first ones do
 // not come as near, the number jumps, and the promise has to do.
 bool is_met(int round, double count, double wanted)
@@ -147,11 +169,14 @@ void scale_by_estimate(ScaledSizing& sizing, const Volume& volume, const Pipelin
         return;
     const PipelineOptions unlimited = without_limit(options);
     const double wanted = static_cast<double>(options.tets), limit = limit_of(options);
+    double factor = 1, before = 0;
     // No mesh is made here, so that these rounds cost little beside the first one that makes one.
     for (int round = 0; round < kFittingRounds; ++round) {
         const ExpectedMesh expected = expected_mesh(volume, sizing.field, unlimited, run);
+        if (is_least(factor, std::exchange(before, expected.background_tets), expected.background_tets))
+            return refuse_flat_box(expected.background_tets, options);
         const double for_number = expected.kept_tets > 0 ? std::cbrt(expected.kept_tets / wanted) : 1;
-        const double factor = std::max(for_number, least_factor(1, kMostOff * expected.whole_tets, limit));
+        factor = std::max(for_number, least_factor(1, kMostOff * expected.whole_tets, limit));
         if (std::abs(factor - 1) < kFitted)
             return;
         scale(sizing, factor, run);
@@ -180,22 +205,23 @@ LabelledMesh mesh_of_number(const Volume& volume, ScaledSizing& sizing, const Pi
     bool is_limited = false;
     LabelledMesh mesh;
     int64_t kept = 0;
+    double all = 0;
     for (int round = 0; round < kRounds && !is_limited; ++round) {
         // From the factor before, since the field is scaled in place and a copy of it could be the largest array of
         // all.
-        scale(sizing, next / factor, steps.next());
-        factor = next;
+        const double coarser = next / std::exchange(factor, next);
+        scale(sizing, coarser, steps.next());
         // Frees the mesh of the round before: two would double the peak of memory.
         mesh = LabelledMesh();
         mesh = attempt(volume, sizing, options, silenced(steps.next()));
-        const double all = static_cast<double>(mesh.tets.size());
+        const double before = std::exchange(all, static_cast<double>(mesh.tets.size()));
         kept = kept_count(mesh, options);
         const double count = static_cast<double>(kept);
         run.note("pipeline.rounds.count", round + 1);
         // cleft_sizing_create() has searched already. Meshing its field must not search on, so that single calls give
         // the bytes of the one call.
         const bool is_where_a_search_ended = round == 0 && was_found && kept == sizing.found;
-        if (is_where_a_search_ended || is_met(round, count, wanted))
+        if (is_where_a_search_ended || is_met(round, count, wanted) || is_least(coarser, before, all))
             break;
         next = std::max(search.next(factor, count), least_factor(factor, all, limit));
         is_limited = limit > 0 && all >= kNearLimit * limit && all <= kOverLimit * limit && count < wanted;

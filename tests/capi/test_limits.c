@@ -148,20 +148,28 @@ static void a_size_far_above_its_neighbours_is_meshed(void** state)
     cleft_context_destroy(context);
 }
 
-/* Cells are no longer than the box is thin, so that a plate of them cannot keep to any number. */
-static void assert_plate_is_refused(const char* background, const char* words)
+/* Two labels side by side in `side` x `side` x 1 voxels of 10 x 10 x 1. */
+static cleft_volume* plate_volume(cleft_context* context, int side)
 {
-    const int64_t dims[3] = {40, 40, 1};
+    const int64_t dims[3] = {side, side, 1};
     const double affine[12] = {10, 0, 0, 0, 0, 10, 0, 0, 0, 0, 1, 0};
     int32_t labels[1600];
-    cleft_context* context = new_context();
     cleft_volume* volume = NULL;
+    assert_true(side <= 40);
+    for (int v = 0; v < side * side; ++v)
+        labels[v] = v % side < side / 2;
+    assert_ok(context, cleft_volume_create_labels(context, CLEFT_TYPE_INT32, labels, dims, affine, NULL, &volume));
+    return volume;
+}
+
+/* Cells are no longer than the box is thin, so that a plate of them cannot keep to any number. */
+static void assert_plate_is_refused(const char* background, const char* tets, const char* words)
+{
+    cleft_context* context = new_context();
+    cleft_volume* volume = plate_volume(context, 40); /* 400 x 400 x 1 cells of 12 tetrahedra */
     cleft_mesh* mesh = NULL;
     cleft_options* options = options_of(background);
-    for (int v = 0; v < 1600; ++v)
-        labels[v] = v % 40 < 20;
-    assert_ok(context, cleft_volume_create_labels(context, CLEFT_TYPE_INT32, labels, dims, affine, NULL, &volume));
-    /* 400 x 400 x 1 cells of 12 tetrahedra */
+    assert_int_equal(cleft_options_set_text(options, "tets", tets), CLEFT_OK);
     assert_fails(context, CLEFT_ERROR_TOO_LARGE, cleft_mesh_volume(context, volume, NULL, NULL, options, &mesh));
     if (!strstr(cleft_context_last_error(context), words))
         fail_msg("%s", cleft_context_last_error(context));
@@ -174,8 +182,47 @@ static void assert_plate_is_refused(const char* background, const char* words)
 static void cells_of_a_plate_keep_to_max_tets_or_are_refused(void** state)
 {
     (void)state;
-    assert_plate_is_refused("lattice", "about 1920000 tetrahedra, more than max_tets, 50000");
-    assert_plate_is_refused("octree", "about 1920000 tetrahedra, whatever their size, more than max_tets, 50000");
+    assert_plate_is_refused("lattice", "0", "about 1920000 tetrahedra, more than max_tets, 50000");
+    assert_plate_is_refused("octree", "0", "about 1920000 tetrahedra, whatever their size, more than max_tets, 50000");
+}
+
+static void a_number_that_is_far_below_that_of_a_plate_is_refused(void** state)
+{
+    static const char kWords[] = "about 1920000 tetrahedra, whatever their size, far more than the wanted number, 5000";
+    (void)state;
+    assert_plate_is_refused("lattice", "5000", kWords);
+    assert_plate_is_refused("octree", "5000", kWords);
+}
+
+/* A plate that is made fast has its least number, after one mesh, and the warning tells it. */
+static void a_search_ends_where_the_number_falls_no_more(void** state)
+{
+    warnings reported;
+    cleft_context* context = listening_context(&reported);
+    cleft_volume* volume = plate_volume(context, 8);
+    (void)state;
+    for (int b = 0; b < 2; ++b) {
+        cleft_options* options = options_of(b ? "octree" : "lattice");
+        cleft_mesh* mesh = NULL;
+        double rounds = 0;
+        assert_int_equal(cleft_options_set_text(options, "tets", "500"), CLEFT_OK);
+        assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, options, &mesh));
+        assert_sound(context, mesh);
+        for (int64_t i = 0; i < cleft_context_metric_count(context); ++i) {
+            const char* name = NULL;
+            double value = 0;
+            assert_int_equal(cleft_context_metric(context, i, &name, &value), CLEFT_OK);
+            if (!strcmp(name, "pipeline.rounds.count"))
+                rounds = value;
+        }
+        assert_true(rounds >= 1 && rounds <= 2);
+        assert_reported(&reported, "was not met");
+        memset(&reported, 0, sizeof reported);
+        cleft_mesh_destroy(mesh);
+        cleft_options_destroy(options);
+    }
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
 }
 
 /* Distances from a ball of radius 3 within a band, and a sentinel beyond it. */
@@ -391,6 +438,8 @@ int main(void)
         cmocka_unit_test(what_a_far_world_cannot_hold_is_refused),
         cmocka_unit_test(a_size_far_above_its_neighbours_is_meshed),
         cmocka_unit_test(cells_of_a_plate_keep_to_max_tets_or_are_refused),
+        cmocka_unit_test(a_number_that_is_far_below_that_of_a_plate_is_refused),
+        cmocka_unit_test(a_search_ends_where_the_number_falls_no_more),
         cmocka_unit_test(sentinels_lie_a_little_beyond_their_band),
         cmocka_unit_test(noise_of_sentinels_alone_is_meshed_by_its_signs),
         cmocka_unit_test(backgrounds_are_checked_whole),
