@@ -41,6 +41,8 @@ test("a long mesh fits the picture, from every side", async () => {
             await page.mouse.wheel(0, -300);
             await page.click("#reset");
             await fits("after reset");
+            await page.setViewportSize({ width: viewport.height, height: viewport.width });
+            await fits("in a window of another shape");
             await closed(page);
         }
 });
@@ -52,6 +54,8 @@ test("who looks closer keeps the distance", async () => {
     for (let times = 0; times < 5; ++times) await page.keyboard.press("+");
     const near = await distance();
     await page.locator("#directions button").first().click();
+    assert.equal(await distance(), near);
+    await page.setViewportSize({ width: 600, height: 900 });
     assert.equal(await distance(), near);
     await closed(page);
 });

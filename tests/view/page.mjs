@@ -221,6 +221,22 @@ test("a report that is none leaves the rest", async () => {
     }
 });
 
+test("names in the table of voxels have room", async () => {
+    const text = await readFile(about.page, "utf8");
+    const edited = text.replace(/(id="report-0">)([^<]*)/, (_, start, json) => {
+        const named = JSON.parse(json);
+        for (const row of named.labels) row.name = "Cingulum_Post_L";
+        return start + JSON.stringify(named);
+    });
+    const page = await opened(about.page, {}, () => edited);
+    await page.locator("summary", { hasText: "Voxels and mesh" }).click();
+    const cells = page.locator("td.text", { hasText: "Cingulum_Post_L" });
+    assert.equal(await cells.count(), report.labels.length);
+    const lines = await cells.evaluateAll((all) => all.map((cell) => cell.clientHeight / 20));
+    assert.ok(Math.max(...lines) < 2, `${lines}`);
+    await closed(page);
+});
+
 test("the report of another mesh is not shown, and warnings are above all", async () => {
     const text = await readFile(about.page, "utf8");
     const edited = (from, to) => () => {

@@ -30,7 +30,7 @@ function show(page, reports) {
     page.addPanel(reports);
     for (const view of page.views) {
         new Pointers(view);
-        new ResizeObserver(() => page.redraw()).observe(view.canvas);
+        new ResizeObserver(() => page.fitWindow()).observe(view.canvas);
     }
     listenToKeys(page);
     addEventListener("beforeprint", () => page.draw(performance.now()));

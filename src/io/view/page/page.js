@@ -235,12 +235,24 @@ class Page {
     }
 
     // The distance of a camera from where it sees all that is shown.
-    filling(camera) {
+    filling(camera, aspects = this.views.map((view) => view.aspect())) {
         const points = shownPoints(this.meshes, this.state.hidden);
         const distances = this.meshes.map((mesh, number) =>
-            distanceToFit(camera, this.views[number].aspect(), mesh.positions, points[number]),
+            distanceToFit(camera, aspects[number], mesh.positions, points[number]),
         );
         return Math.max(...distances) || 1;
+    }
+
+    // Who sees all of the mesh sees all of it in a window of another shape, too.
+    fitWindow() {
+        const { camera } = this.state;
+        const aspects = this.views.map((view) => view.aspect());
+        if (this.aspects && aspects.some((aspect, number) => aspect !== this.aspects[number])) {
+            const before = this.filling(camera, this.aspects);
+            if (camera.distance > 0.99 * before) camera.distance *= this.filling(camera, aspects) / before;
+        }
+        this.aspects = aspects;
+        this.redraw();
     }
 
     // How the page opened. The theme stays.
@@ -251,6 +263,7 @@ class Page {
         this.choose(null);
         // At once, as a notice that comes back changes the room for the picture.
         this.refresh();
+        this.fitWindow();
         this.fly(this.home());
     }
 

@@ -29,13 +29,14 @@ function labelsOfReport(report) {
     if (!rows.length) return null;
     const hasNames = rows.some((row) => row.name);
     const name = (cell) => (hasNames ? [cell] : []);
-    const heads = [["label"], ...name(["name", "text"]), ["voxels"], ["mesh"], ["%"], ["parts"]];
+    // The difference comes first, as there may be no room for all.
+    const heads = [["label"], ...name(["name", "text"]), ["%"], ["voxels"], ["mesh"], ["parts"]];
     const cells = rows.map((row) => [
         [String(row.label)],
         ...name([String(row.name ?? ""), "text"]),
+        [percentText(row.difference_percent), ...(Math.abs(row.difference_percent) > 3 ? ["bad"] : [])],
         [short(row.voxel_volume)],
         [short(row.mesh_volume)],
-        [percentText(row.difference_percent), ...(Math.abs(row.difference_percent) > 3 ? ["bad"] : [])],
         [`${whole(row.voxel_components)} → ${whole(row.mesh_components)}`, ...(row.lost ? ["bad"] : [])],
     ]);
     return scrolling(tableOf(heads, cells));
@@ -115,7 +116,7 @@ function addReport(page, mesh, report) {
             `Voxels and mesh${of}`,
             false,
             labels,
-            make("p.hint", {}, "Volumes, how far the mesh is off, and parts that hang together."),
+            make("p.hint", {}, "How far the volume of the mesh is off, both volumes, and parts that hang together."),
         );
     const distances = distancesOfReport(report);
     if (distances) addSection(`Distances of interfaces${of}`, false, distances);
