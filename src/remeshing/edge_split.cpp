@@ -1,6 +1,8 @@
 // Splits edges. The new point takes over the walls that the edge lies in, so the hull keeps its planes.
 #include "remeshing/edge_split.hpp"
 
+#include "mesh/adjacency.hpp"
+
 namespace cleft
 {
 
@@ -9,7 +11,10 @@ uint8_t frozen_on_edge(const LocalMesh& mesh, const EdgeRing& ring)
     // An edge inside the mesh may have both ends in one wall, or in two. Its middle is still free.
     if (ring.closed)
         return 0;
-    return mesh.frozen(ring.a) & mesh.frozen(ring.b);
+    // Of the two hull faces, not of the ends: two corners of a box have more in common than the edge between them.
+    const Vec3 &a = mesh.point(ring.a), &b = mesh.point(ring.b);
+    return static_cast<uint8_t>(hull_axes(a, b, mesh.point(ring.points.front())) |
+                                hull_axes(a, b, mesh.point(ring.points.back())));
 }
 
 void find_split(const LocalMesh& mesh, Cavity& cavity)

@@ -32,10 +32,6 @@ void LengthChanges::find_split(int32_t t, Proposal& proposal)
         return;
     const Vec3 &a = mesh_.point(ring.a), &b = mesh_.point(ring.b);
     proposal.place = a + middle_of_length(mesh_, ring.a, ring.b) * (b - a);
-    // What is frozen is the same at both ends, and may not become another number by rounding.
-    for (int axis = 0; axis < 3; ++axis)
-        if (frozen_on_edge(mesh_, ring) >> axis & 1)
-            proposal.place[axis] = a[axis];
     star_.load(mesh_, ring);
     if (!(star_.worst_at(proposal.place, kLeastSplit) > kLeastSplit))
         return;
