@@ -567,6 +567,10 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_strip(cleft_context* context, 
  *  cleft_mesh_cleave(), cleft_mesh_improve() and cleft_mesh_strip(), which give the same bytes if called one by one.
  *  `sizing`, `background` and `options` may be NULL; the call skips the stages whose results it receives.
  *
+ *  If both are given, the background decides over sizes, and a warning says that the field has no effect. A metric has
+ *  one: the library adapts a background of the user to it if REPAIR is above 0, and measures lengths and angles by it.
+ *  Before that the background may have any sizes. It keeps its hull.
+ *
  *  With TETS the library corrects the size until the number of kept tetrahedra is within 10 %, in at most eight
  *  rounds. A given sizing field is corrected too, unless it was made with the same TETS and gives the number that was
  *  found then. A given background is not, and a warning says so. Then MAX_TETS has no effect, with one exception. If

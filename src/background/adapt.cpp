@@ -25,6 +25,10 @@ constexpr double kStretchOfSweep = 1.6;
 constexpr int kLastSweeps = 3;
 // While lengths are made, angles may be as bad as this. With 28, a twentieth of the edges more are too long or short.
 constexpr double kEnoughAngle = 10;  // degrees
+// Sweeps before the first stretch, until a sweep hardly changes the number of tetrahedra. Each sweep can make edges a
+// quarter as long.
+constexpr int kMostFirstSweeps = 20;
+constexpr double kSameNumber = 0.02;
 // Passes over long edges, and over short ones. What is left comes again in the next sweep.
 constexpr int kLengthPasses = 2;
 // The flips of a sweep. With 30 degrees the worst mean ratio of the end is less.
@@ -62,7 +66,6 @@ public:
         repair_.improve_bad(kFinalAngle, kFinalPasses, true, parts.next());
     }
 
-private:
     void work_at(double stretch, const Run& run)
     {
         Steps steps(run, {{nullptr, 4}, {nullptr, 4}, {nullptr, 3}, {nullptr, 2}});
@@ -73,22 +76,44 @@ private:
         relax_springs(mesh_, goal_.enough, steps.next());
     }
 
+private:
     const MetricField& metric_;
     LocalMesh& mesh_;
     const LengthGoal goal_;
     ShapeRepair repair_;
 };
 
+// As particles do from the beginning. Each sweep has a mesh of its own: tetrahedra that are gone would count where
+// splits end.
+void meet_greatest_sizes(LabelledMesh& mesh, const MetricField& metric, double expected, const Run& run)
+{
+    Steps steps(run, Array<Step>(kMostFirstSweeps, {nullptr, 1}));
+    for (int sweep = 0; sweep < kMostFirstSweeps; ++sweep) {
+        const Run part = steps.next();
+        const auto before = static_cast<double>(mesh.tets.size());
+        LocalMesh local(std::move(mesh), part);
+        Adaptation(local, metric, expected).work_at(0, part);
+        mesh = local.take(part);
+        const auto tets = static_cast<double>(mesh.tets.size());
+        if (std::abs(tets - before) <= kSameNumber * tets)
+            return;
+    }
+}
+
 }  // namespace
 
-void adapt(TetMesh& mesh, const MetricField& metric, double expected, const Run& run)
+void adapt(TetMesh& mesh, const MetricField& metric, double expected, MadeOf made_of, const Run& run)
 {
     Stage stage(run, "background.adapt", {{"background: adapting to the metric", 1}});
-    const Run part = stage.next();
-    LocalMesh local(std::move(mesh.points), std::move(mesh.tets), {}, part);
+    Steps steps(stage.next(), {{nullptr, made_of == MadeOf::any_sizes ? 1.0 : 0}, {nullptr, 1}});
+    const Run of_start = steps.next(), part = steps.next();
+    LabelledMesh adapted{std::move(mesh.points), std::move(mesh.tets), {}};
+    if (made_of == MadeOf::any_sizes)
+        meet_greatest_sizes(adapted, metric, expected, of_start);
+    LocalMesh local(std::move(adapted), part);
     Adaptation(local, metric, expected).work(part);
     note_angles(local, "background.adapt", "after", run);
-    LabelledMesh adapted = local.take(part);
+    adapted = local.take(part);
     mesh = {std::move(adapted.points), std::move(adapted.tets)};
 }
 

@@ -5,6 +5,7 @@
 #include "base/number_text.hpp"
 #include "base/parallel.hpp"
 #include "base/stage.hpp"
+#include "mesh/materials.hpp"
 #include "sizing/metric_sizing.hpp"
 
 #include <algorithm>
@@ -53,6 +54,14 @@ TetMesh in_stretched_box(const SizingField& field, const Vec3& sizes, const Back
     return mesh;
 }
 
+double possible_tets(double expected)
+{
+    if (!(expected < kMostTetsOfMetric))
+        throw Error(CLEFT_ERROR_TOO_LARGE, "the metric asks for about " + count_text(expected) +
+                                               " tetrahedra; a background can have " + count_text(kMostTetsOfMetric));
+    return expected;
+}
+
 }  // namespace
 
 TetMesh metric_background(const SizingField& field, const BackgroundOptions& options, const Run& run)
@@ -63,15 +72,20 @@ TetMesh metric_background(const SizingField& field, const BackgroundOptions& opt
         throw Error(CLEFT_ERROR_OPTION,
                     "a lattice or an octree follows a metric only if it is the same everywhere and has the axes of the "
                     "voxels; set the background to particles");
-    const double expected = expected_particle_tets(field);
-    if (!(expected < kMostTetsOfMetric))
-        throw Error(CLEFT_ERROR_TOO_LARGE, "the metric asks for about " + count_text(expected) +
-                                               " tetrahedra; a background can have " + count_text(kMostTetsOfMetric));
+    const double expected = possible_tets(expected_particle_tets(field));
     Steps steps(run, {{nullptr, 20}, {nullptr, 80}});
     const Run of_start = steps.next();
     TetMesh mesh = particle_background(greatest_sizes(field, of_start), options.particles, of_start);
-    adapt(mesh, *field.metric, expected, steps.next());
+    adapt(mesh, *field.metric, expected, MadeOf::greatest_sizes, steps.next());
     return mesh;
+}
+
+void adapt_to_metric(TetMesh& mesh, const SizingField& field, const Run& run)
+{
+    const double volume =
+        material_volumes(mesh.points, mesh.tets, Array<Material>(mesh.tets.size(), 0), 1, run).front();
+    const double boxes = std::max(1.0, volume / field.grid.extent().prod());
+    adapt(mesh, *field.metric, possible_tets(boxes * expected_particle_tets(field)), MadeOf::any_sizes, run);
 }
 
 }  // namespace cleft

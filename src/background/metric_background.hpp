@@ -11,4 +11,8 @@ namespace cleft
 // kind cannot follow the metric.
 TetMesh metric_background(const SizingField& field, const BackgroundOptions& options, const Run& run);
 
+// Changes a mesh of any origin until it follows the metric of the field, which it must have. What is outside of the
+// field's box follows the metric at the side of the box.
+void adapt_to_metric(TetMesh& mesh, const SizingField& field, const Run& run);
+
 }  // namespace cleft

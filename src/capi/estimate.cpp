@@ -21,10 +21,15 @@ namespace
 Estimate estimated(const cleft_volume& volume, const cleft_sizing* sizing, const cleft_mesh* background,
                    const cleft::PipelineOptions& p, const Run& run)
 {
-    // A background decides alone, as it does in cleft_mesh_volume().
-    if (background)
-        return cleft::estimate_from_background(volume.volume, given_background(*background, volume.frame, run).mesh, p,
-                                               run);
+    if (background) {
+        const GivenBackground given = given_background(*background, volume.frame, run);
+        // A background decides over sizes, as it does in cleft_mesh_volume(), but follows a metric.
+        if (given.is_ours || !sizing || !sizing->sizing.field.metric || p.repair_angle <= 0)
+            return cleft::estimate_from_background(volume.volume, given.mesh, p, run);
+        cleft::PipelineOptions without_search = p;
+        without_search.tets = 0;
+        return cleft::estimate_from_sizing(volume.volume, given_sizing(*sizing, volume), without_search, run);
+    }
     if (sizing)
         return cleft::estimate_from_sizing(volume.volume, given_sizing(*sizing, volume), p, run);
     return cleft::estimate_from_volume(volume.volume, p, run);

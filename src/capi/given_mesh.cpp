@@ -77,11 +77,16 @@ GivenBackground given_background(const cleft_mesh& mesh, const Frame& frame, con
     return {checked_background(mesh, frame, run), false};
 }
 
-ScaledSizing given_sizing(const cleft_sizing& sizing, const cleft_volume& volume)
+void require_same_grid(const cleft_sizing& sizing, const cleft_volume& volume)
 {
     // A field belongs to voxels. One of another volume would silently give each place the size of another.
     if (sizing.frame.grid.dims != volume.frame.grid.dims)
         throw Error(CLEFT_ERROR_ARGUMENT, "the sizing field and the volume have different dims");
+}
+
+ScaledSizing given_sizing(const cleft_sizing& sizing, const cleft_volume& volume)
+{
+    require_same_grid(sizing, volume);
     return sizing.sizing;
 }
 

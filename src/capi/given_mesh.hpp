@@ -30,6 +30,8 @@ struct GivenBackground {
 // or reaches out of it, a warning says so.
 GivenBackground given_background(const cleft_mesh& mesh, const Frame& frame, const Run& run);
 
+// Throws CLEFT_ERROR_ARGUMENT if the field has not the dims of the volume.
+void require_same_grid(const cleft_sizing& sizing, const cleft_volume& volume);
 // A copy of the field, which must have the dims of the volume.
 ScaledSizing given_sizing(const cleft_sizing& sizing, const cleft_volume& volume);
 

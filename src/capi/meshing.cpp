@@ -50,19 +50,39 @@ void warn_of_unmet_number(const cleft::ScaledSizing& sizing, int64_t tets, const
                  (sizing.found_for > 0 ? "with " + std::to_string(sizing.found_for) : "without it"));
 }
 
+// The field whose metric a background of the user is to follow; null if there is none.
+const cleft::SizingField* metric_to_follow(const GivenBackground& background, const cleft_sizing* sizing,
+                                           const cleft_volume& volume, const Run& run)
+{
+    if (!sizing)
+        return nullptr;
+    require_same_grid(*sizing, volume);
+    if (!background.is_ours && sizing->sizing.field.metric)
+        return &sizing->sizing.field;
+    run.warn("the sizing field has no effect on a background that is given");
+    return nullptr;
+}
+
+// A background decides over the sizes of a field.
+LabelledMesh meshed_from(const cleft_mesh& background, const cleft_sizing* sizing, const cleft_volume& volume,
+                         const cleft::PipelineOptions& p, const Run& run)
+{
+    // The option may be left from another call of the same handle, so this is no error. But the number will not be met.
+    if (p.tets > 0)
+        run.warn("tets has no effect on a background that is given");
+    GivenBackground from = given_background(background, volume.frame, run);
+    const cleft::SizingField* field = metric_to_follow(from, sizing, volume, run);
+    const auto& metric = field ? field->metric : background.metric;
+    return cleft::mesh_from_background(volume.volume, std::move(from.mesh), field,
+                                       cleft::measured_by(metric.get(), from.options(p)), run);
+}
+
 // What is given is held by the caller.
-// A background decides over a field: with both, the field has nothing left to say.
 LabelledMesh meshed(const cleft_volume& volume, const cleft_sizing* sizing, const cleft_mesh* background,
                     const cleft::PipelineOptions& p, const Run& run)
 {
-    // The option may be left from another call of the same handle, so this is no error. But the number will not be met.
-    if (background && p.tets > 0)
-        run.warn("tets has no effect on a background that is given");
-    if (background) {
-        GivenBackground from = given_background(*background, volume.frame, run);
-        return cleft::mesh_from_background(volume.volume, std::move(from.mesh),
-                                           cleft::measured_by(background->metric.get(), from.options(p)), run);
-    }
+    if (background)
+        return meshed_from(*background, sizing, volume, p, run);
     // A field that is given is complete: the options on sizes were applied when it was made.
     if (sizing)
         return cleft::mesh_from_sizing(volume.volume, given_sizing(*sizing, volume), p, run);

@@ -98,12 +98,17 @@ LabelledMesh improve_and_fit(const Volume& volume, const Cleaved& cleaved, const
 }
 
 // Of a background of the user.
-void repair_background(TetMesh& background, const PipelineOptions& options, const Run& run)
+void repair_background(TetMesh& background, const SizingField* adapted_to, const PipelineOptions& options,
+                       const Run& run)
 {
     // 0 stands for a background that is to be cleaved exactly as the user made it.
     if (options.repair_angle <= 0)
         return;
     Stage stage(run, "background", {{"background", 1}});
+    if (adapted_to) {
+        adapt_to_metric(background, *adapted_to, stage.next());
+        return;
+    }
     RepairOptions repair_options;
     repair_options.target_angle = options.repair_angle;
     repair_options.sweeps = 0;  // a user's points stay where they are unless a bad tetrahedron needs them moved
@@ -235,7 +240,7 @@ TetMesh make_background(const ScaledSizing& sizing, const PipelineOptions& optio
 LabelledMesh repair_and_cleave(const Volume& volume, TetMesh background, const PipelineOptions& options, const Run& run)
 {
     Steps steps(run, {{nullptr, 3}, {nullptr, 7}});
-    repair_background(background, options, steps.next());
+    repair_background(background, nullptr, options, steps.next());
     return cleave(volume, background, options.cleave, steps.next());
 }
 
@@ -287,11 +292,11 @@ LabelledMesh mesh_from_sizing(const Volume& volume, ScaledSizing sizing, const P
     return finished_and_stripped(volume, std::move(mesh), measured, steps.next());
 }
 
-LabelledMesh mesh_from_background(const Volume& volume, TetMesh background, const PipelineOptions& options,
-                                  const Run& run)
+LabelledMesh mesh_from_background(const Volume& volume, TetMesh background, const SizingField* adapted_to,
+                                  const PipelineOptions& options, const Run& run)
 {
-    Steps steps(run, {{nullptr, 20}, {nullptr, 75}, {nullptr, 5}});
-    repair_background(background, options, steps.next());
+    Steps steps(run, {{nullptr, adapted_to ? 60.0 : 20.0}, {nullptr, 75}, {nullptr, 5}});
+    repair_background(background, adapted_to, options, steps.next());
     LabelledMesh mesh = cleave_improve_and_fit(volume, background, options, steps.next());
     background = TetMesh();
     return finished_and_stripped(volume, std::move(mesh), options, steps.next());

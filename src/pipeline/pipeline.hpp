@@ -67,8 +67,9 @@ LabelledMesh mesh_from_volume(const Volume& volume, const PipelineOptions& optio
 LabelledMesh mesh_from_sizing(const Volume& volume, ScaledSizing sizing, const PipelineOptions& options,
                               const Run& run);
 
-// From a user-supplied background on.
-LabelledMesh mesh_from_background(const Volume& volume, TetMesh background, const PipelineOptions& options,
-                                  const Run& run);
+// From a user-supplied background on. It is repaired as the options say, and adapted to the metric of the field, if
+// there is one.
+LabelledMesh mesh_from_background(const Volume& volume, TetMesh background, const SizingField* adapted_to,
+                                  const PipelineOptions& options, const Run& run);
 
 }  // namespace cleft

@@ -10,7 +10,8 @@ namespace Cleft
         /// <summary>Meshes a volume.</summary>
         public Mesh Mesh(Volume volume, Options options = null) { return Mesh(volume, null, null, options); }
 
-        /// <summary>Meshes a volume with a sizing field or a background mesh of your own; both may be null.</summary>
+        /// <summary>Meshes a volume with a sizing field or a background mesh of your own; both may be null. If both are
+        /// given, the background is adapted to the metric of the field.</summary>
         public Mesh Mesh(Volume volume, Sizing sizing, Mesh background, Options options = null)
         {
             NativeHandle of = Required(volume, nameof(volume)), how = HandleOf(options);

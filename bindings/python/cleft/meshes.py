@@ -213,6 +213,7 @@ def mesh(
 
         mesh = cleft.mesh(volume, size_max=3.0, strip=[0])
 
+    If both are given, the background mesh is adapted to the metric of the sizing field.
     `smooth` is an option of the volume: give it to Volume() or read_volume().
     """
     chosen = options_of(options, keywords)

@@ -299,7 +299,8 @@ public final class Mesher extends NativeObject {
     }
 
     /**
-     * Meshes a volume with a sizing field or a background mesh of your own.
+     * Meshes a volume with a sizing field or a background mesh of your own. If both are given, the background is
+     * adapted to the metric of the field.
      *
      * @param volume the volume
      * @param sizing how long edges are to be; may be null
