@@ -356,7 +356,8 @@ typedef struct cleft_io_view {
  *  A table of names is one of cleft_io_read_mesh_names(). Labels that are not in the table keep the names of the mesh.
  *
  *  CLEFT_ERROR_FILE if the page cannot be written or the table cannot be read. CLEFT_ERROR_FORMAT if the table is
- *  malformed; the message names the line. CLEFT_ERROR_ARGUMENT if the mesh has no tetrahedra. \since 0.1 */
+ *  malformed; the message names the line. CLEFT_ERROR_ARGUMENT if the mesh has no tetrahedra, or if the longest
+ *  side of its box is beyond 1e-30 to 1e30. \since 0.1 */
 CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_write_view(cleft_context* context, const cleft_mesh* mesh,
                                                               const cleft_io_view* view,
                                                               const char* path) CLEFT_NOEXCEPT;

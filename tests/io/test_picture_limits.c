@@ -231,10 +231,8 @@ static void what_a_legend_cannot_show_is_told(void** state)
     cleft_mesh* mesh = make_box(f->context, 3, as_it_is);
     char sentences[500] = "";
     assert_int_equal(cleft_context_set_log(f->context, keep_sentence, sentences), CLEFT_OK);
-    assert_int_equal(cleft_mesh_set_label_name(mesh, OUTER,
-                                               "Gr\xc3\xb6\xc3\x9f"
-                                               "e"),
-                     CLEFT_OK);
+    /* "日本" */
+    assert_int_equal(cleft_mesh_set_label_name(mesh, OUTER, "Gr\u00f6\u00dfe \u65e5\u672c"), CLEFT_OK);
     cleft_io_picture look = small_picture();
     picture p = draw(f, mesh, &look);
     free(p.rgba);
@@ -243,11 +241,87 @@ static void what_a_legend_cannot_show_is_told(void** state)
     p = draw(f, mesh, &look);
     free(p.rgba);
     assert_non_null(strstr(sentences,
-                           "the legend can draw ASCII alone, and shows other letters as '?': in the names of "
-                           "1 label, '"));
-    assert_non_null(strstr(sentences,
-                           "Gr\xc3\xb6\xc3\x9f"
-                           "e';"));
+                           "the legend can draw Latin and Greek letters alone, and shows others as '?': in "
+                           "the names of 1 label, '"));
+    assert_non_null(strstr(sentences, "Gr\u00f6\u00dfe \u65e5\u672c';"));
+    cleft_mesh_destroy(mesh);
+}
+
+/* The picture of a legend with one name. */
+static picture legend_with(fixture* f, const char* name)
+{
+    cleft_mesh* mesh = make_box(f->context, 1, as_it_is);
+    assert_int_equal(cleft_mesh_set_label_name(mesh, OUTER, name), CLEFT_OK);
+    cleft_io_picture look = small_picture();
+    look.width = 600;
+    look.height = 600;
+    look.legend = 1;
+    picture p = draw(f, mesh, &look);
+    cleft_mesh_destroy(mesh);
+    return p;
+}
+
+static int64_t differing_pixels(const picture* a, const picture* b)
+{
+    int64_t count = 0;
+    assert_true(a->width == b->width && a->height == b->height);
+    for (int64_t i = 0; i < (int64_t)a->width * a->height; ++i)
+        count += memcmp(a->rgba + 4 * i, b->rgba + 4 * i, 4) != 0;
+    return count;
+}
+
+/* Each letter has strokes of its own, and a mark is seen whether it comes with its letter or behind it. */
+static void legends_have_letters_with_marks(void** state)
+{
+    static const char* const names[][2] = {
+        {"\u00e9", "e\u0301"}, {"\u00c4", "A\u0308"}, {"\u00ef", "i\u0308"}, {"\u0107", "c\u0301"},
+        {"\u0150", "O\u030b"}, {"\u0119", "e\u0328"}, {"\u00f1", "n\u0303"}, {"\u016f", "u\u030a"},
+    };
+    static const char* const others[] = {"\u00df", "\u00e6", "\u0142", "\u00f8", "\u00b5", "\u03b1",
+                                         "\u03c9", "\u03a9", "\u0394", "\u00bf", "\u00b2", "\u0131"};
+    fixture* f = *state;
+    char sentences[500] = "";
+    assert_int_equal(cleft_context_set_log(f->context, keep_sentence, sentences), CLEFT_OK);
+    for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
+        const char plain[] = {names[i][1][0], '\0'};
+        picture one = legend_with(f, names[i][0]), two = legend_with(f, names[i][1]), without = legend_with(f, plain);
+        assert_int_equal(differing_pixels(&one, &two), 0);
+        assert_true(differing_pixels(&one, &without) > 2);
+        free(one.rgba);
+        free(two.rgba);
+        free(without.rgba);
+    }
+    picture last = legend_with(f, "e");
+    for (size_t i = 0; i < sizeof others / sizeof *others; ++i) {
+        picture next = legend_with(f, others[i]);
+        assert_true(last.width != next.width || differing_pixels(&last, &next) > 2);
+        free(last.rgba);
+        last = next;
+    }
+    free(last.rgba);
+    assert_string_equal(sentences, "");
+}
+
+/* However near one looks. */
+static void a_mesh_ends_at_its_legend(void** state)
+{
+    fixture* f = *state;
+    cleft_mesh* mesh = make_box(f->context, 2, as_it_is);
+    cleft_io_picture look = small_picture();
+    look.by = CLEFT_IO_BY_ANGLE;
+    look.zoom = 20;
+    look.no_edges = 1;
+    picture without = draw(f, mesh, &look);
+    look.legend = 1;
+    picture with = draw(f, mesh, &look);
+    for (int y = 0; y < with.height; ++y) {
+        /* The last column is of the mesh, or behind the legend. */
+        const uint8_t* pixel = pixel_at(&with, with.width - 1, y);
+        assert_false(is_color(pixel_at(&without, with.width - 1, y), 255, 255, 255));
+        assert_true(is_color(pixel, 255, 255, 255));
+    }
+    free(with.rgba);
+    free(without.rgba);
     cleft_mesh_destroy(mesh);
 }
 
@@ -297,6 +371,8 @@ int main(void)
         TEST(what_cannot_be_drawn_is_refused),
         TEST(unknown_labels_are_warned_about),
         TEST(what_a_legend_cannot_show_is_told),
+        TEST(legends_have_letters_with_marks),
+        TEST(a_mesh_ends_at_its_legend),
         TEST(one_size_has_one_colour),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

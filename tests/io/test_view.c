@@ -289,6 +289,24 @@ static void mistakes_are_refused(void** state)
     cleft_mesh_destroy(mesh);
 }
 
+static void meshes_of_impossible_sizes_are_refused(void** state)
+{
+    static const int32_t corners[] = {0, 1, 2, 3};
+    static const double sizes[] = {1e-320, 1e-100, 9e-31, 1e-30, 1, 1e30, 1.1e30, 1e300, 1.7e308};
+    fixture* f = *state;
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
+        const double s = sizes[i];
+        const double points[] = {-s, 0, 0, i == 8 ? s : 0, 0, 0, -s, s, 0, -s, 0, s};
+        cleft_mesh* mesh = NULL;
+        assert_int_equal(cleft_mesh_create(f->context, 4, points, 1, corners, NULL, 0, &mesh), CLEFT_OK);
+        const cleft_status status = cleft_io_write_view(f->context, mesh, NULL, path_of(f, "page.html"));
+        assert_int_equal(status, s >= 1e-30 && s <= 1e30 ? CLEFT_OK : CLEFT_ERROR_ARGUMENT);
+        if (status)
+            assert_non_null(strstr(cleft_context_last_error(f->context), "the longest side of the box"));
+        cleft_mesh_destroy(mesh);
+    }
+}
+
 int main(void)
 {
 #define CASE(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
@@ -304,6 +322,7 @@ int main(void)
         CASE(numbers_behind_a_word_are_no_part_of_its_name),
         CASE(tables_that_are_none_are_refused),
         CASE(mistakes_are_refused),
+        CASE(meshes_of_impossible_sizes_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -14,6 +14,7 @@
 #include "io/render/outer_faces.hpp"
 #include "io/render/rasteriser.hpp"
 #include "io/render/shown_tets.hpp"
+#include "io/render/stroke_font.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -54,27 +55,24 @@ std::array<double, 2> range_to_show(const Array<double>& measures, const Picture
 void warn_of_letters(const Legend& legend, const Run& run)
 {
     constexpr size_t kLongest = 80;  // bytes of a name, so that the sentence can be read
-    const auto is_ascii = [](const LegendEntry& entry) {
-        return std::all_of(entry.text.begin(), entry.text.end(),
-                           [](char c) { return static_cast<signed char>(c) > 0; });
-    };
-    const auto first = std::find_if_not(legend.entries.begin(), legend.entries.end(), is_ascii);
+    const auto is_drawn = [](const LegendEntry& entry) { return can_draw(entry.text); };
+    const auto first = std::find_if_not(legend.entries.begin(), legend.entries.end(), is_drawn);
     if (first == legend.entries.end())
         return;
-    const auto count = std::count_if(first, legend.entries.end(), [&](const auto& entry) { return !is_ascii(entry); });
-    run.warn("the legend can draw ASCII alone, and shows other letters as '?': in the names of " +
+    const auto count = std::count_if(first, legend.entries.end(), [&](const auto& entry) { return !is_drawn(entry); });
+    run.warn("the legend can draw Latin and Greek letters alone, and shows others as '?': in the names of " +
              std::to_string(count) + (count == 1 ? " label, '" : " labels, the first of which is '") +
              std::string(beginning_of(printable(first->text), kLongest)) + "'");
 }
 
-// The labels of the tetrahedra for which `has` says so; tet_of(i) for i in [0, count) are those to ask for.
-template <class Tet, class Has>
-std::vector<LegendEntry> label_entries(const MeshView& mesh, int64_t count, const Tet& tet_of, const Has& has)
+// The labels of the tetrahedra of the faces for which has(number) says so.
+template <class Face, class Has>
+std::vector<LegendEntry> label_entries(const MeshView& mesh, const Array<Face>& faces, const Has& has)
 {
     Array<char> is_there(mesh.labels.size());
-    for (int64_t i = 0; i < count; ++i)
+    for (int64_t i = 0; i < faces.count(); ++i)
         if (has(i))
-            is_there[mesh.label_index(mesh.tet_labels[tet_of(i)])] = 1;
+            is_there[mesh.label_index(mesh.tet_labels[faces[i].tet])] = 1;
     std::vector<LegendEntry> entries;
     for (size_t i = 0; i < mesh.labels.size(); ++i)
         if (is_there[i])
@@ -89,6 +87,17 @@ PixelArea area_for_mesh(const PictureRequest& request, int beside)
     const int margin = std::min(request.width, request.height) / kMarginShare;
     return {margin, margin, std::max(1, request.width - margin - std::max(margin, beside)),
             std::max(1, request.height - 2 * margin)};
+}
+
+// With so many columns at the right, which are empty.
+Canvas widened(const Canvas& canvas, int width)
+{
+    Canvas wide(width, canvas.height);
+    for (int y = 0; y < canvas.height; ++y) {
+        std::copy_n(&canvas.pixels[canvas.at(0, y)], canvas.width, &wide.pixels[wide.at(0, y)]);
+        std::copy_n(&canvas.depth[canvas.at(0, y)], canvas.width, &wide.depth[wide.at(0, y)]);
+    }
+    return wide;
 }
 
 void put_behind(cleft_io_backdrop backdrop, const Run& run, Canvas& canvas)
@@ -124,24 +133,23 @@ Canvas draw_picture(const MeshView& mesh, const PictureRequest& request, const R
     Legend legend;
     // The legend has the labels that are seen. Its width is that for all, as it decides what is seen.
     if (names_labels)
-        legend.entries = label_entries(
-            mesh, faces.count(), [&](int64_t f) { return faces[f].tet; }, [](int64_t) { return true; });
+        legend.entries = label_entries(mesh, faces, [](int64_t) { return true; });
     const int beside = request.has_legend ? legend_width(legend, request.width, request.height) : 0;
     const Run colouring = steps.next();
     const Camera camera(mesh, faces, request, area_for_mesh(request, beside), colouring);
     const Array<double> measures = face_measures(mesh, faces, camera, request, colouring);
     if (request.by != CLEFT_IO_BY_LABEL)
         legend.scale.emplace(request.by, request.range, range_to_show(measures, request, run));
-
-    Canvas canvas(request.width, request.height);
+    // A mesh that is larger than the picture ends at the legend.
+    Canvas canvas(std::max(1, request.width - beside), request.height);
     const Array<DrawnFace> drawn = drawn_faces(mesh, faces, measures, legend.scale, camera, request, colouring);
     const Array<uint8_t> is_seen = rasterise(mesh, drawn, camera, request.line_width, steps.next(), canvas);
     const Run finishing = steps.next();
+    canvas = widened(canvas, request.width);
     darken_creases(camera.pixels_per_unit(), finishing, canvas);
     put_behind(request.backdrop, finishing, canvas);
     if (names_labels)
-        legend.entries = label_entries(
-            mesh, drawn.count(), [&](int64_t f) { return drawn[f].tet; }, [&](int64_t f) { return is_seen[f] != 0; });
+        legend.entries = label_entries(mesh, drawn, [&](int64_t f) { return is_seen[f] != 0; });
     warn_of_letters(legend, run);
     if (request.has_legend)
         draw_legend(legend, beside, request.backdrop == CLEFT_IO_BACKDROP_DARK ? kTextOnDark : kTextOnLight, canvas);

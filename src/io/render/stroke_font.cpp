@@ -1,11 +1,12 @@
-// The letters and how they are drawn.
+// Letters are drawn by the distance of samples from their strokes.
 #include "io/render/stroke_font.hpp"
 
 #include "base/utf8.hpp"
+#include "io/render/letter_strokes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -15,106 +16,6 @@ namespace cleft::io
 namespace
 {
 
-// From blank to tilde. A letter is strokes between slashes, a stroke is corners between blanks, a corner a digit for
-// its place to the right and a letter for its height: e is the line that letters stand on, m the height of small
-// letters, q that of capitals. Ours.
-constexpr const char* kStrokes[] = {
-    "",
-    "4i 4q/4e 4f",
-    "2q 2m/6q 6m",
-    "2e 3q/5e 6q/0i 8i/0m 8m",
-    "8n 6p 2p 0n 0m 2k 6k 8i 8h 6f 2f 0h/4d 4r",
-    "0q 2q 2o 0o 0q/6g 8g 8e 6e 6g/0e 8q",
-    "8e 1n 1p 2q 4q 5p 5n 0i 0g 2e 5e 8i",
-    "4q 4m",
-    "5r 3o 3g 5d",
-    "3r 5o 5g 3d",
-    "4o 4g/1m 7i/7m 1i",
-    "4g 4m/1j 7j",
-    "4f 3c",
-    "1j 7j",
-    "4e 4f",
-    "1d 7r",
-    "2e 0g 0o 2q 6q 8o 8g 6e 2e",
-    "1n 4q 4e/1e 7e",
-    "0o 2q 6q 8o 8m 0e 8e",
-    "0o 2q 6q 8o 8m 6k 8i 8g 6e 2e 0g/3k 6k",
-    "6e 6q 0h 8h",
-    "8q 1q 0k 2l 6l 8j 8g 6e 2e 0g",
-    "7q 3q 0n 0g 2e 6e 8g 8j 6l 2l 0j",
-    "0q 8q 3e",
-    "2k 0m 0o 2q 6q 8o 8m 6k 2k 0i 0g 2e 6e 8g 8i 6k",
-    "1e 5e 8h 8o 6q 2q 0o 0l 2j 6j 8l",
-    "4g 4h/4l 4m",
-    "4g 3d/4l 4m",
-    "7n 1j 7f",
-    "1l 7l/1h 7h",
-    "1n 7j 1f",
-    "0o 2q 6q 8o 8m 4j 4h/4e 4f",
-    "6h 6m 3m 2l 2i 3h 6h 8i 8o 6q 2q 0o 0g 2e 7e",
-    "0e 4q 8e/1i 7i",
-    "0e 0q 6q 8o 8m 6k 0k/6k 8i 8g 6e 0e",
-    "8o 6q 2q 0o 0g 2e 6e 8g",
-    "0e 0q 5q 8n 8h 5e 0e",
-    "8q 0q 0e 8e/0k 6k",
-    "8q 0q 0e/0k 6k",
-    "8o 6q 2q 0o 0g 2e 6e 8g 8k 5k",
-    "0e 0q/8e 8q/0k 8k",
-    "2q 6q/4q 4e/2e 6e",
-    "7q 7g 5e 2e 0g",
-    "0e 0q/8q 0j/2l 8e",
-    "0q 0e 8e",
-    "0e 0q 4k 8q 8e",
-    "0e 0q 8e 8q",
-    "2e 0g 0o 2q 6q 8o 8g 6e 2e",
-    "0e 0q 6q 8o 8l 6j 0j",
-    "2e 0g 0o 2q 6q 8o 8g 6e 2e/5h 8e",
-    "0e 0q 6q 8o 8l 6j 0j/4j 8e",
-    "8o 6q 2q 0o 0m 2k 6k 8i 8g 6e 2e 0g",
-    "0q 8q/4q 4e",
-    "0q 0g 2e 6e 8g 8q",
-    "0q 4e 8q",
-    "0q 2e 4n 6e 8q",
-    "0e 8q/0q 8e",
-    "0q 4k 8q/4k 4e",
-    "0q 8q 0e 8e",
-    "6r 3r 3d 6d",
-    "1r 7d",
-    "2r 5r 5d 2d",
-    "1n 4q 7n",
-    "0d 8d",
-    "3q 5o",
-    "1m 5m 7k 7e/7i 2i 0h 0f 1e 5e 7g",
-    "0q 0e/0k 2m 5m 7k 7g 5e 2e 0g",
-    "7l 5m 2m 0k 0g 2e 5e 7f",
-    "7q 7e/7k 5m 2m 0k 0g 2e 5e 7g",
-    "0i 7i 7k 5m 2m 0k 0g 2e 6e 7f",
-    "6q 4q 3p 3e/1m 5m",
-    "7m 7d 5b 2b 0c/7k 5m 2m 0k 0g 2e 5e 7g",
-    "0q 0e/0k 2m 5m 7k 7e",
-    "4m 4e/4p 4q",
-    "4m 4d 3b 1b/4p 4q",
-    "0q 0e/6m 0h/2j 7e",
-    "4q 4e",
-    "0e 0m/0k 2m 3m 4k 4e/4k 6m 7m 8k 8e",
-    "0m 0e/0k 2m 5m 7k 7e",
-    "2e 0g 0k 2m 5m 7k 7g 5e 2e",
-    "0m 0b/0k 2m 5m 7k 7g 5e 2e 0g",
-    "7m 7b/7k 5m 2m 0k 0g 2e 5e 7g",
-    "0m 0e/0k 2m 5m",
-    "7l 5m 1m 0l 0k 1j 6i 7h 7g 6e 1e 0f",
-    "3p 3g 4e 6e/1m 6m",
-    "0m 0g 2e 5e 7g/7m 7e",
-    "0m 3e 6m",
-    "0m 2e 4k 6e 8m",
-    "0m 7e/7m 0e",
-    "0m 3f/7m 3c 1b",
-    "0m 7m 0e 7e",
-    "6r 4q 4l 2j 4i 4e 6d",
-    "4r 4d",
-    "2r 4q 4l 6j 4i 4e 2d",
-    "0i 2k 5i 7k",
-};
 constexpr int kCapital = 12;      // steps from e to q
 constexpr int kGap = 4;           // steps between letters
 constexpr int kBlank = 5;         // the width of a blank beside its gaps
@@ -129,10 +30,8 @@ struct Letter {
     double left = 0, right = kBlank;
 };
 
-Letter letter_of(uint32_t code)
+Letter letter_of(std::string_view strokes)
 {
-    const bool is_known = code >= ' ' && code <= '~';
-    const std::string_view strokes = kStrokes[(is_known ? code : '?') - ' '];
     Letter letter;
     for (size_t i = 0; i + 4 < strokes.size(); i += 3)
         if (strokes[i + 2] == ' ')  // no slash, so the stroke goes on
@@ -149,14 +48,29 @@ Letter letter_of(uint32_t code)
     return letter;
 }
 
+// The strokes of each letter; nothing for what we have no strokes for.
+std::vector<std::optional<std::string>> strokes_of_all(std::string_view text)
+{
+    std::vector<std::optional<std::string>> all;
+    while (!text.empty()) {
+        const Character next = first_character(text);
+        text.remove_prefix(std::max<size_t>(next.bytes, 1));
+        std::optional<std::string> with;
+        if (!all.empty() && all.back())
+            with = with_mark(*all.back(), next.code);
+        if (with)
+            all.back() = with;
+        else
+            all.push_back(next.bytes == 0 ? std::nullopt : strokes_of(next.code));
+    }
+    return all;
+}
+
 std::vector<Letter> letters_of(std::string_view text)
 {
     std::vector<Letter> letters;
-    while (!text.empty()) {
-        const Character next = first_character(text);
-        letters.push_back(letter_of(next.code));
-        text.remove_prefix(std::max<size_t>(next.bytes, 1));
-    }
+    for (const auto& strokes : strokes_of_all(text))
+        letters.push_back(letter_of(strokes ? *strokes : *strokes_of('?')));
     return letters;
 }
 
@@ -187,7 +101,7 @@ int samples_on(double x, double y, double step, const Letter& letter)
 
 void draw_letter(const Letter& letter, double left, double base, double pixels, Colour colour, Canvas& canvas)
 {
-    const int first_x = static_cast<int>(std::floor(left - pixels)), first_y = static_cast<int>(base - 14 * pixels);
+    const int first_x = static_cast<int>(std::floor(left - pixels)), first_y = static_cast<int>(base - 18 * pixels);
     const int last_x = static_cast<int>(std::ceil(left + (letter.right - letter.left + 1) * pixels));
     const int last_y = static_cast<int>(std::ceil(base + 4 * pixels));
     for (int y = std::max(0, first_y); y <= std::min(canvas.height - 1, last_y); ++y)
@@ -201,6 +115,12 @@ void draw_letter(const Letter& letter, double left, double base, double pixels, 
 }
 
 }  // namespace
+
+bool can_draw(const std::string& text)
+{
+    const auto all = strokes_of_all(text);
+    return std::all_of(all.begin(), all.end(), [](const auto& strokes) { return strokes.has_value(); });
+}
 
 double text_width(const std::string& text, double height)
 {

@@ -8,8 +8,11 @@
 namespace cleft::io
 {
 
-// In pixels, of text whose capitals are `height` pixels high. Text is UTF-8; what is not ASCII shows as a question
-// mark.
+// Are there strokes for all letters of a text? It is UTF-8; what is not, and letters of other scripts than Latin and
+// Greek, show as a question mark.
+bool can_draw(const std::string& text);
+
+// In pixels, of text whose capitals are `height` pixels high.
 double text_width(const std::string& text, double height);
 
 // Draws text that begins at `left` and stands on `base`, in pixels from the corner of the canvas. What is beyond the

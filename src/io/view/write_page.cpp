@@ -199,6 +199,19 @@ std::string places_text(const std::vector<PageMesh>& meshes, const std::vector<M
     return text;
 }
 
+// Shapes are quotients of products of up to six lengths, which overflow or vanish far beyond these bounds.
+void check_extent(const PageMesh& page, const MeshFigures& figures)
+{
+    constexpr double kLeastExtent = 1e-30, kGreatestExtent = 1e30;
+    double extent = 0;
+    for (size_t axis = 0; axis < 3; ++axis)
+        extent = std::max(extent, figures.high[axis] - figures.low[axis]);
+    // A mesh of flat tetrahedra may have no extent at all.
+    if (extent > kGreatestExtent || (extent > 0 && extent < kLeastExtent))
+        throw Error(CLEFT_ERROR_ARGUMENT, "the longest side of the box of '" + printable(page.title) + "' is " +
+                                              number_text(extent) + "; a page can show 1e-30 to 1e30");
+}
+
 // Prints the arrays and the report of a mesh, and adds the rest to `json`.
 MeshFigures print_mesh(AtomicFile& file, const PageMesh& page, size_t number, const PageOptions& options,
                        const Run& run, JsonText& json)
@@ -206,6 +219,7 @@ MeshFigures print_mesh(AtomicFile& file, const PageMesh& page, size_t number, co
     constexpr const char* kBytes = "application/octet-stream";
     Steps steps(run, {{"page: figures", 3}, {"page: tetrahedra", 0.2}, {nullptr, 6}});
     const MeshFigures figures = figures_of(page.view, steps.next());
+    check_extent(page, figures);
     const PageTets shown = choose_tets(page.view, page.surface, figures, options.max_tets, steps.next());
     warn_of_reduction(page, shown, run);
     add_mesh(page, figures, shown, json);
