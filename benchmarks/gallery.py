@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Makes docs/gallery.md anew: runs the commands of the page, and puts their figures into it and their pictures into
-docs/images/gallery.
+"""Makes docs/gallery.md anew, and the meshes of docs/guide.md that show metrics: runs the commands of these pages, and
+puts their figures into them and their pictures into docs/images/gallery and docs/images/metrics.
 
-    benchmarks/gallery.py                       # all, in two minutes
+    benchmarks/gallery.py                       # all, in three minutes
     benchmarks/gallery.py --only grains weave   # some of the meshes
     benchmarks/gallery.py --check               # changes nothing, but tells what would change, CPU time aside
     benchmarks/gallery.py --views FOLDER        # also puts the views there, for tools/site/build.py --views FOLDER
@@ -27,9 +27,10 @@ import gallery_volumes
 import quality
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PAGE, PICTURES = ROOT / "docs/gallery.md", ROOT / "docs/images/gallery"
+# Each with the folder of its pictures.
+PAGES = {ROOT / "docs/gallery.md": ROOT / "docs/images/gallery", ROOT / "docs/guide.md": ROOT / "docs/images/metrics"}
 COMMAND = re.compile(r"^    (cleft (?:mesh|render) (?:.*\\\n)*.*)", re.MULTILINE)
-FIGURES = re.compile(r"<!-- figures of ([\w ]+) -->\n(?:.*\n)*?<!-- /figures -->\n")
+FIGURES = re.compile(r"<!-- figures of ([\w -]+) -->\n(?:.*\n)*?<!-- /figures -->\n")
 COLUMNS = ("mesh", "voxels", "labels", "tetrahedra", "dihedral angles", "worst label", "CPU")
 
 
@@ -49,6 +50,12 @@ def shell(line, cleft):
     done = subprocess.run(["bash", "-c", line], capture_output=True, text=True)
     if done.returncode:
         sys.exit(f"{line}\n{done.stderr}")
+
+
+def generated(work):
+    """The names of the generated volumes that are read."""
+    lines = " ".join(line for lines in work.values() for _, line in lines)
+    return set(re.findall(r" out/([a-z]+)\d?\.nrrd", lines))
 
 
 def is_here(line):
@@ -114,32 +121,34 @@ def unpacked(picture):
     return parts[b"IHDR"], zlib.decompress(parts[b"IDAT"])
 
 
-def is_drawn_anew(picture):
-    kept = PICTURES / picture.name
-    return not kept.exists() or unpacked(kept) != unpacked(picture)
+def drawn_anew(work, kept):
+    """The pictures of these meshes that are not those that are kept."""
+    lines = " ".join(line for lines in work.values() for _, line in lines)
+    pictures = [pathlib.Path(path) for path in re.findall(r"-o (out/\S+\.png)", lines)]
+    return [
+        p for p in pictures if p.exists() and (not (kept / p.name).exists() or unpacked(kept / p.name) != unpacked(p))
+    ]
 
 
-def differences(page, new_page):
+def differences(page, new_page, work, pictures):
     """What would change: lines of the page, and pictures."""
     lines = zip(without_times(page).splitlines(), without_times(new_page).splitlines())
     found = [f"the page has  {old}\nit would have {new}" for old, new in lines if old != new]
-    for picture in sorted(pathlib.Path("out").glob("*.png")):
-        if is_drawn_anew(picture):
-            found.append(f"the picture {picture.name} is another one")
-    return found
+    return found + [f"the picture {picture.name} is another one" for picture in drawn_anew(work, pictures)]
 
 
-def finish(arguments, page, reports):
+def finish(arguments, file, work, reports):
+    page, pictures = file.read_text(), PAGES[file]
     new_page = with_figures(page, reports)
     if arguments.check:
-        found = differences(page, new_page)
+        found = differences(page, new_page, work, pictures)
         if found:
             sys.exit("\n".join([*found, "benchmarks/gallery.py makes the gallery anew"]))
         return
-    PAGE.write_text(new_page)
-    PICTURES.mkdir(exist_ok=True)
-    for picture in filter(is_drawn_anew, pathlib.Path("out").glob("*.png")):
-        shutil.copy(picture, PICTURES)
+    file.write_text(new_page)
+    pictures.mkdir(exist_ok=True)
+    for picture in drawn_anew(work, pictures):
+        shutil.copy(picture, pictures)
     if arguments.views:
         arguments.views.mkdir(parents=True, exist_ok=True)
         for view in pathlib.Path("out").glob("*.html"):
@@ -147,13 +156,18 @@ def finish(arguments, page, reports):
 
 
 def make_all(arguments):
-    page = PAGE.read_text()
-    work = {mesh: lines for mesh, lines in commands(page).items() if not arguments.only or mesh in arguments.only}
-    if not work or len(work) < len(arguments.only):
-        sys.exit("the page has no such mesh")
     pathlib.Path("out").mkdir()
     pathlib.Path("tests").symlink_to(ROOT / "tests")
-    gallery_volumes.write(pathlib.Path("out"), work)
+    every = {file: commands(file.read_text()) for file in PAGES}
+    unknown = set(arguments.only) - {mesh for work in every.values() for mesh in work}
+    if unknown:
+        sys.exit(f"no page has the meshes {unknown}")
+    for file, work in every.items():
+        make_page(arguments, file, {mesh: work[mesh] for mesh in work if not arguments.only or mesh in arguments.only})
+
+
+def make_page(arguments, file, work):
+    gallery_volumes.write(pathlib.Path("out"), generated(work))
     reports = {}
     for mesh, lines in work.items():
         if all(is_here(line) for _, line in lines):
@@ -161,7 +175,7 @@ def make_all(arguments):
             print(" | ".join(row(mesh, reports[mesh])), flush=True)
         else:
             print(f"{mesh} is left out: a file of it is not here", flush=True)
-    finish(arguments, page, reports)
+    finish(arguments, file, work, reports)
 
 
 def main():

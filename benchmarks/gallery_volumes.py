@@ -1,4 +1,5 @@
-"""The volumes of docs/gallery.md that are generated: numpy alone, and the same voxels in every run."""
+"""The volumes of docs/gallery.md that are generated, and those of the metrics in docs/guide.md: numpy alone, and the
+same voxels in every run."""
 import numpy as np
 
 import volumes
@@ -124,9 +125,48 @@ def weave(period=44):
     return labels, (0.05, 0.05, 0.05)
 
 
+def sheets(n=60):
+    """Two parallel sheets that are two voxels thick (1, 2), and one that crosses them (3)."""
+    labels = np.zeros((n, n, n), np.uint8)
+    labels[18:20] = 1
+    labels[38:40] = 2
+    labels[:, :, 30:32] = 3
+    return labels, (1, 1, 1)
+
+
+def fibres(length=96, width=36):
+    """Seven fibres in a bundle that bends and twists (1), in a matrix (0). Voxels of 0.01 mm."""
+    x = volumes.centres((width, width, length))
+    along = x[..., 0] / length
+    across, up = x[..., 1] - width / 2, x[..., 2] - width / 2 + 3 * np.sin(np.pi * along)
+    turned = np.stack([np.cos(along) * across - np.sin(along) * up, np.sin(along) * across + np.cos(along) * up], -1)
+    angles = np.arange(6) * np.pi / 3
+    middles = [(0, 0), *zip(9 * np.cos(angles), 9 * np.sin(angles))]
+    labels = np.any([np.linalg.norm(turned - middle, axis=-1) < 2.8 for middle in middles], axis=0)
+    return labels.astype(np.uint8), (0.01, 0.01, 0.01)
+
+
+def scan():
+    """A head in slices of 6 mm: skull (1), brain (2), ventricles (3) and a tumour (4). Voxels of 1.5 mm in a slice."""
+    spacing = (1.5, 1.5, 6)
+    x = volumes.centres((26, 112, 92), spacing) - (69, 84, 78)
+    labels = np.zeros(x.shape[:-1], np.uint8)
+    for label, middle, radii in (
+        (1, (0, 0, 0), (63, 78, 70)),
+        (2, (0, 0, 0), (53, 68, 60)),
+        (3, (-11, 0, 8), (7, 26, 13)),
+        (3, (11, 0, 8), (7, 26, 13)),
+        (4, (31, -28, 12), (12, 14, 15)),
+    ):
+        labels[(((x - middle) / radii) ** 2).sum(-1) < 1] = label
+    return labels, spacing
+
+
 # Distances of spheres, one file for each material, as volumes.sphere_distances makes them.
 SPHERES = {"equal": volumes.KISSING, "unequal": volumes.UNEQUAL}
 LABELS = {"organ": organ, "grains": grains, "geology": geology, "weave": weave}
+# Those of the guide.
+LABELS |= {"sheets": sheets, "fibres": fibres, "scan": scan}
 
 
 def write(folder, names=None):
