@@ -36,13 +36,18 @@ def skip_without_browser():
             sys.exit(SKIPPED)
 
 
-def run_script(name, **about):
-    """Runs NAME.mjs, which gets `about` as JSON. Its exit status is that of this program."""
+def script_command(name, **about):
+    """The command that runs NAME.mjs, which gets `about` as JSON, and its environment."""
     folder = installed()
     # Modules are looked for beside a script, and what npm made is in the build folder.
     for script in HERE.glob("*.mjs"):
         shutil.copy(script, folder)
     paths = {key: str(value) if isinstance(value, pathlib.Path) else value for key, value in about.items()}
-    command = ["node", "--test", str(folder / f"{name}.mjs")]
     environment = {**os.environ, "ABOUT": json.dumps(paths), "CHROMIUM": shutil.which("chromium")}
+    return ["node", "--test", str(folder / f"{name}.mjs")], environment
+
+
+def run_script(name, **about):
+    """Runs NAME.mjs. Its exit status is that of this program."""
+    command, environment = script_command(name, **about)
     sys.exit(subprocess.run(command, env=environment).returncode)

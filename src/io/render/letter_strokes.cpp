@@ -185,7 +185,7 @@ struct MarkStrokes {
     uint32_t combining;
     const char* strokes;  // above small letters, or below all
 };
-constexpr MarkStrokes kMarks[] = {
+constexpr MarkStrokes kLetterMarks[] = {
     {'`', 0x300, "2q 5o"},          {'\'', 0x301, "3o 6q"},      {'^', 0x302, "2o 4q 6o"}, {'~', 0x303, "1o 3p 5o 7p"},
     {'-', 0x304, "1p 7p"},          {'u', 0x306, "2q 3o 5o 6q"}, {'.', 0x307, "4o 4p"},    {':', 0x308, "2o 2p/6o 6p"},
     {'o', 0x30A, "3o 3q 5q 5o 3o"}, {'"', 0x30B, "2o 3q/5o 6q"}, {'v', 0x30C, "2q 4o 6q"}, {',', 0x327, "4e 4d 5c 3b"},
@@ -236,7 +236,7 @@ std::optional<std::string> strokes_of(uint32_t code)
         const uint32_t letter = take_character(rest), base = take_character(rest), mark = take_character(rest);
         if (letter == code)
             return marked(*strokes_of(base),
-                          *std::find_if(std::begin(kMarks), std::end(kMarks),
+                          *std::find_if(std::begin(kLetterMarks), std::end(kLetterMarks),
                                         [&](const MarkStrokes& row) { return uint32_t(row.name) == mark; }));
     }
     return std::nullopt;
@@ -244,7 +244,7 @@ std::optional<std::string> strokes_of(uint32_t code)
 
 std::optional<std::string> with_mark(const std::string& letter, uint32_t code)
 {
-    for (const MarkStrokes& mark : kMarks)
+    for (const MarkStrokes& mark : kLetterMarks)
         if (mark.combining == code)
             return marked(letter, mark);
     return std::nullopt;
