@@ -81,6 +81,19 @@ void change_eigenvalues(SizingField& field, const Run& run, const Change& change
     field.metric = std::make_shared<const MetricField>(std::move(metric));
 }
 
+void intersect_metrics(SizingField& field, const MetricField& other, const Run& run)
+{
+    MetricField metric = *field.metric;
+    parallel_for(run, field.h.count(), kTensorsAtOnce, [&](int64_t begin, int64_t end) {
+        for (int64_t v = begin; v < end; ++v) {
+            const Tensor both = intersection(exp(to_tensor(metric.log[v])), exp(to_tensor(other.log[v])));
+            metric.log[v] = to_six(log(both));
+            field.h[v] = mean_size(to_tensor(metric.log[v]));
+        }
+    });
+    field.metric = std::make_shared<const MetricField>(std::move(metric));
+}
+
 }  // namespace
 
 template <class Value>
@@ -157,11 +170,14 @@ void bound_metric(SizingField& field, double least, double greatest, const Run& 
                        [&](const Vec3& logs, int64_t) -> Vec3 { return logs.cwiseMax(fewest).cwiseMin(most); });
 }
 
-void intersect_metric(SizingField& field, const SizingField& sizes, const Run& run)
+void intersect_metric(SizingField& field, const SizingField& other, const Run& run)
 {
-    change_eigenvalues(field, run, [&](const Vec3& logs, int64_t v) -> Vec3 {
-        return logs.cwiseMax(-2 * std::log(double{sizes.h[v]}));
-    });
+    if (other.metric)
+        intersect_metrics(field, *other.metric, run);
+    else
+        change_eigenvalues(field, run, [&](const Vec3& logs, int64_t v) -> Vec3 {
+            return logs.cwiseMax(-2 * std::log(double{other.h[v]}));
+        });
 }
 
 }  // namespace cleft

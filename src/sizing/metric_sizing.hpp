@@ -30,7 +30,7 @@ SizingField greatest_sizes(const SizingField& field, const Run& run);
 
 // Bounds the sizes of a metric in every direction; 0 stands for no bound.
 void bound_metric(SizingField& field, double least, double greatest, const Run& run);
-// No size of the metric is greater, in any direction, than that of the other field.
-void intersect_metric(SizingField& field, const SizingField& sizes, const Run& run);
+// No size of the metric is greater, in any direction, than that of the other field, which may have a metric, too.
+void intersect_metric(SizingField& field, const SizingField& other, const Run& run);
 
 }  // namespace cleft

@@ -192,12 +192,60 @@ static void what_cannot_follow_it_is_told(void** state)
     cleft_context_destroy(context);
 }
 
+static double square(const float* m, const double* d)
+{
+    return m[0] * d[0] * d[0] + m[3] * d[1] * d[1] + m[5] * d[2] * d[2] +
+           2 * (m[1] * d[0] * d[1] + m[2] * d[0] * d[2] + m[4] * d[1] * d[2]);
+}
+
+static float* copy_of_metric(const cleft_sizing* sizing)
+{
+    float* tensors = (float*)malloc(sizeof(float) * 6 * N * N * N);
+    assert_int_equal(cleft_sizing_copy_metric(sizing, tensors, 6 * N * N * N), CLEFT_OK);
+    return tensors;
+}
+
+/* A metric that is combined with that of the features asks for no greater length in any direction than either. */
+static void metrics_combine_in_every_direction(void** state)
+{
+    (void)state;
+    cleft_context* context = new_context();
+    cleft_volume* volume = crossing_sheets(context);
+    cleft_options* options = options_of(8);
+    double* given = (double*)malloc(sizeof(double) * 6 * N * N * N);
+    for (int v = 0; v < N * N * N; ++v) {
+        const double m[6] = {0.3, 0.1, 0, 0.4, -0.05, 0.02};
+        memcpy(given + 6 * v, m, sizeof m);
+    }
+    cleft_sizing *of_features = NULL, *alone = NULL, *combined = NULL;
+    assert_ok(context, cleft_sizing_create(context, volume, options, &of_features));
+    assert_ok(context, cleft_sizing_create_metric(context, volume, CLEFT_TYPE_FLOAT64, given, 0, NULL, &alone));
+    assert_ok(context, cleft_sizing_create_metric(context, volume, CLEFT_TYPE_FLOAT64, given, 1, options, &combined));
+    float *features = copy_of_metric(of_features), *own = copy_of_metric(alone), *both = copy_of_metric(combined);
+    const double ways[7][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, 0, -1}, {0, 1, 1}, {1, 1, 1}};
+    for (int v = 0; v < N * N * N; ++v)
+        for (int i = 0; i < 7; ++i) {
+            const double least = fmax(square(features + 6 * v, ways[i]), square(own + 6 * v, ways[i]));
+            assert_true(square(both + 6 * v, ways[i]) > (1 - 1e-4) * least);
+        }
+    free(features);
+    free(own);
+    free(both);
+    cleft_sizing_destroy(combined);
+    cleft_sizing_destroy(alone);
+    cleft_sizing_destroy(of_features);
+    free(given);
+    cleft_options_destroy(options);
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sheets_take_few_flat_tetrahedra), cmocka_unit_test(sizes_follow_the_interfaces),
         cmocka_unit_test(long_voxels_have_long_elements),  cmocka_unit_test(one_is_no_anisotropy),
-        cmocka_unit_test(what_cannot_follow_it_is_told),
+        cmocka_unit_test(what_cannot_follow_it_is_told),   cmocka_unit_test(metrics_combine_in_every_direction),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
