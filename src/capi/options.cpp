@@ -184,6 +184,8 @@ PipelineOptions pipeline_options(const cleft_options* options, const cleft_volum
     const Array<UserLabel>& labels = volume.volume.labels();
     out.kept = kept_labels(labels, options, "volume");
     out.sizing.material_sizes = material_sizes(labels, options);
+    out.asks_surface_error =
+        options && options->given[option_row(CLEFT_OPTION_SURFACE_ERROR)] && out.sizing.surface_error > 0;
     out.sizing.surface_error = surface_error(out.sizing.surface_error, volume.volume);
     return out;
 }

@@ -82,6 +82,14 @@ void fit_with_more_room(LocalMesh& mesh, const Volume& volume, const ImproveOpti
     fit_volumes(mesh, volume, target, steps.next(), surface_error);
 }
 
+void warn_of_unused_error(const PipelineOptions& options, const Run& run)
+{
+    if (options.asks_surface_error)
+        run.warn(
+            "surface_error " + number_text(options.sizing.surface_error) +
+            " has no effect on the triangles: too many of them are further off, so the sizes are for something else");
+}
+
 LabelledMesh improve_and_fit(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options,
                              const Run& run)
 {
@@ -90,6 +98,8 @@ LabelledMesh improve_and_fit(const Volume& volume, const Cleaved& cleaved, const
     // Fitting comes second: it keeps the angles that improving has reached, whereas improving would undo volumes.
     Steps steps(run, {{nullptr, 74}, {nullptr, 26}, {nullptr, 0}});
     auto [mesh, holds_surfaces] = best_of_tries(volume, cleaved, options, steps.next());
+    if (!holds_surfaces)
+        warn_of_unused_error(options, run);
     const double surface_error = holds_surfaces ? options.sizing.surface_error : 0;
     const bool is_met = fit_volumes(mesh, volume, target_angle(options.improve), steps.next(), surface_error);
     if (!is_met)

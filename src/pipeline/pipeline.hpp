@@ -24,7 +24,8 @@ struct PipelineOptions {
     int64_t tets = 0;          // wanted number of tetrahedra of the kept materials; 0: as the sizing field says
     double max_tets = 0;       // bounds all tetrahedra where `tets` counts some of them; 0: no limit
     bool strict = false;
-    KeptMaterials kept;  // the tetrahedra of others are left out of the finished mesh
+    bool asks_surface_error = false;  // the user does, so that a warning says where it has no effect
+    KeptMaterials kept;               // the tetrahedra of others are left out of the finished mesh
 };
 
 // These options, with lengths and shapes measured by the metric, if there is one. It must outlive them.

@@ -1,5 +1,6 @@
 /* Triangles stay within surface_error of their interface, on shapes whose distance is known. */
 #include "shapes.h"
+#include "support/warnings.h"
 
 enum { N = 64 };
 
@@ -216,13 +217,41 @@ static void test_threads_do_not_matter(void** state)
     cleft_context_destroy(context);
 }
 
+/* Sizes that are given leave no room for an error. A default is not reported, and what is asked for is. */
+static void test_an_error_without_effect_is_reported(void** state)
+{
+    (void)state;
+    warnings reported;
+    cleft_context* context = listening_context(&reported);
+    cleft_volume* volume = labels_of(context, ball);
+    cleft_options* options = NULL;
+    assert_int_equal(cleft_options_create(&options), CLEFT_OK);
+    assert_int_equal(cleft_options_set_real(options, CLEFT_OPTION_SIZE, 6), CLEFT_OK);
+    for (int asked = 0; asked < 2; ++asked) {
+        if (asked)
+            assert_int_equal(cleft_options_set_real(options, CLEFT_OPTION_SURFACE_ERROR, 0.05), CLEFT_OK);
+        cleft_mesh* mesh = NULL;
+        assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, options, &mesh));
+        assert_reported(&reported, asked ? "surface_error 0.05 has no effect" : NULL);
+        cleft_mesh_destroy(mesh);
+    }
+    cleft_options_destroy(options);
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_ball_is_within_the_error),  cmocka_unit_test(test_a_torus_is_within_the_error),
-        cmocka_unit_test(test_lines_are_held_too),          cmocka_unit_test(test_a_flat_interface_needs_no_more),
-        cmocka_unit_test(test_what_is_no_error_is_refused), cmocka_unit_test(test_threads_do_not_matter),
-        cmocka_unit_test(test_the_default_is_half_a_voxel), cmocka_unit_test(test_sizes_for_something_else_are_kept),
+        cmocka_unit_test(test_a_ball_is_within_the_error),
+        cmocka_unit_test(test_a_torus_is_within_the_error),
+        cmocka_unit_test(test_lines_are_held_too),
+        cmocka_unit_test(test_a_flat_interface_needs_no_more),
+        cmocka_unit_test(test_what_is_no_error_is_refused),
+        cmocka_unit_test(test_threads_do_not_matter),
+        cmocka_unit_test(test_the_default_is_half_a_voxel),
+        cmocka_unit_test(test_sizes_for_something_else_are_kept),
+        cmocka_unit_test(test_an_error_without_effect_is_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
