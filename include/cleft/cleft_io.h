@@ -214,7 +214,7 @@ enum {
 
 /** Reads a user-supplied metric from a file, and makes a sizing field of it as cleft_sizing_create_metric() does.
  *  `combine` and `options` are those of that function. The file has six numbers a voxel, seven with a mask before them
- *  (NRRD), or all nine. It is NRRD, NIfTI, or VTK legacy; docs/formats.md says how tensors stand in each.
+ *  (NRRD), or all nine. It is NRRD, NIfTI, or VTK (legacy or .vti); docs/formats.md says how tensors stand in each.
  *
  *  CLEFT_ERROR_ARGUMENT if the file does not have the voxels of the volume, as in cleft_io_read_sizing(). If `volume`
  *  is NULL, the field is on the grid of the file.

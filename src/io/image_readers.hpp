@@ -17,6 +17,8 @@ Image read_metaimage(const std::string& path, const FileHead& head);
 bool is_vtk_volume(const FileHead& head);
 Image read_vtk_volume(const std::string& path, const FileHead& head);
 TensorImage read_vtk_tensors(const std::string& path, const FileHead& head);
+bool is_vti(const FileHead& head);
+TensorImage read_vti_tensors(const std::string& path, const FileHead& head);
 bool is_gipl(const FileHead& head);
 Image read_gipl(const std::string& path, const FileHead& head);
 bool is_mrc(const FileHead& head);

@@ -28,6 +28,7 @@ constexpr Reader kReaders[] = {
     {"NRRD", is_nrrd, read_nrrd, read_nrrd_tensors},
     {"MetaImage", is_metaimage, read_metaimage},
     {"VTK legacy", is_vtk_volume, read_vtk_volume, read_vtk_tensors},
+    {"VTK XML image, of which only tensors are read", is_vti, refuse_foreign_format, read_vti_tensors},
     {"GIPL", is_gipl, read_gipl},
     {"MRC", is_mrc, read_mrc},
     {"TIFF", is_tiff, read_tiff},
@@ -77,7 +78,7 @@ TensorImage read_tensor_image(const std::string& path)
         const Reader& reader = reader_of(head);
         if (!reader.read_tensors)
             throw Error(CLEFT_ERROR_UNSUPPORTED,
-                        "a metric can be read from NRRD, NIfTI and VTK legacy, and it is none");
+                        "a metric can be read from NRRD, NIfTI and VTK (legacy and .vti), and it is none");
         TensorImage tensors = reader.read_tensors(path, head);
         make_printable(tensors.image);
         return tensors;

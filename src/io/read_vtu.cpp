@@ -38,22 +38,6 @@ int64_t count_of(const XmlTag& piece, const std::string& attribute)
     return count;
 }
 
-void read_file_tag(const XmlTag& tag, VtkEncoding& encoding)
-{
-    const std::string compressor = tag.get("compressor");
-    if (tag.get("type") != "UnstructuredGrid")
-        throw Error(CLEFT_ERROR_UNSUPPORTED, "only an UnstructuredGrid is a mesh of tetrahedra");
-    // No program on today's machines writes it, so the code for it could not be tested with real
-    // files.
-    if (tag.get("byte_order") == "BigEndian")
-        throw Error(CLEFT_ERROR_UNSUPPORTED, "big-endian arrays cannot be read");
-    if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
-        throw Error(CLEFT_ERROR_UNSUPPORTED, "arrays compressed by " + compressor + " cannot be read");
-    encoding.compressed = !compressor.empty();
-    // "UInt32" is the default of "VTK File Formats" where the attribute is missing.
-    encoding.wide_headers = tag.get("header_type") == "UInt64";
-}
-
 void read_piece(const XmlTag& tag, VtuFile& file)
 {
     // Pieces are the shares of parallel processes. Their common points would have to be merged.
@@ -73,16 +57,6 @@ std::vector<XmlTag>* section_of(std::string_view name, VtuFile& file)
                                  : nullptr;
 }
 
-void find_appended_data(std::string_view text, const XmlTag& tag, VtkEncoding& encoding)
-{
-    // The underscore marks the first byte of the data and is not part of them.
-    const size_t begin = text.find('_', tag.end);
-    if (begin == std::string_view::npos)
-        throw Error(CLEFT_ERROR_FORMAT, "the appended data are missing");
-    encoding.appended_base64 = tag.get("encoding") == "base64";
-    encoding.appended = text.substr(begin + 1);
-}
-
 VtuFile scan(std::string_view text)
 {
     VtuFile file;
@@ -92,7 +66,9 @@ VtuFile scan(std::string_view text)
     for (XmlTag tag; scanner.next(tag);) {
         const std::string_view name = tag.name;
         if (name == "VTKFile") {
-            read_file_tag(tag, file.encoding);
+            if (tag.get("type") != "UnstructuredGrid")
+                throw Error(CLEFT_ERROR_UNSUPPORTED, "only an UnstructuredGrid is a mesh of tetrahedra");
+            file.encoding = vtk_encoding_of(tag);
             known = true;
         } else if (name == "Piece") {
             read_piece(tag, file);
@@ -103,7 +79,7 @@ VtuFile scan(std::string_view text)
         } else if (name == "DataArray" && section) {
             section->push_back(tag);
         } else if (name == "AppendedData") {
-            find_appended_data(text, tag, file.encoding);
+            find_vtk_appended_data(text, tag, file.encoding);
             break;  // behind them nothing is XML any more
         }
     }

@@ -20,7 +20,7 @@ struct TensorImage {
 // The coordinates of RAS, in LPS.
 inline constexpr std::array<Vector3, 3> kRasFrame{Vector3{-1, 0, 0}, Vector3{0, -1, 0}, Vector3{0, 0, 1}};
 
-// A file of NRRD, NIfTI or VTK legacy. Errors do not name the file. Notes have no control characters.
+// A file of NRRD, NIfTI or VTK (legacy or .vti). Errors do not name the file. Notes have no control characters.
 TensorImage read_tensor_image(const std::string& path);
 
 // Six numbers a voxel in the order of the core, xx xy xz yy yz zz, in the world and the unit of `reading`. `order` is

@@ -231,6 +231,32 @@ std::vector<To> read_numbers(const XmlTag& array, const VtkEncoding& encoding, i
 
 }  // namespace
 
+VtkEncoding vtk_encoding_of(const XmlTag& file)
+{
+    const std::string compressor = file.get("compressor");
+    // No program on today's machines writes it, so the code for it could not be tested with real
+    // files.
+    if (file.get("byte_order") == "BigEndian")
+        throw Error(CLEFT_ERROR_UNSUPPORTED, "big-endian arrays cannot be read");
+    if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
+        throw Error(CLEFT_ERROR_UNSUPPORTED, "arrays compressed by " + compressor + " cannot be read");
+    VtkEncoding encoding;
+    encoding.compressed = !compressor.empty();
+    // "UInt32" is the default of "VTK File Formats" where the attribute is missing.
+    encoding.wide_headers = file.get("header_type") == "UInt64";
+    return encoding;
+}
+
+void find_vtk_appended_data(std::string_view text, const XmlTag& tag, VtkEncoding& encoding)
+{
+    // The underscore marks the first byte of the data and is not part of them.
+    const size_t begin = text.find('_', tag.end);
+    if (begin == std::string_view::npos)
+        throw Error(CLEFT_ERROR_FORMAT, "the appended data are missing");
+    encoding.appended_base64 = tag.get("encoding") == "base64";
+    encoding.appended = text.substr(begin + 1);
+}
+
 std::vector<double> read_vtk_reals(const XmlTag& array, const VtkEncoding& encoding, int64_t count)
 {
     return read_numbers<double>(array, encoding, count);

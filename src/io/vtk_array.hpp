@@ -19,6 +19,10 @@ struct VtkEncoding {
     std::string_view appended;     // what follows the '_' of <AppendedData>
 };
 
+// As the tag <VTKFile> says, and where <AppendedData> begin. Errors do not name the file.
+VtkEncoding vtk_encoding_of(const XmlTag& file);
+void find_vtk_appended_data(std::string_view text, const XmlTag& tag, VtkEncoding& encoding);
+
 // The `count` numbers (fewer or more are an error) of a <DataArray>. Errors do not name the file.
 std::vector<double> read_vtk_reals(const XmlTag& array, const VtkEncoding& encoding, int64_t count);
 std::vector<int64_t> read_vtk_integers(const XmlTag& array, const VtkEncoding& encoding, int64_t count);
