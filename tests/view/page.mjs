@@ -248,8 +248,14 @@ test("the report of another mesh is not shown, and warnings are above all", asyn
     assert.match(await other.textContent("#notices"), /The report is of another mesh, which has [\d,]+ tetrahedra/);
     assert.doesNotMatch(await other.textContent("#panel"), /Voxels and mesh/);
     await closed(other);
-    const page = await opened(about.page, {}, edited('"warnings": []', '"warnings": ["There is doubt."]'));
-    assert.match(await page.textContent("#panel details >> nth=0"), /Warnings.*There is doubt\./);
+    const warnings = ["There is doubt.", "A long sentence on labels that are too thin (--size-min, --label-size)"];
+    const page = await opened(
+        about.page,
+        {},
+        edited('"warnings": []', `"warnings": ${JSON.stringify(warnings)}`),
+    );
+    assert.match(await page.textContent("#panel details >> nth=0"), /Warnings.*There is doubt\..*--label-size\)/);
+    assert.deepEqual(await page.locator(".hint .option").allTextContents(), ["--size-min", "--label-size"]);
     await closed(page);
 });
 

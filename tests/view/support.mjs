@@ -55,8 +55,8 @@ export async function drawn(page) {
 }
 
 const kQuestions = [
-    ...["$$eval", "evaluate", "evaluateAll", "count", "title", "textContent", "inputValue", "getAttribute"],
-    ...["isVisible", "isHidden", "isEnabled", "isDisabled", "isChecked"],
+    ...["$$eval", "evaluate", "evaluateAll", "count", "title", "getAttribute", "inputValue"],
+    ...["textContent", "allTextContents", "isVisible", "isHidden", "isEnabled", "isDisabled", "isChecked"],
 ];
 
 // Makes all questions to a page wait until it has drawn. No script can forget it so.

@@ -128,11 +128,16 @@ function addReport(page, mesh, report) {
             `${Number(report.seconds).toFixed(1)} s, ${report.threads} thread${report.threads === 1 ? "" : "s"}`;
 }
 
+// Names of options are not broken at the ends of lines.
+const withOptions = (text) =>
+    text.split(/(--[a-z][a-z-]{1,30})/).map((part, i) => (i % 2 ? make("span.option", {}, part) : part));
+
 // Above all else: they say what of the rest is to be doubted.
 function addWarnings(page, mesh, report) {
     const warnings = (Array.isArray(report?.warnings) ? report.warnings : []).map(String);
     const of = page.isComparison ? ` of ${mesh.title}` : "";
-    if (warnings.length) addSection(`Warnings${of}`, true, ...warnings.map((text) => make("p.hint", {}, text)));
+    const lines = warnings.map((text) => make("p.hint", {}, ...withOptions(text)));
+    if (lines.length) addSection(`Warnings${of}`, true, ...lines);
 }
 
 // The least angle that the run aimed at: see the option min_angle.
