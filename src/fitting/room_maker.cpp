@@ -9,7 +9,7 @@ namespace cleft
 namespace
 {
 
-// Where moving the points around begins, of angle_quality: from less it hardly ever comes to enough.
+// Where moving the points around begins, of shape_quality: from less it hardly ever comes to enough.
 constexpr double kLeastStart = 0.02;
 constexpr int kRoundsAround = 3;
 // A neighbour is in the way if it is nearer to the place than so much of its distance from the point.

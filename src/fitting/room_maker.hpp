@@ -17,7 +17,7 @@ public:
     RoomMaker(LocalMesh& mesh, const Volume& volume) : mesh_(mesh), constraint_(volume) {}
 
     // Puts the point on its tie, and there to where the shapes let it stay: along its line, and with the points around
-    // moving as well. No tetrahedron around gets worse than `least` (of angle_quality). If that cannot be, the mesh is
+    // moving as well. No tetrahedron around gets worse than `least` (of shape_quality). If that cannot be, the mesh is
     // as it was, but tetrahedra may have other numbers.
     bool settle(int32_t v, const Vec3& on_tie, double least);
 

@@ -14,7 +14,7 @@ namespace cleft
 bool are_sizes_for(double error, const LocalMesh& mesh, const Volume& volume, const Meetings& meetings, const Run& run);
 
 // Puts a point of the interface into each of its edges whose middle is further than `error` from it, or a point halfway
-// there, if all tetrahedra around are better than `floor` (of angle_quality) then. Single edges of a background are up
+// there, if all tetrahedra around are better than `floor` (of shape_quality) then. Single edges of a background are up
 // to 2.3 times as long as the size asks for, and their middles five times as far off. Returns the number of points.
 int64_t split_far_edges(LocalMesh& mesh, const Volume& volume, double error, double floor, const Run& run);
 

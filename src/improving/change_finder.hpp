@@ -18,7 +18,7 @@ public:
     {
     }
 
-    // `target`: of angle_quality.
+    // `target`: of shape_quality.
     void aim_at(double target, const Search& search)
     {
         search_ = search;

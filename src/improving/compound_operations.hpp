@@ -25,7 +25,7 @@ public:
     {
     }
 
-    // Tries all of them for a tetrahedron, until one helps. `target`: of angle_quality.
+    // Tries all of them for a tetrahedron, until one helps. `target`: of shape_quality.
     // If none helps, the mesh has its old shapes again. Tetrahedra may have other numbers, and points without
     // tetrahedra may be left.
     bool improve(int32_t t, const Search& search, double target);

@@ -14,7 +14,7 @@ public:
     // `home`: of each point, see TieConstraint.
     ConstrainedSmoother(const LocalMesh& mesh, const Volume& volume, const Array<Vec3>& home);
 
-    // Places of quality `target` (of angle_quality) are good enough. For `tolerance` see Search.
+    // Places of quality `target` (of shape_quality) are good enough. For `tolerance` see Search.
     void aim_at(double target, double tolerance);
 
     // Where the worst tetrahedron around a point is better; false if the point stays. After that, star() is the star of

@@ -37,7 +37,7 @@ inline constexpr double kHigherAims[] = {1, 2, 0.5, 3};
 // The tetrahedra that are short of the target, and the work that it took.
 struct Shortfall {
     int64_t tets = 0;
-    double least = 1;    // the least quality of all, see angle_quality
+    double least = 1;    // the least quality of all, see shape_quality
     int64_t places = 0;  // see SearchCounts
 };
 

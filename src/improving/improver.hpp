@@ -12,7 +12,7 @@ namespace cleft
 class Improver
 {
 public:
-    // `target`: of angle_quality.
+    // `target`: of shape_quality.
     Improver(LocalMesh& mesh, const Volume& volume, double target, const Run& run);
 
     // One search: passes until nothing changes any more, or as many as the search allows.

@@ -6,7 +6,7 @@
 #include "base/percentile.hpp"
 #include "base/stage.hpp"
 #include "mesh/adjacency.hpp"
-#include "mesh/angle_quality.hpp"
+#include "mesh/shape_quality.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -226,9 +226,11 @@ void add_radius_ratios(Array<double> ratios, Quality& q)
     q.radius_ratio_median = percentile(ratios, 0.5);
 }
 
+Triple triple(const Vec3& x) { return {x.x(), x.y(), x.z()}; }
+
 }  // namespace
 
-// By the formula of angle_quality.hpp.
+// By the formula of shape_quality.hpp.
 double least_sine(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
     const Vec3 ab = b - a, ac = c - a, ad = d - a, bc = c - b, bd = d - b, cd = d - c;
@@ -249,10 +251,16 @@ double greatest_angle(double least_angle)
     return sine < 1 ? 180 - kDegreesInRadian * std::asin(sine) : 90;
 }
 
+double greatest_ratio(double least_angle) { return kRatioWeight / sine_of(least_angle); }
+
 double angle_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
-    const auto triple = [](const Vec3& x) { return Triple{x.x(), x.y(), x.z()}; };
     return angle_quality(triple(a), triple(b), triple(c), triple(d));
+}
+
+double shape_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
+{
+    return shape_quality(triple(a), triple(b), triple(c), triple(d));
 }
 
 FixedArray<double, 6> dihedral_angles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)

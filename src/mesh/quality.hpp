@@ -18,13 +18,19 @@ inline double orient(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 // Unlike angle_quality() it does not favour either end.
 double least_sine(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-// The measure that local operations raise: least sine of the six dihedral angles, that of an obtuse angle times
-// kObtuseWeight. 155 degrees are as bad as 20. A little below, so that a quality of sin(20) or more also keeps all
-// angles below 155 degrees, in spite of rounding.
+// Least sine of the six dihedral angles, that of an obtuse angle times kObtuseWeight. 155 degrees are as bad as 20. A
+// little below, so that a quality of sin(20) or more also keeps all angles below 155 degrees, in spite of rounding.
 inline constexpr double kObtuseWeight = 0.8092;  // sin(20) / sin(25)
 // The obtuse angle that is as bad as an acute one, both in degrees; 90 where none is.
 double greatest_angle(double least_angle);
 double angle_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+// The measure that local operations raise: angle_quality(), and kRatioWeight / radius_ratio() where that is less. A
+// ratio of 8 is as bad as 25 degrees. Needles can have good angles: without this, ratios were up to 22.
+inline constexpr double kRatioWeight = 3.3809;  // 8 sin(25), rounded down as above
+// The radius ratio that is as bad as an acute angle in degrees.
+double greatest_ratio(double least_angle);
+double shape_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 // The six dihedral angles in degrees, in the order of kEdgeCorners.
 FixedArray<double, 6> dihedral_angles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);

@@ -12,7 +12,7 @@
 #include "mesh/strip.hpp"
 #include "pipeline/best_of_tries.hpp"
 #include "pipeline/label_report.hpp"
-#include "pipeline/missed_angles.hpp"
+#include "pipeline/missed_goal.hpp"
 #include "pipeline/number_search.hpp"
 #include "pipeline/volume_differences.hpp"
 #include "sizing/anisotropic_sizing.hpp"
@@ -132,7 +132,7 @@ LabelledMesh finished(const Volume& volume, LabelledMesh mesh, const PipelineOpt
     if (options.strict)
         require_all_labels(volume, mesh, options, run);
     warn_of_volume_differences(volume, mesh, options.kept, run);
-    warn_of_missed_angles(volume, mesh, options, run);
+    warn_of_missed_goal(volume, mesh, options, run);
     Stage stage(run, "finish", {{nullptr, 1}});
     // Last, since stages before number points as they make them. It changes no place, so what was reported stays true.
     order_spatially(mesh, stage.next());

@@ -19,7 +19,7 @@ inline constexpr double kLongestMade = 1.5;
 struct LengthGoal {
     double shortest, longest;       // of edges
     double longest_made;            // that a contraction makes
-    double enough;                  // of angle_quality: no contraction is refused for shapes that are better
+    double enough;                  // of shape_quality: no contraction is refused for shapes that are better
     int32_t most_tets = INT32_MAX;  // a mesh of so many gets no points more
 };
 

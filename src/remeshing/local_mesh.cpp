@@ -6,9 +6,9 @@
 #include "base/shared_access.hpp"
 #include "base/touched_array.hpp"
 #include "mesh/adjacency.hpp"
-#include "mesh/angle_qualities.hpp"
 #include "mesh/predicates.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/shape_qualities.hpp"
 #include "mesh/surface_points.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ constexpr double kUnknown = 2;  // no quality
 double measured_quality(const std::array<Vec3, 4>& corners, const std::array<Vec3, 4>& mapped)
 {
     constexpr double kSureSine = 1e-3;
-    const double sine = angle_quality(mapped[0], mapped[1], mapped[2], mapped[3]);
+    const double sine = shape_quality(mapped[0], mapped[1], mapped[2], mapped[3]);
     if (sine > kSureSine || orient_sign(corners[0], corners[1], corners[2], corners[3]) > 0)
         return sine;
     return std::min(sine, 0.0);
@@ -251,7 +251,7 @@ int32_t LocalMesh::take_slot()
 double LocalMesh::quality(const Tet& corners) const
 {
     if (!is_measured())
-        return angle_quality(point(corners[0]), point(corners[1]), point(corners[2]), point(corners[3]));
+        return shape_quality(point(corners[0]), point(corners[1]), point(corners[2]), point(corners[3]));
     return measured_quality({point(corners[0]), point(corners[1]), point(corners[2]), point(corners[3])},
                             measured_corners(corners));
 }
@@ -282,7 +282,7 @@ double LocalMesh::worst_with(int32_t v, const Vec3& place) const
                 logs = logs + log_metric(w);
         }
         worst = std::min(
-            worst, is_measured() ? measured_quality(x, measured(x, logs)) : angle_quality(x[0], x[1], x[2], x[3]));
+            worst, is_measured() ? measured_quality(x, measured(x, logs)) : shape_quality(x[0], x[1], x[2], x[3]));
     }
     return worst;
 }

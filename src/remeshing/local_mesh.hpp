@@ -100,7 +100,7 @@ public:
                 const Array<int32_t>& created, int worker);
     void release(const Array<int32_t>& old_tets, size_t new_count);
 
-    // See angle_quality: of a tetrahedron, and the least of several. What was found is kept, so that asking again costs
+    // See shape_quality: of a tetrahedron, and the least of several. What was found is kept, so that asking again costs
     // nothing. For several threads as long as none changes the tetrahedron.
     double quality(int32_t t) const;
     double quality(const Tet& corners) const;

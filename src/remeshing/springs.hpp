@@ -7,7 +7,7 @@ namespace cleft
 {
 
 // One sweep over all points but those of interfaces, within the planes of the hull. No tetrahedron gets worse than
-// `floor` (of angle_quality) or than the worst around the point already is.
+// `floor` (of shape_quality) or than the worst around the point already is.
 void relax_springs(LocalMesh& mesh, double floor, const Run& run);
 
 }  // namespace cleft

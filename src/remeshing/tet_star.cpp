@@ -3,7 +3,7 @@
 
 #include "base/wide_vectors.hpp"
 #include "mesh/adjacency.hpp"
-#include "mesh/angle_quality.hpp"
+#include "mesh/shape_quality.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -116,7 +116,7 @@ CLEFT_WIDE_VECTORS double TetStar::worst_of(const Lanes& lanes, const Vec3& x)
     double quality[kLanes];
     for (size_t i = 0; i < kLanes; ++i)
         quality[i] =
-            angle_quality(a, {b[0][i], b[1][i], b[2][i]}, {c[0][i], c[1][i], c[2][i]}, {d[0][i], d[1][i], d[2][i]});
+            shape_quality(a, {b[0][i], b[1][i], b[2][i]}, {c[0][i], c[1][i], c[2][i]}, {d[0][i], d[1][i], d[2][i]});
     return *std::min_element(quality, quality + kLanes);
 }
 
@@ -133,17 +133,36 @@ double TetStar::worst_at(const Vec3& x, double floor) const
     return worst;
 }
 
-CLEFT_WIDE_VECTORS void TetStar::find_gradients(const Lanes& lanes, const Vec3& x, Gradients& out)
+// The gradients are those of the angles.
+CLEFT_WIDE_VECTORS void TetStar::find_angle_gradients(const Lanes& lanes, const Vec3& x, Gradients& out)
 {
     const auto& [b, c, d] = lanes.corner;
     const Triple a{x.x(), x.y(), x.z()};
     for (size_t i = 0; i < kLanes; ++i) {
-        const AngleQuality found = angle_quality_gradient(a, {b[0][i], b[1][i], b[2][i]}, {c[0][i], c[1][i], c[2][i]},
-                                                          {d[0][i], d[1][i], d[2][i]});
-        out.quality[i] = found.value;
+        const Triple others[3] = {
+            {b[0][i], b[1][i], b[2][i]}, {c[0][i], c[1][i], c[2][i]}, {d[0][i], d[1][i], d[2][i]}};
+        const ShapeQuality found = angle_quality_gradient(a, others[0], others[1], others[2]);
+        out.quality[i] = shape_quality(a, others[0], others[1], others[2]);
+        out.by_angle[i] = found.value;
         out.gradient[0][i] = found.gradient.x;
         out.gradient[1][i] = found.gradient.y;
         out.gradient[2][i] = found.gradient.z;
+    }
+}
+
+void TetStar::find_gradients(const Lanes& lanes, const Vec3& x, Gradients& out)
+{
+    find_angle_gradients(lanes, x, out);
+    const auto& [b, c, d] = lanes.corner;
+    for (size_t i = 0; i < kLanes; ++i) {
+        if (!(out.quality[i] < out.by_angle[i]))
+            continue;
+        const Triple gradient =
+            ratio_quality_gradient({x.x(), x.y(), x.z()}, {b[0][i], b[1][i], b[2][i]}, {c[0][i], c[1][i], c[2][i]},
+                                   {d[0][i], d[1][i], d[2][i]}, out.quality[i]);
+        out.gradient[0][i] = gradient.x;
+        out.gradient[1][i] = gradient.y;
+        out.gradient[2][i] = gradient.z;
     }
 }
 

@@ -61,9 +61,11 @@ private:
     };
     struct Gradients {
         double quality[kLanes];
+        double by_angle[kLanes];     // what the angles alone make of it
         double gradient[3][kLanes];  // by axis
     };
     static double worst_of(const Lanes& lanes, const Vec3& x);
+    static void find_angle_gradients(const Lanes& lanes, const Vec3& x, Gradients& out);
     static void find_gradients(const Lanes& lanes, const Vec3& x, Gradients& out);
 
     Vec3 opposite(size_t i, size_t corner) const

@@ -61,13 +61,15 @@ static void a_wanted_angle_is_met(void** state)
     const char* const backgrounds[] = {"particles", "octree", "lattice"};
     const struct {
         const char* text;
-        double least, greatest;
-    } goals[] = {{"0", 25, 148.52}, {"20", 20, 155}, {"28", 28, 144.6}, {"30", 30, 141.85}};
+        double least, greatest, ratio;
+    } goals[] = {{"0", 25, 148.52, 8}, {"20", 20, 155, 9.89}, {"28", 28, 144.6, 7.21}, {"30", 30, 141.85, 6.77}};
     for (int b = 0; b < 3; ++b)
         for (int g = 0; g < 4; ++g) {
             const cleft_quality q = quality_with(context, 0, "fast", goals[g].text, backgrounds[b]);
             if (q.min_dihedral < goals[g].least - 1e-3 || q.max_dihedral > goals[g].greatest)
                 fail_msg("%s, %s: %g to %g", backgrounds[b], goals[g].text, q.min_dihedral, q.max_dihedral);
+            if (q.radius_ratio_max > goals[g].ratio)
+                fail_msg("%s, %s: radius ratio %g", backgrounds[b], goals[g].text, q.radius_ratio_max);
             assert_reported(&reported, NULL);
         }
     cleft_context_destroy(context);

@@ -198,11 +198,11 @@ static void bad_corners_are_refused(void**)
     }
 }
 
-static void quality_is_the_least_sine_with_obtuse_angles_weighted(void**)
+static void quality_is_of_the_worst_angle_or_the_radius_ratio(void**)
 {
     Random random(7);
     const auto point = [&] { return Vec3(random.unit(), random.unit(), random.unit()); };
-    int obtuse_decides = 0;
+    int obtuse_decides = 0, ratio_decides = 0;
     for (int i = 0; i < 20000; ++i) {
         const Vec3 a = point(), b = point(), c = point(), d = point();
         if (!(orient(a, b, c, d) > 1e-4))
@@ -213,21 +213,27 @@ static void quality_is_the_least_sine_with_obtuse_angles_weighted(void**)
         obtuse_decides += expected < 0.999 * least_sine(a, b, c, d);
         assert_true(std::abs(angle_quality(a, b, c, d) - expected) < 1e-9);
         assert_true(std::abs(angle_quality(b, a, c, d) + expected) < 1e-9);
+        // The radius ratio that it has is too large by 42 % at most, where two faces have no area.
+        const double by_ratio = kRatioWeight / radius_ratio(a, b, c, d), quality = shape_quality(a, b, c, d);
+        assert_true(quality <= expected + 1e-9 && quality <= by_ratio * (1 + 1e-9));
+        assert_true(quality >= std::min(expected, by_ratio / 1.4143) - 1e-9);
+        ratio_decides += quality < 0.999 * expected;
     }
-    assert_true(obtuse_decides > 100);
+    assert_true(obtuse_decides > 100 && ratio_decides > 100);
+    assert_true(greatest_ratio(25) <= 8 && greatest_ratio(25) > 7.999);
     // 155 degrees are as bad as 20.
     assert_true(kObtuseWeight * std::sin(155 * M_PI / 180) <= std::sin(20 * M_PI / 180));
     assert_true(kObtuseWeight * std::sin(154.9 * M_PI / 180) > std::sin(20 * M_PI / 180));
 }
 
-// Against differences, where one angle decides.
+// Against differences, where one angle or the radius ratio decides.
 static void gradients_are_those_of_the_quality(void**)
 {
     Random random(8);
     const auto point = [&] { return Vec3(random.unit(), random.unit(), random.unit()); };
     Array<double> quality;
     Array<Vec3> gradient;
-    int compared = 0;
+    int compared = 0, ratio_decides = 0;
     for (int i = 0; i < 3000; ++i) {
         const Array<Vec3> points{point(), point(), point(), point()};
         if (!(orient(points[0], points[1], points[2], points[3]) > 0.02))
@@ -249,12 +255,13 @@ static void gradients_are_those_of_the_quality(void**)
                 forward[axis] = (ahead - quality[0]) / kStep;
             }
             if ((central - forward).norm() > 1e-3 * (1 + central.norm()))
-                continue;  // two angles decide
+                continue;  // two decide
             assert_true((gradient[0] - central).norm() < 1e-5 * (1 + central.norm()));
             ++compared;
+            ratio_decides += quality[0] < 0.999 * angle_quality(points[0], points[1], points[2], points[3]);
         }
     }
-    assert_true(compared > 1000);
+    assert_true(compared > 1000 && ratio_decides > 50);
 }
 
 static void qualities_found_together_are_those_found_one_by_one(void**)
@@ -281,7 +288,7 @@ int main()
         cmocka_unit_test(bad_corners_are_refused),
         cmocka_unit_test(gradients_are_those_of_the_quality),
         cmocka_unit_test(qualities_found_together_are_those_found_one_by_one),
-        cmocka_unit_test(quality_is_the_least_sine_with_obtuse_angles_weighted),
+        cmocka_unit_test(quality_is_of_the_worst_angle_or_the_radius_ratio),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

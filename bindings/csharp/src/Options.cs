@@ -173,9 +173,9 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Dihedral angle, in degrees, that no tetrahedron shall be below. A greatest angle goes with it: 148.5 degrees
-        /// with 25, 141.8 with 30. A warning says how many tetrahedra miss it. 0: 25, or 32 where improve is best (0 to
-        /// 35; default 0).
+        /// Dihedral angle, in degrees, that no tetrahedron shall be below. A greatest angle and a greatest radius ratio
+        /// go with it: 148.5 degrees and 8.0 with 25, 141.8 and 6.8 with 30. A warning says how many tetrahedra miss
+        /// them. 0: 25, or 32 where improve is best (0 to 35; default 0).
         /// </summary>
         public double MinAngle
         {

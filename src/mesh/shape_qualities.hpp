@@ -1,8 +1,8 @@
-// The measure angle_quality() of many tetrahedra.
+// The measure shape_quality() of many tetrahedra.
 #pragma once
 
 #include "base/wide_vectors.hpp"
-#include "mesh/angle_quality.hpp"
+#include "mesh/shape_quality.hpp"
 
 namespace cleft
 {
@@ -38,7 +38,7 @@ private:
     {
         const auto& [a, b, c, d] = corner_;
         for (size_t i = 0; i < kLanes; ++i)
-            quality[i] = angle_quality(Triple{a[0][i], a[1][i], a[2][i]}, Triple{b[0][i], b[1][i], b[2][i]},
+            quality[i] = shape_quality(Triple{a[0][i], a[1][i], a[2][i]}, Triple{b[0][i], b[1][i], b[2][i]},
                                        Triple{c[0][i], c[1][i], c[2][i]}, Triple{d[0][i], d[1][i], d[2][i]});
     }
 
