@@ -2,6 +2,7 @@
 
 Inputs that ever failed are beside them in the corpora, under names of their own; this script does not touch these.
 """
+import base64
 import gzip
 import io
 import os
@@ -519,8 +520,51 @@ def make_names():
     put("names", "label", "99999999999 a\n3x b\n")
 
 
+# Two voxels; xx xy xz yy yz zz in the order that each format has.
+TENSORS = np.array([[2, 0.1, 0.2, 3, 0.3, 4], [1, 0, 0, 1, 0, 0.5]])
+NINE, VTK_SIX, NIFTI_SIX = (0, 1, 2, 1, 3, 4, 2, 4, 5), (0, 3, 5, 1, 4, 2), (0, 1, 3, 2, 4, 5)
+
+
+def vti(array, appended=""):
+    return (
+        '<?xml version="1.0"?>\n<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian" header_type="UInt64"'
+        '>\n<ImageData WholeExtent="0 1 0 0 0 0" Origin="1 2 3" Spacing="1 0.5 2" Direction="1 0 0 0 1 0 0 0 1">\n'
+        f'<Piece Extent="0 1 0 0 0 0"><PointData>{array}</PointData><CellData/></Piece></ImageData>{appended}'
+        "</VTKFile>\n"
+    )
+
+
+def make_metrics():
+    text = {len(order): " ".join(map(str, TENSORS[:, order].ravel())) for order in (NINE, VTK_SIX)}
+    head = '<DataArray type="Float64" Name="m" NumberOfComponents="%d" format="%s"%s>'
+    put("metric_vti", "nine", vti(head % (9, "ascii", "") + text[9] + "</DataArray>"))
+    put("metric_vti", "six", vti(head % (6, "ascii", "") + text[6] + "</DataArray>"))
+    raw = TENSORS[:, NINE].astype("<f8").tobytes()
+    whole = vti(
+        head % (9, "appended", ' offset="0"') + "</DataArray>", '<AppendedData encoding="raw">_@</AppendedData>'
+    )
+    before, after = whole.encode().split(b"@")
+    put("metric_vti", "raw", before + struct.pack("<Q", len(raw)) + raw + after)
+    coded = base64.b64encode(struct.pack("<Q", len(raw)) + raw).decode()
+    put("metric_vti", "base64", vti(head % (9, "binary", "") + coded + "</DataArray>"))
+    grid = "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 1 1\nORIGIN 0 0 0\n"
+    grid += "SPACING 1 1 1\nPOINT_DATA 2\n"
+    put("metric_vtk", "nine", f"{grid}TENSORS m double\n{text[9]}\n")
+    put("metric_vtk", "six", f"{grid}TENSORS6 m double\n{text[6]}\n")
+    nrrd = "NRRD0005\ntype: double\ndimension: 4\nencoding: text\nsizes: %d 2 1 1\nkinds: %s domain domain domain\n"
+    frame = "space: RAS\nspace directions: none (1,0,0) (0,1,0) (0,0,1)\nmeasurement frame: (0,1,0) (-1,0,0) (0,0,1)\n"
+    six = "\n".join(" ".join(map(str, row)) for row in TENSORS.tolist())
+    put("metric_nrrd", "six", nrrd % (6, "3D-symmetric-matrix") + frame + "\n" + six + "\n")
+    put("metric_nrrd", "masked", nrrd % (7, "3D-masked-symmetric-matrix") + "\n1 " + six.replace("\n", "\n1 ") + "\n")
+    put("metric_nrrd", "nine", nrrd % (9, "3D-matrix") + "\n" + text[9] + "\n")
+    image = nibabel.Nifti1Image(TENSORS[:, NIFTI_SIX].reshape(2, 1, 1, 1, 6).astype("f4"), np.eye(4))
+    image.header.set_intent("symmetric matrix", (3,))
+    put("metric_nii", "six", image.to_bytes())
+
+
 for make in (
     make_bytes,
+    make_metrics,
     make_names,
     make_meshes,
     make_nrrd,
