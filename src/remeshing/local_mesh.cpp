@@ -268,22 +268,33 @@ std::array<Vec3, 4> LocalMesh::measured_corners(const Tet& corners) const
     return is_measured() ? measured(x, logs) : x;
 }
 
+double LocalMesh::quality_with(int32_t t, int32_t v, const Vec3& place, const Tensor& log_there) const
+{
+    std::array<Vec3, 4> x;
+    Tensor logs = log_there;
+    for (size_t c = 0; c < 4; ++c) {
+        const int32_t w = tet(t)[c];
+        x[c] = w == v ? place : point(w);
+        if (w != v && is_measured())
+            logs = logs + log_metric(w);
+    }
+    return is_measured() ? measured_quality(x, measured(x, logs)) : shape_quality(x[0], x[1], x[2], x[3]);
+}
+
+void LocalMesh::qualities_with(int32_t v, const Vec3& place, Array<double>& quality) const
+{
+    const Tensor log_there = is_measured() ? measure_.log_at(place) : Tensor();
+    quality.clear();
+    for (const int32_t t : star(v))
+        quality.push_back(quality_with(t, v, place, log_there));
+}
+
 double LocalMesh::worst_with(int32_t v, const Vec3& place) const
 {
     const Tensor log_there = is_measured() ? measure_.log_at(place) : Tensor();
     double worst = 1;
-    for (const int32_t t : star(v)) {
-        std::array<Vec3, 4> x;
-        Tensor logs = log_there;
-        for (size_t c = 0; c < 4; ++c) {
-            const int32_t w = tet(t)[c];
-            x[c] = w == v ? place : point(w);
-            if (w != v && is_measured())
-                logs = logs + log_metric(w);
-        }
-        worst = std::min(
-            worst, is_measured() ? measured_quality(x, measured(x, logs)) : shape_quality(x[0], x[1], x[2], x[3]));
-    }
+    for (const int32_t t : star(v))
+        worst = std::min(worst, quality_with(t, v, place, log_there));
     return worst;
 }
 

@@ -104,7 +104,8 @@ public:
     // nothing. For several threads as long as none changes the tetrahedron.
     double quality(int32_t t) const;
     double quality(const Tet& corners) const;
-    // With the point elsewhere: the least of the tetrahedra around it.
+    // With the point elsewhere: of each tetrahedron around it, in the order of the star, and the least of these.
+    void qualities_with(int32_t v, const Vec3& place, Array<double>& quality) const;
     double worst_with(int32_t v, const Vec3& place) const;
     // Where the metric of the tetrahedron is the identity, up to a factor; the corners themselves if the mesh is not
     // measured.
@@ -122,6 +123,7 @@ private:
     };
 
     PointMetric metric_at(const Vec3& x) const;
+    double quality_with(int32_t t, int32_t v, const Vec3& place, const Tensor& log_there) const;
     void freeze_hull(const Run& run);
     int32_t take_slot();
     void remove_dead_slots();

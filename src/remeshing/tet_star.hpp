@@ -41,9 +41,11 @@ public:
         // The map keeps volumes.
         return -(opposite(i, 1) - b).cross(opposite(i, 2) - b).dot(maps_ ? to_frame_ * shift : shift) / 6;
     }
-    // Least quality with the point at x; may stop early with any value once it is not above `floor`.
+    // Least quality with the point at x; may stop early with any value once it is not above `floor`. With a metric,
+    // each tetrahedron around a point is measured by its own.
     double worst_at(const Vec3& x, double floor) const;
-    // Quality of each tetrahedron with the point at x, and its gradient with respect to x.
+    // Quality of each tetrahedron with the point at x, as above, and its gradient with respect to x in the star's
+    // frame.
     void gradients_at(const Vec3& x, Array<double>& quality, Array<Vec3>& gradient) const;
 
 private:
@@ -52,6 +54,7 @@ private:
     Vec3 in_frame(const Vec3& x) const { return maps_ ? to_frame_ * (x - origin_) : x; }
     void add(const LocalMesh& mesh, const Tet& tet, int corner);
     void fill_last();
+    double worst_in_frame(const Vec3& x, double floor) const;
 
     // Four doubles fill a vector of 256 bits.
     static constexpr size_t kLanes = 4;
@@ -77,6 +80,8 @@ private:
     Array<Lanes> lanes_;  // the last filled up with copies
     size_t size_ = 0;
     Array<int32_t> tets_;
+    const LocalMesh* measured_ = nullptr;  // the mesh, if it has a metric and the star is that of point_
+    int32_t point_ = -1;
     bool maps_ = false;
     Tensor to_frame_, from_frame_;
     Vec3 origin_;  // of the star's frame
