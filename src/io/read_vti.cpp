@@ -46,7 +46,7 @@ std::vector<int64_t> extent_of(const XmlTag& piece)
     return extent;
 }
 
-VtiFile scan(std::string_view text)
+VtiFile scan_image(std::string_view text)
 {
     VtiFile file;
     XmlScanner scanner(text);
@@ -110,9 +110,9 @@ void set_place(const VtiFile& file, bool on_cells, Image& image)
     }
 }
 
-TensorImage read(std::string_view text)
+TensorImage read_image(std::string_view text)
 {
-    const VtiFile file = scan(text);
+    const VtiFile file = scan_image(text);
     const VtiArray& array = chosen_tensors(file);
     TensorImage tensors;
     tensors.side_by_side = true;
@@ -141,7 +141,7 @@ bool is_vti(const FileHead& head)
 TensorImage read_vti_tensors(const std::string& path, const FileHead&)
 {
     const std::string text = read_whole_file(path);
-    return read(text);
+    return read_image(text);
 }
 
 }  // namespace cleft::io
