@@ -65,9 +65,6 @@ private:
         const Place place = smoother_.climb(star_, mesh_.point(v), target, tangent, {});
         if (place.x == mesh_.point(v))
             return false;
-        // The star is measured by one metric for all. What counts is that of each tetrahedron.
-        if (mesh_.is_measured() && !(mesh_.worst_with(v, place.x) > mesh_.worst(star_.tets())))
-            return false;
         proposal.set_move(v, place.x, star_.tets());
         return true;
     }

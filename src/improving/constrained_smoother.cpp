@@ -26,9 +26,6 @@ bool ConstrainedSmoother::find(int32_t v, bool thorough, Vec3& better)
         return false;
     star_.load(mesh_, v);
     better = better_place(v, thorough).x;
-    // The star is measured by one metric for all. What counts is that of each tetrahedron.
-    if (mesh_.is_measured() && !(mesh_.worst_with(v, better) > mesh_.worst(star_.tets())))
-        return false;
     return better != mesh_.point(v);
 }
 
