@@ -1,0 +1,117 @@
+/*
+ * Meshes in parts: several processes make one mesh together, and each keeps a part of it. The mesh is the same whatever
+ * their number, and is the one that cleft_mesh_volume() makes.
+ *
+ * This header knows no library of messages. A caller describes its own by cleft_exchange; cleft_mpi.h does that for
+ * MPI. A rank is a process, or a thread with a context of its own.
+ *
+ * Conventions are those of cleft.h, and:
+ *  - Calls. All ranks call a function that takes a cleft_exchange, with the same arguments but for what is said below.
+ *  - Failures. If a rank fails, all ranks return its status, with a sentence that begins with its number: "rank 2:
+ * ...". The rank of the least number speaks if several fail. A cancel on one rank cancels all. A rank that ends without
+ * a word is for the exchange to notice; MPI ends the others then.
+ *  - Numbers. Points and tetrahedra have two numbers: a local one of 32 bits, which counts those of this rank from 0,
+ * and one of 64 bits in the whole mesh. The latter is that of cleft_mesh_points() and cleft_mesh_tets().
+ */
+#ifndef CLEFT_PARTS_H
+#define CLEFT_PARTS_H
+
+#include "cleft/cleft.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** How the ranks of a run send each other bytes. The caller sets struct_size to sizeof(cleft_exchange). Both functions
+ *  are called by all ranks, in the same order, on the thread that called the library. They return 0, or any other
+ * number if the ranks cannot reach each other: then the call ends with CLEFT_ERROR_EXCHANGE and uses the exchange no
+ * more. \since 0.1 */
+typedef struct cleft_exchange {
+    uint32_t struct_size;
+    int32_t rank;  /**< the number of this rank, from 0 */
+    int32_t ranks; /**< how many there are */
+    void* user;    /**< given to the functions */
+    /** Sends one number to each rank: receive[r] becomes what rank r has in send[rank]. MPI_Alltoall() does that. */
+    int (*numbers)(const int64_t* send, int64_t* receive, void* user);
+    /** Sends bytes to each rank. Those for rank 0 come first in `send`, then those for rank 1, and so on. What arrives
+     *  is to lie in `receive` in the same way. Both sides know the sizes. A size may be 0, or greater than 2^31. */
+    int (*bytes)(const void* send, const int64_t* send_sizes, void* receive, const int64_t* receive_sizes, void* user);
+} cleft_exchange;
+
+/** A label map whose voxels are read when they are needed. The caller sets struct_size to sizeof(cleft_voxels).
+ *  cleft_io_voxels_open() makes one of a file. All ranks give the same volume. \since 0.1 */
+typedef struct cleft_voxels {
+    uint32_t struct_size;
+    cleft_type type;   /**< one of the five integer types */
+    int64_t dims[3];   /**< the number of voxels along each axis */
+    double affine[12]; /**< as in cleft_volume_create_labels() */
+    void* user;        /**< given to the function */
+    /** Reads the voxels first[i] to first[i] + count[i] - 1 along each axis i into `voxels`, x fastest. It returns 0.
+     *  If it cannot, it returns another number, and writes a sentence of at most `room` bytes to `sentence`, the
+     *  terminating zero included. The library calls it on one thread at a time. */
+    int (*read)(const int64_t first[3], const int64_t count[3], void* voxels, char* sentence, int64_t room, void* user);
+} cleft_voxels;
+
+typedef struct cleft_part cleft_part; /**< the part of a mesh that a rank has; immutable */
+
+/** Makes the mesh of a volume, and gives each rank a part.
+ *
+ *  Points are numbered along a Hilbert curve, and the curve is cut into as many pieces as there are ranks: each owns
+ *  equally many points, the neighbours in space. A tetrahedron belongs to the owner of its point of least number. So
+ *  does a triangle. A part also has the points of its tetrahedra that others own. If `ghosts` is not 0, it has the
+ *  tetrahedra of others at the points that it owns as well: all that there are around these points.
+ *
+ *  `options` may be NULL. Options read: all.
+ *  The caller owns *out. \since 0.1 */
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_part_create(cleft_context* context, const cleft_voxels* voxels,
+                                                         const cleft_options* options, const cleft_exchange* exchange,
+                                                         int32_t ghosts, cleft_part** out) CLEFT_NOEXCEPT;
+/** Destroys a part and the arrays borrowed from it; NULL is allowed. It needs no other rank. \since 0.1 */
+CLEFT_API void cleft_part_destroy(cleft_part* part) CLEFT_NOEXCEPT;
+
+/** How much a part has, and where its own begin in the whole mesh. The caller sets struct_size to
+ *  sizeof(cleft_part_counts). \since 0.1 */
+typedef struct cleft_part_counts {
+    uint32_t struct_size;
+    int32_t rank, ranks;
+    int64_t points;         /**< points of this part */
+    int64_t owned_points;   /**< of these, its own: they come first, in the order of their numbers */
+    int64_t first_point;    /**< the number of the first of them in the whole mesh; they follow one another */
+    int64_t all_points;     /**< points of the whole mesh */
+    int64_t tets;           /**< tetrahedra of this part */
+    int64_t owned_tets;     /**< of these, its own: they come first, in the order of their numbers */
+    int64_t first_tet;      /**< the number of the first of them in the whole mesh; they follow one another */
+    int64_t all_tets;       /**< tetrahedra of the whole mesh */
+    int64_t triangles;      /**< triangles of interfaces and of the hull, each in one part */
+    int64_t first_triangle; /**< the number of the first of them among the triangles of all parts */
+    int64_t all_triangles;  /**< triangles of all parts */
+} cleft_part_counts;
+
+/** Gets the counts of a part. \since 0.1 */
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_part_count(const cleft_part* part, cleft_part_counts* out) CLEFT_NOEXCEPT;
+/** Returns the points: 3 * points world coordinates. Borrowed. \since 0.1 */
+CLEFT_API const double* cleft_part_points(const cleft_part* part) CLEFT_NOEXCEPT;
+/** Returns the number of each point in the whole mesh, ascending among a part's own and among the others. Borrowed.
+ *  \since 0.1 */
+CLEFT_API const int64_t* cleft_part_point_numbers(const cleft_part* part) CLEFT_NOEXCEPT;
+/** Returns the rank that owns each point. Borrowed. \since 0.1 */
+CLEFT_API const int32_t* cleft_part_point_owners(const cleft_part* part) CLEFT_NOEXCEPT;
+/** Returns the tetrahedra: 4 * tets local point numbers, positively oriented, ghosts last. Borrowed. \since 0.1 */
+CLEFT_API const int32_t* cleft_part_tets(const cleft_part* part) CLEFT_NOEXCEPT;
+/** Returns the label of each tetrahedron. Borrowed. \since 0.1 */
+CLEFT_API const int32_t* cleft_part_labels(const cleft_part* part) CLEFT_NOEXCEPT;
+/** Returns the triangles: 3 * triangles local point numbers. The normal of a triangle of an interface points from its
+ *  first label to its second, that of the hull points outward. Borrowed. \since 0.1 */
+CLEFT_API const int32_t* cleft_part_triangles(const cleft_part* part) CLEFT_NOEXCEPT;
+/** Returns the two labels of each triangle, 2 * triangles: the lesser one first. A triangle of the hull has one label
+ *  twice. Borrowed. \since 0.1 */
+CLEFT_API const int32_t* cleft_part_triangle_labels(const cleft_part* part) CLEFT_NOEXCEPT;
+/** Returns the side of the box that each triangle lies in, as cleft_surface_hull_sides() has them, and -1 for those of
+ *  interfaces. Borrowed. \since 0.1 */
+CLEFT_API const int32_t* cleft_part_triangle_sides(const cleft_part* part) CLEFT_NOEXCEPT;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
