@@ -7,6 +7,7 @@
 
 #include <iterator>
 #include <sstream>
+#include <type_traits>
 
 namespace cleft::io
 {
@@ -16,10 +17,14 @@ namespace
 
 using Description = cleft_io_format_description;
 
+// The reader is a function, or nullptr where there is none: its type tells, since gcc with sanitizers takes no
+// comparison of a function with null for a constant.
+template <class Reader>
 constexpr MeshFormat row(cleft_io_format format, const char* name, const char* extensions, const char* text,
-                         MeshWriter write, MeshReader read, bool has_surface)
+                         MeshWriter write, Reader read, bool has_surface)
 {
-    const int32_t directions = CLEFT_IO_WRITES_MESH | (read ? CLEFT_IO_READS_MESH : 0);
+    const int32_t directions =
+        CLEFT_IO_WRITES_MESH | (std::is_same_v<Reader, std::nullptr_t> ? 0 : CLEFT_IO_READS_MESH);
     return {{sizeof(Description), format, directions, 0, name, extensions, text}, write, read, has_surface};
 }
 
