@@ -31,7 +31,8 @@ module cleft_c
     CLEFT_ERROR_FILE = -13, &
     CLEFT_ERROR_FORMAT = -14, &
     CLEFT_ERROR_HANDLE = -15, &
-    CLEFT_ERROR_BUSY = -16
+    CLEFT_ERROR_BUSY = -16, &
+    CLEFT_ERROR_EXCHANGE = -17
 
   integer(c_int32_t), parameter :: &
     CLEFT_LOG_WARNING = 1, &

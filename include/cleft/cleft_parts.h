@@ -22,34 +22,42 @@
 extern "C" {
 #endif
 
-/** How the ranks of a run send each other bytes. The caller sets struct_size to sizeof(cleft_exchange). Both functions
- *  are called by all ranks, in the same order, on the thread that called the library. They return 0, or any other
- * number if the ranks cannot reach each other: then the call ends with CLEFT_ERROR_EXCHANGE and uses the exchange no
- * more. \since 0.1 */
+/** Sends one number to each rank: receive[r] becomes what rank r has in send[rank]. MPI_Alltoall() does that. Returns
+ * 0, or any other number if the ranks cannot reach each other. \since 0.1 */
+typedef int (*cleft_exchange_numbers)(const int64_t* send, int64_t* receive, void* user);
+/** Sends bytes to each rank. Those for rank 0 come first in `send`, then those for rank 1, and so on. What arrives is
+ * to lie in `receive` in the same way. Both sides know the sizes. A size may be 0, or greater than 2^31. Returns 0, or
+ * any other number if the ranks cannot reach each other. \since 0.1 */
+typedef int (*cleft_exchange_bytes)(const void* send, const int64_t* send_sizes, void* receive,
+                                    const int64_t* receive_sizes, void* user);
+
+/** How the ranks of a run send each other bytes. The caller sets struct_size to sizeof(cleft_exchange). All ranks call
+ *  both functions in the same order, on the thread that called the library. If one of them fails, the call ends with
+ *  CLEFT_ERROR_EXCHANGE and uses the exchange no more. \since 0.1 */
 typedef struct cleft_exchange {
     uint32_t struct_size;
-    int32_t rank;  /**< the number of this rank, from 0 */
-    int32_t ranks; /**< how many there are */
-    void* user;    /**< given to the functions */
-    /** Sends one number to each rank: receive[r] becomes what rank r has in send[rank]. MPI_Alltoall() does that. */
-    int (*numbers)(const int64_t* send, int64_t* receive, void* user);
-    /** Sends bytes to each rank. Those for rank 0 come first in `send`, then those for rank 1, and so on. What arrives
-     *  is to lie in `receive` in the same way. Both sides know the sizes. A size may be 0, or greater than 2^31. */
-    int (*bytes)(const void* send, const int64_t* send_sizes, void* receive, const int64_t* receive_sizes, void* user);
+    int32_t rank;                   /**< the number of this rank, from 0 */
+    int32_t ranks;                  /**< how many there are */
+    void* user;                     /**< given to the functions */
+    cleft_exchange_numbers numbers; /**< sends a number to each rank */
+    cleft_exchange_bytes bytes;     /**< sends bytes to each rank */
 } cleft_exchange;
+
+/** Reads the voxels first[i] to first[i] + count[i] - 1 along each axis i into `voxels`, x fastest, and returns 0. If
+ * it cannot, it returns another number, and writes a sentence of at most `room` bytes to `sentence`, the terminating
+ * zero included. The library calls it on one thread at a time. \since 0.1 */
+typedef int (*cleft_voxels_read)(const int64_t first[3], const int64_t count[3], void* voxels, char* sentence,
+                                 int64_t room, void* user);
 
 /** A label map whose voxels are read when they are needed. The caller sets struct_size to sizeof(cleft_voxels).
  *  cleft_io_voxels_open() makes one of a file. All ranks give the same volume. \since 0.1 */
 typedef struct cleft_voxels {
     uint32_t struct_size;
-    cleft_type type;   /**< one of the five integer types */
-    int64_t dims[3];   /**< the number of voxels along each axis */
-    double affine[12]; /**< as in cleft_volume_create_labels() */
-    void* user;        /**< given to the function */
-    /** Reads the voxels first[i] to first[i] + count[i] - 1 along each axis i into `voxels`, x fastest. It returns 0.
-     *  If it cannot, it returns another number, and writes a sentence of at most `room` bytes to `sentence`, the
-     *  terminating zero included. The library calls it on one thread at a time. */
-    int (*read)(const int64_t first[3], const int64_t count[3], void* voxels, char* sentence, int64_t room, void* user);
+    cleft_type type;        /**< one of the five integer types */
+    int64_t dims[3];        /**< the number of voxels along each axis */
+    double affine[12];      /**< as in cleft_volume_create_labels() */
+    void* user;             /**< given to the function */
+    cleft_voxels_read read; /**< reads a box of voxels */
 } cleft_voxels;
 
 typedef struct cleft_part cleft_part; /**< the part of a mesh that a rank has; immutable */
@@ -73,7 +81,8 @@ CLEFT_API void cleft_part_destroy(cleft_part* part) CLEFT_NOEXCEPT;
  *  sizeof(cleft_part_counts). \since 0.1 */
 typedef struct cleft_part_counts {
     uint32_t struct_size;
-    int32_t rank, ranks;
+    int32_t rank;           /**< the rank of the part */
+    int32_t ranks;          /**< how many there are */
     int64_t points;         /**< points of this part */
     int64_t owned_points;   /**< of these, its own: they come first, in the order of their numbers */
     int64_t first_point;    /**< the number of the first of them in the whole mesh; they follow one another */
@@ -99,7 +108,7 @@ CLEFT_API const int32_t* cleft_part_point_owners(const cleft_part* part) CLEFT_N
 /** Returns the tetrahedra: 4 * tets local point numbers, positively oriented, ghosts last. Borrowed. \since 0.1 */
 CLEFT_API const int32_t* cleft_part_tets(const cleft_part* part) CLEFT_NOEXCEPT;
 /** Returns the label of each tetrahedron. Borrowed. \since 0.1 */
-CLEFT_API const int32_t* cleft_part_labels(const cleft_part* part) CLEFT_NOEXCEPT;
+CLEFT_API const int32_t* cleft_part_tet_labels(const cleft_part* part) CLEFT_NOEXCEPT;
 /** Returns the triangles: 3 * triangles local point numbers. The normal of a triangle of an interface points from its
  *  first label to its second, that of the hull points outward. Borrowed. \since 0.1 */
 CLEFT_API const int32_t* cleft_part_triangles(const cleft_part* part) CLEFT_NOEXCEPT;

@@ -22,7 +22,8 @@
     X(ERROR_FILE, -13, "a file cannot be read or written")                       \
     X(ERROR_FORMAT, -14, "the contents of a file break the rules of its format") \
     X(ERROR_HANDLE, -15, "a handle is of another kind")                          \
-    X(ERROR_BUSY, -16, "the context is busy with another call")
+    X(ERROR_BUSY, -16, "the context is busy with another call")                  \
+    X(ERROR_EXCHANGE, -17, "the ranks of a run cannot reach each other")
 
 enum {
 #define CLEFT_STATUS_ENUM(name, number, text) CLEFT_##name = (number),

@@ -26,6 +26,8 @@ void with_handle(const void* handle, const Body& body)
             return body(*static_cast<const cleft_surface*>(handle));
         case Mark::report:
             return body(*static_cast<const cleft_report*>(handle));
+        case Mark::part:
+            return body(*static_cast<const cleft_part*>(handle));
         case Mark::dead:
             break;
     }

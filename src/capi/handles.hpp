@@ -3,6 +3,8 @@
 // work with it. A handle that a callback destroys so lives until the call that uses it ends.
 #pragma once
 
+#include "cleft/cleft_parts.h"
+
 #include "base/array.hpp"
 #include "base/fixed_array.hpp"
 #include "base/metrics.hpp"
@@ -13,6 +15,7 @@
 #include "mesh/interfaces.hpp"
 #include "mesh/tet_mesh.hpp"
 #include "mesh/user_label.hpp"
+#include "parts/mesh_part.hpp"
 #include "pipeline/label_report.hpp"
 #include "pipeline/scaled_sizing.hpp"
 #include "volume/frame.hpp"
@@ -37,7 +40,8 @@ enum class Mark : uint32_t {
     sizing = 0xC1EF0004,
     mesh = 0xC1EF0005,
     surface = 0xC1EF0006,
-    report = 0xC1EF0007
+    report = 0xC1EF0007,
+    part = 0xC1EF0008
 };
 
 // How many own a handle. A copy of a handle has an owner of its own.
@@ -126,4 +130,13 @@ struct cleft_report : cleft::capi::Handle<cleft::capi::Mark::report> {
     cleft::LabelReport report;
     cleft::Array<cleft::SurfaceDistances> distances;  // in the order in which users see them
     cleft::Array<cleft::Material> listed;             // the material of each row that users see
+};
+
+struct cleft_part : cleft::capi::Handle<cleft::capi::Mark::part> {
+    cleft_part_counts counts{};
+    cleft::MeshPart part;  // in the world, with labels in the place of materials
+    // Of the part's triangles.
+    cleft::Array<cleft::Triangle> triangles;
+    cleft::Array<std::array<int32_t, 2>> triangle_labels;
+    cleft::Array<int32_t> triangle_sides;
 };

@@ -16,13 +16,6 @@ namespace cleft::capi
 namespace
 {
 
-// A mirrored tetrahedron is negative. Callers rely on positive ones, and so do the stages.
-void turn_round(Array<Tet>& tets)
-{
-    for (Tet& tet : tets)
-        std::swap(tet[2], tet[3]);
-}
-
 // A mesh that is sound in its own frame was spoilt by the rounding of world coordinates.
 [[noreturn]] void refuse_result(Array<Tet> tets, const Array<Vec3>& local, const Frame& frame, const std::string& fault,
                                 const Run& run)
@@ -65,6 +58,12 @@ bool come_back(const Array<Vec3>& local, const Array<Vec3>& world, const Frame& 
 }
 
 }  // namespace
+
+void turn_round(Array<Tet>& tets)
+{
+    for (Tet& tet : tets)
+        std::swap(tet[2], tet[3]);
+}
 
 // A sorted list: meshes have few labels, and callers get them ascending.
 Array<int32_t> distinct_labels(const Array<int32_t>& tet_labels)

@@ -28,6 +28,10 @@ void to_local(const cleft_mesh& mesh, const Frame& frame, Array<Vec3>& points, A
 // The same with labels turned into the volume's materials; a label that the volume lacks is an Error.
 LabelledMesh to_stage(const cleft_mesh& mesh, const cleft_volume& volume);
 
+// A mirrored tetrahedron is negative: this makes positive ones of them. Callers rely on positive ones, and so do the
+// stages.
+void turn_round(Array<Tet>& tets);
+
 // The different labels of a mesh, ascending.
 Array<int32_t> distinct_labels(const Array<int32_t>& tet_labels);
 

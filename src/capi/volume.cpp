@@ -2,6 +2,7 @@
 #include "capi/firewall.hpp"
 #include "capi/kept_labels.hpp"
 #include "capi/options.hpp"
+#include "capi/voxel_type.hpp"
 
 using namespace cleft::capi;
 using cleft::Error;
@@ -9,26 +10,6 @@ using cleft::Run;
 
 namespace
 {
-
-// A switch, not a cast: the number comes from a caller and may be any.
-cleft::VoxelType voxel_type(cleft_type type)
-{
-    switch (type) {
-        case CLEFT_TYPE_UINT8:
-            return cleft::VoxelType::uint8;
-        case CLEFT_TYPE_UINT16:
-            return cleft::VoxelType::uint16;
-        case CLEFT_TYPE_INT16:
-            return cleft::VoxelType::int16;
-        case CLEFT_TYPE_UINT32:
-            return cleft::VoxelType::uint32;
-        case CLEFT_TYPE_INT32:
-            return cleft::VoxelType::int32;
-        default:
-            throw Error(CLEFT_ERROR_ARGUMENT,
-                        "type is " + std::to_string(type) + ", which is no type of a label map's voxels");
-    }
-}
 
 // The elements are not copied here: bounded_values() reads each field in the type that it has.
 template <class T>
@@ -44,17 +25,42 @@ cleft::Volume indicators(const void* const* fields, int64_t count, const cleft::
                                           labels ? user_labels(labels, names) : cleft::Array<cleft::UserLabel>(), run);
 }
 
-// Lists for the caller are made once, for the functions that lend them may be called from many threads.
-cleft_volume made_volume(const cleft::Frame& frame, cleft::Volume&& volume)
+}  // namespace
+
+namespace cleft::capi
 {
-    cleft::Array<cleft::Material> listed = volume.listed();
-    cleft::Array<int32_t> labels;
-    for (const cleft::Material m : listed)
+
+// A switch, not a cast: the number comes from a caller and may be any.
+VoxelType voxel_type(cleft_type type)
+{
+    switch (type) {
+        case CLEFT_TYPE_UINT8:
+            return VoxelType::uint8;
+        case CLEFT_TYPE_UINT16:
+            return VoxelType::uint16;
+        case CLEFT_TYPE_INT16:
+            return VoxelType::int16;
+        case CLEFT_TYPE_UINT32:
+            return VoxelType::uint32;
+        case CLEFT_TYPE_INT32:
+            return VoxelType::int32;
+        default:
+            throw Error(CLEFT_ERROR_ARGUMENT,
+                        "type is " + std::to_string(type) + ", which is no type of a label map's voxels");
+    }
+}
+
+// Lists for the caller are made once, for the functions that lend them may be called from many threads.
+cleft_volume made_volume(const Frame& frame, Volume&& volume)
+{
+    Array<Material> listed = volume.listed();
+    Array<int32_t> labels;
+    for (const Material m : listed)
         labels.push_back(number_of(volume.labels()[m]));
     return {{}, frame, std::move(volume), std::move(listed), std::move(labels), {}};
 }
 
-}  // namespace
+}  // namespace cleft::capi
 
 cleft_status cleft_volume_create_labels(cleft_context* context, cleft_type type, const void* voxels,
                                         const int64_t dims[3], const double affine[12], const cleft_options* options,

@@ -54,7 +54,7 @@ function(cleft_install_core)
     endif()
     cleft_install_library(cleft_shared shared runtime development)
     cleft_install_library(cleft_static static development development)
-    cleft_install_headers(development cleft.h cleft_status.h cleft.hpp cleft_context.hpp)
+    cleft_install_headers(development cleft.h cleft_status.h cleft_parts.h cleft.hpp cleft_context.hpp)
     install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_BINARY_DIR}/install/NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR}
         COMPONENT runtime)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development

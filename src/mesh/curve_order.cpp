@@ -55,20 +55,6 @@ uint64_t hilbert_index(std::array<uint32_t, 3> x)
     return spread(x[0] ^ flip) << 2 | spread(x[1] ^ flip) << 1 | spread(x[2] ^ flip);
 }
 
-uint64_t hilbert_index(const Vec3& x, const BoundingBox& box)
-{
-    const double cells = static_cast<double>((1u << kBits) - 1);
-    const double longest = box.longest();
-    // All axes have the scale of the longest side, so that cells are cubes. With cells as flat as the box, points that
-    // are neighbours along the curve could be far apart.
-    std::array<uint32_t, 3> cell{};
-    for (size_t axis = 0; axis < 3; ++axis) {
-        const auto a = static_cast<Eigen::Index>(axis);
-        cell[axis] = longest > 0 ? static_cast<uint32_t>((x[a] - box.lo[a]) / longest * cells) : 0;
-    }
-    return hilbert_index(cell);
-}
-
 // Stable, eleven bits a pass.
 // A sort by comparison would pass over the keys more often. Six passes cover the 63 bits of a key, and each must be
 // stable, or it would undo the one before.
@@ -93,11 +79,7 @@ void radix_sort(Array<Key>& keys)
 // Points of one cell of the curve: by their coordinates, so that the order is that of the places alone.
 void sort_ties(const Array<Vec3>& points, Array<Key>& keys)
 {
-    const auto less = [&](const Key& a, const Key& b) {
-        const Vec3& x = points[a.index];
-        const Vec3& y = points[b.index];
-        return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end());
-    };
+    const auto less = [&](const Key& a, const Key& b) { return comes_first(points[a.index], points[b.index]); };
     for (auto first = keys.begin(), last = first; first != keys.end(); first = last) {
         last = std::find_if(first, keys.end(), [&](const Key& key) { return key.value != first->value; });
         if (last - first > 1)
@@ -106,6 +88,25 @@ void sort_ties(const Array<Vec3>& points, Array<Key>& keys)
 }
 
 }  // namespace
+
+uint64_t place_on_curve(const Vec3& x, const BoundingBox& box)
+{
+    const double cells = static_cast<double>((1u << kBits) - 1);
+    const double longest = box.longest();
+    // All axes have the scale of the longest side, so that cells are cubes. With cells as flat as the box, points that
+    // are neighbours along the curve could be far apart.
+    std::array<uint32_t, 3> cell{};
+    for (size_t axis = 0; axis < 3; ++axis) {
+        const auto a = static_cast<Eigen::Index>(axis);
+        cell[axis] = longest > 0 ? static_cast<uint32_t>((x[a] - box.lo[a]) / longest * cells) : 0;
+    }
+    return hilbert_index(cell);
+}
+
+bool comes_first(const Vec3& x, const Vec3& y)
+{
+    return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end());
+}
 
 void order_along_curve(const Array<Vec3>& points, Array<int32_t>& indices, const Run& run)
 {
@@ -116,7 +117,7 @@ void order_along_curve(const Array<Vec3>& points, Array<int32_t>& indices, const
     Array<Key> keys(indices.size());
     parallel_for(run, keys.count(), kPointsKeyed, [&](int64_t begin, int64_t end) {
         for (int64_t k = begin; k < end; ++k)
-            keys[k] = {hilbert_index(point(indices[k]), box), indices[k]};
+            keys[k] = {place_on_curve(point(indices[k]), box), indices[k]};
     });
     radix_sort(keys);
     sort_ties(points, keys);

@@ -33,22 +33,6 @@ Array<int32_t> used_points(const LabelledMesh& mesh, const Run& run)
     });
 }
 
-// The even permutation that puts the least corner first and the next one second.
-// An even permutation keeps the orientation. The first corner then decides the place of the tetrahedron among the
-// others.
-Tet least_corners_first(Tet t)
-{
-    const auto swap_two_pairs = [&](int64_t a, int64_t b, int64_t c, int64_t d) {
-        std::swap(t[a], t[b]);
-        std::swap(t[c], t[d]);
-    };
-    const auto least = std::min_element(t.begin(), t.end()) - t.begin();
-    if (least > 0)
-        swap_two_pairs(0, least, least == 1 ? 2 : 1, least == 3 ? 2 : 3);
-    std::rotate(t.begin() + 1, std::min_element(t.begin() + 1, t.end()), t.end());
-    return t;
-}
-
 // The tetrahedra of each point, by their corners.
 void sort_each(const Array<Tet>& tets, const Array<uint32_t>& start, Array<int32_t>& order, const Run& run)
 {

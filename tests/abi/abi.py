@@ -7,6 +7,8 @@ check_exports.py compares). That library is what libabigail describes in the bas
   abi.py dump  CC HEADER VERSION_SCRIPT OUTPUT      describes the interface
   abi.py check CC HEADER VERSION_SCRIPT BASELINE    fails if anything of the baseline is gone or changed
   abi.py faults CC HEADER VERSION_SCRIPT BASELINE   checks the check: it must refuse what breaks, and nothing else
+
+HEADER may be several, with commas between them, the first of which the others include.
 """
 import pathlib
 import re
@@ -127,8 +129,9 @@ def check_faults(baseline, compiler, header, include, version_script):
 
 def main():
     task, compiler, header_path, version_script, file = sys.argv[1:]
-    include = pathlib.Path(header_path).resolve().parents[1]
-    header = pathlib.Path(header_path).read_text()
+    headers = [pathlib.Path(path) for path in header_path.split(",")]
+    include = headers[0].resolve().parents[1]
+    header = "".join(path.read_text() for path in headers)
     if task == "dump":
         dump(compiler, header, include, version_script, file)
     elif task == "check":

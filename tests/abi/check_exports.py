@@ -1,9 +1,9 @@
 """Does a shared library show the reviewed functions, and nothing else? check_exports.py LIBRARY VERSION_SCRIPT HEADER
 NEEDED...
 
-The version script is the reviewed list. It, the prototypes of the header and the symbols of the library must name the
-same functions; a function that the header has since 0.1 must be in the node ..._0.1. If NEEDED (names without version)
-are given, the library may need no others.
+HEADER may be several, with commas between them. The version script is the reviewed list. It, the prototypes of the
+header and the symbols of the library must name the same functions; a function that the header has since 0.1 must be in
+the node ..._0.1. If NEEDED (names without version) are given, the library may need no others.
 """
 import pathlib
 import re
@@ -24,9 +24,9 @@ def listed(path):
     return found
 
 
-def declared(path):
+def declared(paths):
     """Function -> the release that its comment names."""
-    return {function.name: function.since for function in c_header.read(path).functions}
+    return {function.name: function.since for function in c_header.read(*paths.split(",")).functions}
 
 
 def exported(path):

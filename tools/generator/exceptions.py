@@ -116,7 +116,8 @@ KINDS = (
         python_base="ValueError",
     ),
     # Of Python alone: the objects of Java and C# refuse what would give these, with exceptions of the language.
-    Kind(("INTERNAL",), "", "", "InternalError", "A defect of the library."),
+    # No binding makes meshes in parts, so that none sees EXCHANGE.
+    Kind(("INTERNAL", "EXCHANGE"), "", "", "InternalError", "A defect of the library."),
     Kind(("HANDLE",), "", "", "Closed", "The object was closed before.", python_base="ValueError"),
     Kind(("BUSY",), "", "", "Busy", "The Mesher runs another call.", python_base="RuntimeError"),
 )

@@ -156,6 +156,7 @@ _CLASSES = {
     native.CLEFT_ERROR_FILE: FileError,
     native.CLEFT_ERROR_FORMAT: FormatError,
     native.CLEFT_ERROR_INTERNAL: InternalError,
+    native.CLEFT_ERROR_EXCHANGE: InternalError,
     native.CLEFT_ERROR_HANDLE: Closed,
     native.CLEFT_ERROR_BUSY: Busy,
     # </choice>

@@ -1,0 +1,244 @@
+// Meshes in parts: the entries that several ranks call together.
+#include "cleft/cleft_parts.h"
+
+#include "base/stage.hpp"
+#include "base/struct_size.hpp"
+#include "capi/firewall.hpp"
+#include "capi/kept_labels.hpp"
+#include "capi/mesh_frame.hpp"
+#include "capi/options.hpp"
+#include "capi/voxel_type.hpp"
+#include "checking/quick_check.hpp"
+#include "parts/mesh_part.hpp"
+#include "parts/voxel_source.hpp"
+
+#include <cstring>
+
+template <>
+inline constexpr size_t cleft::kFirstSize<cleft_exchange> = CLEFT_END_OF(cleft_exchange, bytes);
+template <>
+inline constexpr size_t cleft::kFirstSize<cleft_voxels> = CLEFT_END_OF(cleft_voxels, read);
+template <>
+inline constexpr size_t cleft::kFirstSize<cleft_part_counts> = CLEFT_END_OF(cleft_part_counts, all_triangles);
+
+using namespace cleft::capi;
+using cleft::Array;
+using cleft::Error;
+using cleft::Exchange;
+using cleft::LabelledMesh;
+using cleft::Run;
+
+namespace
+{
+
+cleft::Messenger messenger(const cleft_exchange& e)
+{
+    if (e.ranks < 1 || e.rank < 0 || e.rank >= e.ranks)
+        throw Error(CLEFT_ERROR_ARGUMENT, "the exchange has rank " + std::to_string(e.rank) + " of " +
+                                              std::to_string(e.ranks) + " ranks; ranks count from 0");
+    required(reinterpret_cast<const void*>(e.numbers), "numbers of the exchange");
+    required(reinterpret_cast<const void*>(e.bytes), "bytes of the exchange");
+    return {e.rank, e.ranks,
+            [e](const int64_t* send, int64_t* receive) { return e.numbers(send, receive, e.user) == 0; },
+            [e](const void* send, const int64_t* send_sizes, void* receive, const int64_t* receive_sizes) {
+                return e.bytes(send, send_sizes, receive, receive_sizes, e.user) == 0;
+            }};
+}
+
+cleft::VoxelSource source_of(const cleft_voxels& v)
+{
+    required(reinterpret_cast<const void*>(v.read), "read of the voxels");
+    return {voxel_type(v.type), [v](const cleft::Window& window, void* voxels) {
+                int64_t first[3], count[3];
+                std::copy(window.first.begin(), window.first.end(), first);
+                std::copy(window.count.begin(), window.count.end(), count);
+                char sentence[1000] = "";
+                if (v.read(first, count, voxels, sentence, sizeof sentence, v.user) == 0)
+                    return;
+                sentence[sizeof sentence - 1] = '\0';
+                throw Error(CLEFT_ERROR_FILE, sentence[0] ? sentence : "the voxels cannot be read");
+            }};
+}
+
+// Of what all ranks must give alike. A rank with other options would make another mesh, or wait for ever.
+uint64_t fingerprint(const cleft_voxels& voxels, const cleft_options* options, int32_t ghosts)
+{
+    // FNV-1a, 64 bits.
+    uint64_t hash = 0xcbf29ce484222325u;
+    const auto add = [&](const void* bytes, size_t count) {
+        for (size_t i = 0; i < count; ++i)
+            hash = (hash ^ static_cast<const unsigned char*>(bytes)[i]) * 0x100000001b3u;
+    };
+    add(&voxels.type, sizeof voxels.type);
+    add(voxels.dims, sizeof voxels.dims);
+    add(voxels.affine, sizeof voxels.affine);
+    add(&ghosts, sizeof ghosts);
+    if (options) {
+        add(options->values.data(), sizeof options->values);
+        add(options->strip.data(), options->strip.size() * sizeof(cleft::UserLabel));
+        add(options->only.data(), options->only.size() * sizeof(cleft::UserLabel));
+        for (const auto& [label, size] : options->label_sizes) {
+            add(&label, sizeof label);
+            add(&size, sizeof size);
+        }
+    }
+    return hash;
+}
+
+void require_alike(uint64_t own, Exchange& exchange)
+{
+    for (const uint64_t other : exchange.all_gather(Array<uint64_t>{own}))
+        if (other != own)
+            throw Error(CLEFT_ERROR_ARGUMENT, "the ranks do not give the same volume, options and ghosts");
+}
+
+// The mesh of the whole volume, with labels in the place of materials.
+LabelledMesh whole_mesh(const cleft::Frame& frame, const cleft::VoxelSource& source, const cleft_options* options,
+                        const Run& run)
+{
+    const Array<unsigned char> voxels = read_window(source, {{0, 0, 0}, frame.grid.dims});
+    const int kernel = static_cast<int>(option_value(options, CLEFT_OPTION_SMOOTH));
+    const cleft_volume volume =
+        made_volume(frame, cleft::Volume::from_labels(source.type, voxels.data(), frame.grid, kernel, run));
+    const cleft::PipelineOptions p = pipeline_options(options, volume);
+    warn_of_unknown_labels(volume.volume.labels(), options, "volume", run);
+    warn_of_unknown_sizes(volume.volume, options, run);
+    LabelledMesh mesh = cleft::mesh_from_volume(volume.volume, p, run);
+    for (cleft::Material& m : mesh.material)
+        m = number_of(volume.volume.labels()[m]);
+    return mesh;
+}
+
+// To the world: what to_user() does for a whole mesh.
+void to_world(const cleft::Frame& frame, cleft::MeshPart& part, const Run& run)
+{
+    for (cleft::Vec3& x : part.points)
+        x = frame.to_world(x);
+    if (frame.flips()) {
+        turn_round(part.tets);
+        for (cleft::PartTriangle& t : part.triangles)
+            std::swap(t.corners[1], t.corners[2]);
+    }
+    const std::string fault = quick_fault(part.points, part.tets, run);
+    if (!fault.empty())
+        throw Error(CLEFT_ERROR_ARGUMENT,
+                    "world coordinates are too coarse for tetrahedra of these sizes so far from "
+                    "the origin: " +
+                        fault + "; move the origin nearer or set a greater size");
+}
+
+cleft_part made_part(cleft::MeshPart&& part, const Exchange& exchange)
+{
+    cleft_part out;
+    out.counts = {sizeof out.counts,       exchange.rank(),      exchange.ranks(),   part.points.count(),
+                  part.of_points.owned,    part.of_points.first, part.of_points.all, part.tets.count(),
+                  part.of_tets.owned,      part.of_tets.first,   part.of_tets.all,   part.triangles.count(),
+                  part.of_triangles.first, part.of_triangles.all};
+    for (const cleft::PartTriangle& t : part.triangles) {
+        out.triangles.push_back(t.corners);
+        out.triangle_labels.push_back(t.regions);
+        out.triangle_sides.push_back(t.side);
+    }
+    part.triangles = Array<cleft::PartTriangle>();
+    out.part = std::move(part);
+    return out;
+}
+
+// All but the exchange is looked at in here: of a mistake of one rank, all hear.
+cleft_part part_of(const cleft_voxels* given, const cleft_options* options, bool ghosts, Exchange& exchange,
+                   const Run& run)
+{
+    cleft::MeshPart part;
+    exchange.together([&] {
+        const auto held_options = held_if_any(options, "options");
+        const cleft_voxels voxels = cleft::copy_in(*required(given, "voxels"), "cleft_voxels");
+        require_alike(fingerprint(voxels, options, ghosts), exchange);
+        const cleft::Frame frame = cleft::make_frame(voxels.dims, voxels.affine);
+        const cleft::VoxelSource source = source_of(voxels);
+        cleft::Steps steps(run, {{"mesh", 9}, {nullptr, 1}});
+        const Run of_mesh = steps.next();
+        LabelledMesh piece;
+        if (exchange.rank() == 0)
+            piece = whole_mesh(frame, source, options, of_mesh);
+        const cleft::BoundingBox box{cleft::Vec3::Zero(), frame.grid.extent()};
+        part = share_mesh(std::move(piece), box, ghosts, exchange, steps.next());
+        to_world(frame, part, run);
+    });
+    return made_part(std::move(part), exchange);
+}
+
+template <class T, class Get>
+const T* borrowed(const cleft_part* part, const Get& get)
+{
+    return is_sound(part) && !get(*part).empty() ? reinterpret_cast<const T*>(get(*part).data()) : nullptr;
+}
+
+}  // namespace
+
+cleft_status cleft_part_create(cleft_context* context, const cleft_voxels* voxels, const cleft_options* options,
+                               const cleft_exchange* exchange, int32_t ghosts, cleft_part** out) noexcept
+{
+    return guarded_create(context, out, "mesh", [&](const Run& run) {
+        const cleft_exchange of_ranks = cleft::copy_in(*required(exchange, "exchange"), "cleft_exchange");
+        Exchange messages(messenger(of_ranks));
+        return part_of(voxels, options, ghosts != 0, messages, run);
+    });
+}
+
+void cleft_part_destroy(cleft_part* part) noexcept { destroy(part); }
+
+cleft_status cleft_part_count(const cleft_part* part, cleft_part_counts* out) noexcept
+{
+    return guarded(nullptr, [&] {
+        cleft::check_struct_size(*required(out, "out"), "cleft_part_counts");
+        cleft::copy_out(checked(part, "part").counts, *out);
+    });
+}
+
+const double* cleft_part_points(const cleft_part* part) noexcept
+{
+    return borrowed<double>(
+        part, [](const cleft_part& p) -> auto& { return p.part.points; });
+}
+
+const int64_t* cleft_part_point_numbers(const cleft_part* part) noexcept
+{
+    return borrowed<int64_t>(
+        part, [](const cleft_part& p) -> auto& { return p.part.numbers; });
+}
+
+const int32_t* cleft_part_point_owners(const cleft_part* part) noexcept
+{
+    return borrowed<int32_t>(
+        part, [](const cleft_part& p) -> auto& { return p.part.owners; });
+}
+
+const int32_t* cleft_part_tets(const cleft_part* part) noexcept
+{
+    return borrowed<int32_t>(
+        part, [](const cleft_part& p) -> auto& { return p.part.tets; });
+}
+
+const int32_t* cleft_part_tet_labels(const cleft_part* part) noexcept
+{
+    return borrowed<int32_t>(
+        part, [](const cleft_part& p) -> auto& { return p.part.material; });
+}
+
+const int32_t* cleft_part_triangles(const cleft_part* part) noexcept
+{
+    return borrowed<int32_t>(
+        part, [](const cleft_part& p) -> auto& { return p.triangles; });
+}
+
+const int32_t* cleft_part_triangle_labels(const cleft_part* part) noexcept
+{
+    return borrowed<int32_t>(
+        part, [](const cleft_part& p) -> auto& { return p.triangle_labels; });
+}
+
+const int32_t* cleft_part_triangle_sides(const cleft_part* part) noexcept
+{
+    return borrowed<int32_t>(
+        part, [](const cleft_part& p) -> auto& { return p.triangle_sides; });
+}

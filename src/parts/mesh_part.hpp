@@ -1,0 +1,41 @@
+// The part of a mesh that one rank has.
+#pragma once
+
+#include "mesh/bounding_box.hpp"
+#include "mesh/interfaces.hpp"
+#include "parts/exchange.hpp"
+
+namespace cleft
+{
+
+// What a rank has of something, and where its own begins among that of all ranks.
+struct Share {
+    int64_t owned = 0;
+    int64_t first = 0;
+    int64_t all = 0;
+};
+
+struct PartTriangle {
+    Triangle corners;
+    std::array<int32_t, 2> regions;  // the lesser one first; one twice at the hull
+    int32_t side;                    // of the hull, a Side; -1: of an interface
+};
+
+// Points and tetrahedra of this rank come before those of others, each in the order of their numbers.
+struct MeshPart {
+    Array<Vec3> points;
+    Array<int64_t> numbers;  // of points, in the whole mesh
+    Array<int32_t> owners;   // of points
+    Share of_points;
+    Array<Tet> tets;
+    Array<Material> material;
+    Share of_tets;
+    Array<PartTriangle> triangles;  // sorted by regions, side and corners
+    Share of_triangles;
+};
+
+// Gives each rank its part of a mesh that ranks have in pieces: each tetrahedron is in the piece of one rank. A piece
+// may be empty. `box`: that of the volume. With `ghosts`, a part has all tetrahedra at its own points.
+MeshPart share_mesh(LabelledMesh piece, const BoundingBox& box, bool ghosts, Exchange& exchange, const Run& run);
+
+}  // namespace cleft

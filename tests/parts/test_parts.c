@@ -1,0 +1,350 @@
+/* Meshes in parts: put together, they are the mesh of one process, whatever the number of ranks. */
+#include "support/capi.h"
+
+#include "ranks.h"
+
+#include <stdio.h>
+
+typedef struct {
+    const void* voxels;
+    int64_t dims[3];
+    int fails; /* the read of this rank */
+} memory;
+
+static int read_memory(const int64_t first[3], const int64_t count[3], void* voxels, char* sentence, int64_t room,
+                       void* user)
+{
+    const memory* from = (const memory*)user;
+    int32_t* out = (int32_t*)voxels;
+    if (from->fails) {
+        snprintf(sentence, (size_t)room, "the tape is worn at plane %d", (int)first[2]);
+        return 1;
+    }
+    for (int64_t k = 0; k < count[2]; ++k)
+        for (int64_t j = 0; j < count[1]; ++j)
+            for (int64_t i = 0; i < count[0]; ++i)
+                *out++ =
+                    ((const int32_t*)
+                         from->voxels)[first[0] + i + from->dims[0] * (first[1] + j + from->dims[1] * (first[2] + k))];
+    return 0;
+}
+
+typedef struct {
+    memory voxels;
+    const double* affine;
+    const cleft_options* options;
+    int32_t ghosts;
+    int32_t cancels;
+    cleft_status status;
+    char sentence[1000];
+    cleft_part* part;
+} job;
+
+static int cancel_at_once(double fraction, const char* stage, void* user)
+{
+    (void)fraction, (void)stage, (void)user;
+    return 1;
+}
+
+static void make_part(const cleft_exchange* exchange, void* user)
+{
+    job* mine = (job*)user;
+    cleft_voxels voxels = {sizeof(cleft_voxels), CLEFT_TYPE_INT32, {0, 0, 0}, {0}, NULL, read_memory};
+    cleft_context* context = NULL;
+    memcpy(voxels.dims, mine->voxels.dims, sizeof voxels.dims);
+    memcpy(voxels.affine, mine->affine, sizeof voxels.affine);
+    voxels.user = &mine->voxels;
+    if (cleft_context_create(&context) != CLEFT_OK)
+        return;
+    if (mine->cancels && cleft_context_set_progress(context, cancel_at_once, NULL) != CLEFT_OK)
+        return;
+    mine->status = cleft_part_create(context, &voxels, mine->options, exchange, mine->ghosts, &mine->part);
+    snprintf(mine->sentence, sizeof mine->sentence, "%s", cleft_context_last_error(context));
+    cleft_context_destroy(context);
+}
+
+static const double kPlain[12] = {1, 0, 0, 0.5, 0, 1, 0, 0.5, 0, 0, 1, 0.5};
+static const double kFlipped[12] = {-1, 0.1, 0, 20, 0, 1.5, 0, -3, 0, 0, 1, 8};
+
+/* By rank: all of the same volume. */
+static void set_jobs(job* jobs, int32_t ranks, const int32_t* voxels, int n, const double* affine,
+                     const cleft_options* options, int32_t ghosts)
+{
+    memset(jobs, 0, sizeof(job) * (size_t)ranks);
+    for (int32_t r = 0; r < ranks; ++r) {
+        jobs[r].voxels.voxels = voxels;
+        for (int a = 0; a < 3; ++a)
+            jobs[r].voxels.dims[a] = n;
+        jobs[r].affine = affine;
+        jobs[r].options = options;
+        jobs[r].ghosts = ghosts;
+    }
+}
+
+static void destroy_parts(job* jobs, int32_t ranks)
+{
+    for (int32_t r = 0; r < ranks; ++r)
+        cleft_part_destroy(jobs[r].part);
+}
+
+static cleft_part_counts counts_of(const cleft_part* part)
+{
+    cleft_part_counts counts;
+    memset(&counts, 0, sizeof counts);
+    counts.struct_size = sizeof counts;
+    assert_int_equal(cleft_part_count(part, &counts), CLEFT_OK);
+    return counts;
+}
+
+/* What a rank owns is what the whole mesh has under the same numbers. */
+static void assert_same_mesh(const job* jobs, int32_t ranks, const cleft_mesh* whole)
+{
+    int64_t points = 0, tets = 0;
+    for (int32_t r = 0; r < ranks; ++r) {
+        const cleft_part* part = jobs[r].part;
+        const cleft_part_counts n = counts_of(part);
+        assert_int_equal(n.all_points, cleft_mesh_point_count(whole));
+        assert_int_equal(n.all_tets, cleft_mesh_tet_count(whole));
+        assert_int_equal(n.first_point, points);
+        assert_int_equal(n.first_tet, tets);
+        points += n.owned_points;
+        tets += n.owned_tets;
+        for (int64_t p = 0; p < n.points; ++p) {
+            const int64_t number = cleft_part_point_numbers(part)[p];
+            assert_memory_equal(cleft_part_points(part) + 3 * p, cleft_mesh_points(whole) + 3 * number,
+                                3 * sizeof(double));
+            assert_true(p >= n.owned_points ? cleft_part_point_owners(part)[p] != r : number == n.first_point + p);
+            if (p < n.owned_points)
+                assert_int_equal(cleft_part_point_owners(part)[p], r);
+        }
+        for (int64_t t = 0; t < n.owned_tets; ++t) {
+            assert_int_equal(cleft_part_tet_labels(part)[t], cleft_mesh_tet_labels(whole)[n.first_tet + t]);
+            for (int c = 0; c < 4; ++c)
+                assert_int_equal(cleft_part_point_numbers(part)[cleft_part_tets(part)[4 * t + c]],
+                                 cleft_mesh_tets(whole)[4 * (n.first_tet + t) + c]);
+        }
+    }
+    assert_int_equal(points, cleft_mesh_point_count(whole));
+    assert_int_equal(tets, cleft_mesh_tet_count(whole));
+}
+
+typedef struct {
+    int64_t corners[3];
+    int32_t labels[2], side;
+} triangle;
+
+static int compare_triangles(const void* a, const void* b)
+{
+    const triangle *x = (const triangle*)a, *y = (const triangle*)b;
+    for (int c = 0; c < 3; ++c)
+        if (x->corners[c] != y->corners[c])
+            return x->corners[c] < y->corners[c] ? -1 : 1;
+    return 0;
+}
+
+static void add_triangle(triangle* all, int64_t* count, const int64_t corners[3], int32_t first, int32_t second,
+                         int32_t side)
+{
+    triangle* out = &all[(*count)++];
+    int least = 0;
+    memset(out, 0, sizeof *out);
+    for (int c = 1; c < 3; ++c)
+        least = corners[c] < corners[least] ? c : least;
+    for (int c = 0; c < 3; ++c)
+        out->corners[c] = corners[(least + c) % 3];
+    out->labels[0] = first;
+    out->labels[1] = second;
+    out->side = side;
+}
+
+/* All triangles of the parts are those of the surface of the whole mesh, each once, wound alike. */
+static void assert_same_triangles(cleft_context* context, const job* jobs, int32_t ranks, const cleft_mesh* whole)
+{
+    cleft_surface* surface = NULL;
+    assert_ok(context, cleft_surface_create(context, whole, &surface));
+    const int64_t interfaces = cleft_surface_interface_count(surface), hull = cleft_surface_hull_count(surface);
+    triangle* expected = (triangle*)malloc(sizeof(triangle) * (size_t)(interfaces + hull));
+    triangle* found = (triangle*)malloc(sizeof(triangle) * (size_t)(interfaces + hull));
+    int64_t wanted = 0, count = 0;
+    for (int64_t i = 0; i < interfaces; ++i) {
+        const int32_t* c = cleft_surface_interface_triangles(surface) + 3 * i;
+        const int64_t corners[3] = {c[0], c[1], c[2]};
+        add_triangle(expected, &wanted, corners, cleft_surface_interface_labels(surface)[2 * i],
+                     cleft_surface_interface_labels(surface)[2 * i + 1], -1);
+    }
+    for (int64_t i = 0; i < hull; ++i) {
+        const int32_t* c = cleft_surface_hull_triangles(surface) + 3 * i;
+        const int64_t corners[3] = {c[0], c[1], c[2]};
+        const int32_t label = cleft_surface_hull_labels(surface)[i];
+        add_triangle(expected, &wanted, corners, label, label, cleft_surface_hull_sides(surface)[i]);
+    }
+    for (int32_t r = 0; r < ranks; ++r) {
+        const cleft_part_counts n = counts_of(jobs[r].part);
+        assert_int_equal(n.all_triangles, wanted);
+        assert_int_equal(n.first_triangle, count);
+        for (int64_t i = 0; i < n.triangles; ++i) {
+            int64_t corners[3];
+            for (int c = 0; c < 3; ++c)
+                corners[c] = cleft_part_point_numbers(jobs[r].part)[cleft_part_triangles(jobs[r].part)[3 * i + c]];
+            const int32_t* labels = cleft_part_triangle_labels(jobs[r].part) + 2 * i;
+            add_triangle(found, &count, corners, labels[0], labels[1], cleft_part_triangle_sides(jobs[r].part)[i]);
+        }
+    }
+    assert_int_equal(count, wanted);
+    qsort(expected, (size_t)wanted, sizeof *expected, compare_triangles);
+    qsort(found, (size_t)count, sizeof *found, compare_triangles);
+    assert_memory_equal(expected, found, sizeof(triangle) * (size_t)wanted);
+    free(expected);
+    free(found);
+    cleft_surface_destroy(surface);
+}
+
+/* With ghosts, a part has all tetrahedra at its own points. */
+static void assert_ghosts(const job* jobs, int32_t ranks, const cleft_mesh* whole)
+{
+    for (int32_t r = 0; r < ranks; ++r) {
+        const cleft_part_counts n = counts_of(jobs[r].part);
+        int64_t at_owned = 0;
+        for (int64_t t = 0; t < cleft_mesh_tet_count(whole); ++t) {
+            int touches = 0;
+            for (int c = 0; c < 4; ++c) {
+                const int64_t p = cleft_mesh_tets(whole)[4 * t + c];
+                touches |= p >= n.first_point && p < n.first_point + n.owned_points;
+            }
+            at_owned += touches;
+        }
+        assert_int_equal(n.tets, at_owned);
+    }
+}
+
+static void compare_with_whole(int n, const double* affine, const char* background, const char* improve,
+                               const int32_t* strip)
+{
+    static const int32_t kRanks[] = {1, 2, 3, 4, 7, 8};
+    cleft_context* context = new_context();
+    cleft_options* options = NULL;
+    cleft_volume* volume = NULL;
+    cleft_mesh* whole = NULL;
+    int32_t* voxels = ball_labels(n);
+    const int64_t dims[3] = {n, n, n};
+    assert_int_equal(cleft_options_create(&options), CLEFT_OK);
+    assert_int_equal(cleft_options_set_text(options, "background", background), CLEFT_OK);
+    assert_int_equal(cleft_options_set_text(options, "improve", improve), CLEFT_OK);
+    if (strip)
+        assert_int_equal(cleft_options_set_strip(options, strip, 1), CLEFT_OK);
+    assert_ok(context, cleft_volume_create_labels(context, CLEFT_TYPE_INT32, voxels, dims, affine, options, &volume));
+    assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, options, &whole));
+    for (size_t i = 0; i < sizeof kRanks / sizeof *kRanks; ++i)
+        for (int32_t ghosts = 0; ghosts < 2; ++ghosts) {
+            job jobs[MOST_RANKS];
+            set_jobs(jobs, kRanks[i], voxels, n, affine, options, ghosts);
+            ranks_run(kRanks[i], make_part, jobs, sizeof *jobs);
+            for (int32_t r = 0; r < kRanks[i]; ++r)
+                if (jobs[r].status != CLEFT_OK)
+                    fail_msg("rank %d of %d: %s", (int)r, (int)kRanks[i], jobs[r].sentence);
+            assert_same_mesh(jobs, kRanks[i], whole);
+            assert_same_triangles(context, jobs, kRanks[i], whole);
+            if (ghosts)
+                assert_ghosts(jobs, kRanks[i], whole);
+            destroy_parts(jobs, kRanks[i]);
+        }
+    free(voxels);
+    cleft_mesh_destroy(whole);
+    cleft_volume_destroy(volume);
+    cleft_options_destroy(options);
+    cleft_context_destroy(context);
+}
+
+static void parts_are_the_whole(void** state)
+{
+    static const int32_t kOutside = 1000;
+    (void)state;
+    compare_with_whole(12, kPlain, "particles", "fast", NULL);
+    compare_with_whole(12, kPlain, "octree", "off", NULL);
+    compare_with_whole(10, kFlipped, "lattice", "fast", NULL);
+    compare_with_whole(10, kPlain, "octree", "fast", &kOutside);
+}
+
+static void more_ranks_than_points(void** state)
+{
+    (void)state;
+    compare_with_whole(1, kPlain, "lattice", "fast", NULL);
+}
+
+/* Whoever fails, all get the status and the sentence, and the number of the rank. */
+static void one_fails_all_fail(void** state)
+{
+    int32_t* voxels = ball_labels(8);
+    cleft_options* other = NULL;
+    job jobs[4];
+    (void)state;
+    set_jobs(jobs, 4, voxels, 8, kPlain, NULL, 0);
+    jobs[0].voxels.fails = 1;
+    ranks_run(4, make_part, jobs, sizeof *jobs);
+    for (int r = 0; r < 4; ++r) {
+        assert_int_equal(jobs[r].status, CLEFT_ERROR_FILE);
+        assert_string_equal(jobs[r].sentence, "rank 0: the tape is worn at plane 0");
+        assert_null(jobs[r].part);
+    }
+    set_jobs(jobs, 4, voxels, 8, kPlain, NULL, 0);
+    jobs[2].cancels = 1;
+    ranks_run(4, make_part, jobs, sizeof *jobs);
+    for (int r = 0; r < 4; ++r) {
+        assert_int_equal(jobs[r].status, CLEFT_ERROR_CANCELLED);
+        assert_string_equal(jobs[r].sentence, "rank 2: the run was cancelled");
+    }
+    assert_int_equal(cleft_options_create(&other), CLEFT_OK);
+    assert_int_equal(cleft_options_set_text(other, "size", "3"), CLEFT_OK);
+    set_jobs(jobs, 4, voxels, 8, kPlain, NULL, 0);
+    jobs[3].options = other;
+    ranks_run(4, make_part, jobs, sizeof *jobs);
+    for (int r = 0; r < 4; ++r) {
+        assert_int_equal(jobs[r].status, CLEFT_ERROR_ARGUMENT);
+        assert_non_null(strstr(jobs[r].sentence, "the ranks do not give the same volume"));
+    }
+    cleft_options_destroy(other);
+    free(voxels);
+}
+
+static int send_nothing(const int64_t* send, int64_t* receive, void* user)
+{
+    (void)send, (void)receive, (void)user;
+    return 1;
+}
+
+static int send_no_bytes(const void* send, const int64_t* send_sizes, void* receive, const int64_t* receive_sizes,
+                         void* user)
+{
+    (void)send, (void)send_sizes, (void)receive, (void)receive_sizes, (void)user;
+    return 1;
+}
+
+static void an_exchange_can_break(void** state)
+{
+    int32_t* voxels = ball_labels(4);
+    const cleft_exchange broken = {sizeof broken, 0, 2, NULL, send_nothing, send_no_bytes};
+    const cleft_exchange outside = {sizeof outside, 2, 2, NULL, send_nothing, send_no_bytes};
+    job one;
+    (void)state;
+    set_jobs(&one, 1, voxels, 4, kPlain, NULL, 0);
+    make_part(&broken, &one);
+    assert_int_equal(one.status, CLEFT_ERROR_EXCHANGE);
+    make_part(&outside, &one);
+    assert_int_equal(one.status, CLEFT_ERROR_ARGUMENT);
+    assert_string_equal(one.sentence, "the exchange has rank 2 of 2 ranks; ranks count from 0");
+    assert_null(one.part);
+    assert_null(cleft_part_points(NULL));
+    cleft_part_destroy(NULL);
+    free(voxels);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(parts_are_the_whole),
+        cmocka_unit_test(more_ranks_than_points),
+        cmocka_unit_test(one_fails_all_fail),
+        cmocka_unit_test(an_exchange_can_break),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
