@@ -2,7 +2,6 @@
 #include "io/quiet_write.hpp"
 
 #include <pthread.h>
-#include <signal.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -11,43 +10,27 @@
 namespace cleft::io
 {
 
-namespace
+SizeSignalBlocked::SizeSignalBlocked() noexcept
 {
+    // The mask of the calling thread alone is changed. A handler for the signal would be the
+    // process's, which belongs to the caller.
+    sigemptyset(&signal_);
+    sigaddset(&signal_, SIGXFSZ);
+    sigset_t pending;
+    // A signal that was pending before is the caller's and must stay pending.
+    was_pending_ = sigpending(&pending) == 0 && sigismember(&pending, SIGXFSZ) == 1;
+    pthread_sigmask(SIG_BLOCK, &signal_, &before_);
+}
 
-// Keeps SIGXFSZ from this thread, and takes back the one that came meanwhile.
-class SizeSignalBlocked
+SizeSignalBlocked::~SizeSignalBlocked()
 {
-public:
-    SizeSignalBlocked() noexcept
-    {
-        // The mask of the calling thread alone is changed. A handler for the signal would be the
-        // process's, which belongs to the caller.
-        sigemptyset(&signal_);
-        sigaddset(&signal_, SIGXFSZ);
-        sigset_t pending;
-        // A signal that was pending before is the caller's and must stay pending.
-        was_pending_ = sigpending(&pending) == 0 && sigismember(&pending, SIGXFSZ) == 1;
-        pthread_sigmask(SIG_BLOCK, &signal_, &before_);
+    const timespec at_once{};
+    // The kernel sends SIGXFSZ to the thread that writes. It is taken here with no wait, before
+    // the old mask lets it through.
+    while (!was_pending_ && sigtimedwait(&signal_, nullptr, &at_once) < 0 && errno == EINTR) {
     }
-    ~SizeSignalBlocked()
-    {
-        const timespec at_once{};
-        // The kernel sends SIGXFSZ to the thread that writes. It is taken here with no wait, before
-        // the old mask lets it through.
-        while (!was_pending_ && sigtimedwait(&signal_, nullptr, &at_once) < 0 && errno == EINTR) {
-        }
-        pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-    }
-    SizeSignalBlocked(const SizeSignalBlocked&) = delete;
-    SizeSignalBlocked& operator=(const SizeSignalBlocked&) = delete;
-
-private:
-    sigset_t signal_{};
-    sigset_t before_{};
-    bool was_pending_ = false;
-};
-
-}  // namespace
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+}
 
 int write_quietly(int descriptor, const char* bytes, size_t count) noexcept
 {

@@ -72,7 +72,7 @@ class Section:
 
 _COMMENT = r"/\*\*<?(?:(?!\*/).)*\*/"
 _FUNCTION = (
-    rf"(?P<function_comment>{_COMMENT}\s*)?(?P<function>(?:CLEFT_NODISCARD )?CLEFT(?:_IO)?_API "
+    rf"(?P<function_comment>{_COMMENT}\s*)?(?P<function>(?:CLEFT_NODISCARD )?CLEFT(?:_IO|_MPI)?_API "
     r"(?P<prototype>(?P<result>[^;(){}]*?)\b(?P<name>cleft_\w+)\((?P<arguments>[^;{}]*?)\)) CLEFT_NOEXCEPT;)"
 )
 _STRUCT = rf"(?P<struct_comment>{_COMMENT}\s*)?typedef struct (?P<struct>cleft_\w+) \{{(?P<fields>.*?)\n\}} \w+;"

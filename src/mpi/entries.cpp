@@ -1,0 +1,153 @@
+// The functions of cleft_mpi.h that need the ranks of a communicator.
+#include "base/status_of.hpp"
+#include "base/struct_size.hpp"
+#include "cleft/cleft_mpi.h"
+#include "io/entry.hpp"
+#include "io/file_name.hpp"
+#include "mpi/mpi_exchange.hpp"
+#include "mpi/part_writers.hpp"
+
+#include <memory>
+
+template <>
+inline constexpr size_t cleft::kFirstSize<cleft_exchange> = CLEFT_END_OF(cleft_exchange, bytes);
+
+namespace cleft::mpi
+{
+
+namespace
+{
+
+// The functions of cleft_exchange. No exception passes them.
+template <class Send>
+int result_of(void* user, const Send& send) noexcept
+{
+    try {
+        return send(*static_cast<MpiExchange*>(user)) ? 0 : 1;
+    } catch (...) {
+        return 1;
+    }
+}
+
+int exchange_numbers(const int64_t* send, int64_t* receive, void* user)
+{
+    return result_of(user, [&](MpiExchange& mpi) { return mpi.numbers(send, receive); });
+}
+
+int exchange_bytes(const void* send, const int64_t* send_sizes, void* receive, const int64_t* receive_sizes, void* user)
+{
+    return result_of(user, [&](MpiExchange& mpi) { return mpi.bytes(send, send_sizes, receive, receive_sizes); });
+}
+
+cleft_exchange described(MpiExchange& mpi)
+{
+    return {sizeof(cleft_exchange), mpi.rank(), mpi.ranks(), &mpi, exchange_numbers, exchange_bytes};
+}
+
+PartView view_of(const cleft_part* part, const Exchange& exchange, cleft_context* context)
+{
+    PartView view{};
+    view.counts.struct_size = sizeof view.counts;
+    io::check(context, cleft_part_count(part, &view.counts), "the part: ");
+    if (view.counts.rank != exchange.rank() || view.counts.ranks != exchange.ranks())
+        throw Error(CLEFT_ERROR_ARGUMENT, "the part is that of rank " + std::to_string(view.counts.rank) + " of " +
+                                              std::to_string(view.counts.ranks) + ", and is given by rank " +
+                                              std::to_string(exchange.rank()) + " of " +
+                                              std::to_string(exchange.ranks()));
+    view.points = cleft_part_points(part);
+    view.numbers = cleft_part_point_numbers(part);
+    view.owners = cleft_part_point_owners(part);
+    view.tets = cleft_part_tets(part);
+    view.labels = cleft_part_tet_labels(part);
+    return view;
+}
+
+using Writer = std::vector<std::string> (*)(const PartView&, const Writing&);
+
+Writer writer_of(const std::string& path)
+{
+    const std::string extension = io::extension_of(path);
+    if (extension == ".pvtu")
+        return write_pvtu;
+    if (extension == ".vtkhdf" || extension == ".hdf")
+        return write_vtkhdf;
+    throw Error(CLEFT_ERROR_UNSUPPORTED,
+                "'" + path + "': meshes in parts are written as .vtkhdf, .hdf or .pvtu, by the extension of the path");
+}
+
+// The path counts on rank 0, and so does the writer, as all have the name from there.
+void write_part(const PartView& part, const char* path, SharedStage& stage, MpiExchange& mpi, Exchange& exchange,
+                cleft_context* context)
+{
+    std::string target;
+    if (exchange.rank() == 0) {
+        target = io::required(path, "path");
+        writer_of(target);
+    }
+    stage.open(target, exchange);
+    const auto report = [&](double fraction) {
+        io::check(context, cleft_context_report(context, fraction, fraction, "writing"));
+    };
+    try {
+        const std::vector<std::string> names = writer_of(stage.name())(part, {stage, mpi, exchange, report});
+        // All ranks have written.
+        exchange.all_gather(int64_t{0});
+        if (exchange.rank() == 0)
+            stage.commit(names);
+    } catch (const Error& error) {
+        throw Error(error.status(), stage.with_final_names(error.what()));
+    }
+}
+
+}  // namespace
+
+}  // namespace cleft::mpi
+
+using cleft::Exchange;
+using cleft::mpi::MpiExchange;
+
+cleft_status cleft_mpi_exchange_open(MPI_Comm comm, cleft_exchange* out) noexcept
+{
+    return cleft::io::guarded(nullptr, [&] {
+        cleft::check_struct_size(*cleft::io::required(out, "out"), "cleft_exchange");
+        auto mpi = std::make_unique<MpiExchange>(comm);
+        cleft::copy_out(cleft::mpi::described(*mpi), *out);
+        mpi.release();
+    });
+}
+
+void cleft_mpi_exchange_close(cleft_exchange* exchange) noexcept
+{
+    if (!exchange || exchange->numbers != cleft::mpi::exchange_numbers)
+        return;
+    delete static_cast<MpiExchange*>(exchange->user);
+    exchange->user = nullptr;
+    exchange->numbers = nullptr;
+    exchange->bytes = nullptr;
+}
+
+cleft_status cleft_mpi_mesh(cleft_context* context, MPI_Comm comm, const cleft_voxels* voxels,
+                            const cleft_options* options, int32_t ghosts, cleft_part** out) noexcept
+{
+    return cleft::io::entry_making(context, out, {options}, [&] {
+        MpiExchange mpi(comm);
+        const cleft_exchange exchange = cleft::mpi::described(mpi);
+        cleft_part* part = nullptr;
+        cleft::io::check(context, cleft_part_create(context, voxels, options, &exchange, ghosts, &part));
+        *out = part;
+    });
+}
+
+cleft_status cleft_mpi_write(cleft_context* context, MPI_Comm comm, const cleft_part* part, const char* path) noexcept
+{
+    return cleft::io::entry(context, {part}, [&] {
+        MpiExchange mpi(comm);
+        // It goes when all ranks have ended their work in it.
+        cleft::mpi::SharedStage stage;
+        Exchange exchange(mpi.messenger());
+        exchange.together([&] {
+            const auto view = cleft::mpi::view_of(cleft::io::required(part, "part"), exchange, context);
+            cleft::mpi::write_part(view, path, stage, mpi, exchange, context);
+        });
+    });
+}

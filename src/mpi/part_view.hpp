@@ -1,0 +1,21 @@
+// What writers see of the part of a rank.
+#pragma once
+
+#include "cleft/cleft_parts.h"
+
+#include <cstdint>
+
+namespace cleft::mpi
+{
+
+// Arrays are borrowed, as in cleft_parts.h.
+struct PartView {
+    cleft_part_counts counts;
+    const double* points;
+    const int64_t* numbers;
+    const int32_t* owners;
+    const int32_t* tets;
+    const int32_t* labels;
+};
+
+}  // namespace cleft::mpi

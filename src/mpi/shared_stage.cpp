@@ -1,0 +1,135 @@
+// Renaming is the work of one rank, so that nothing is half renamed if another one ends.
+#include "mpi/shared_stage.hpp"
+
+#include "io/path_kind.hpp"
+#include "io/system_failure.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <system_error>
+
+namespace cleft::mpi
+{
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+[[noreturn]] void cannot_write_target(const fs::path& path, int error)
+{
+    io::throw_system_failure("cannot write '" + path.string() + "'", error);
+}
+
+// Links are followed, so that a link stays one.
+fs::path file_behind(const std::string& path)
+{
+    std::error_code error;
+    fs::path target = fs::weakly_canonical(path, error);
+    if (error)
+        cannot_write_target(path, error.value());
+    if (io::is_there(target.string()) && !fs::is_regular_file(target, error))
+        throw Error(CLEFT_ERROR_FILE, "cannot write '" + path + "': it is no regular file");
+    return target;
+}
+
+// The text that rank 0 has.
+std::string text_of_rank_0(const std::string& own, Exchange& exchange)
+{
+    Array<Array<char>> send(to_size(exchange.ranks()));
+    if (exchange.rank() == 0)
+        for (Array<char>& text : send)
+            text.assign(own.begin(), own.end());
+    const Array<char> received = exchange.all_to_all(send).items;
+    return {received.begin(), received.end()};
+}
+
+// A file that takes its name, and can give it back to the one that had it.
+class Renaming
+{
+public:
+    Renaming(fs::path from, fs::path to, fs::path old)
+        : from_(std::move(from)), to_(std::move(to)), old_(std::move(old))
+    {
+    }
+    void carry_out()
+    {
+        had_one_ = std::rename(to_.c_str(), old_.c_str()) == 0;
+        if (!had_one_ && errno != ENOENT)
+            cannot_write_target(to_, errno);
+        if (std::rename(from_.c_str(), to_.c_str()) == 0)
+            return;
+        const int error = errno;
+        take_back();
+        cannot_write_target(to_, error);
+    }
+    // What cannot be put back stays as it is.
+    void take_back() noexcept
+    {
+        if (had_one_)
+            (void)std::rename(old_.c_str(), to_.c_str());
+        else
+            (void)unlink(to_.c_str());
+    }
+
+private:
+    fs::path from_, to_, old_;
+    bool had_one_ = false;
+};
+
+}  // namespace
+
+SharedStage::~SharedStage()
+{
+    std::error_code ignored;
+    if (is_mine_)
+        fs::remove_all(folder_, ignored);
+}
+
+void SharedStage::open(const std::string& target, Exchange& exchange)
+{
+    if (exchange.rank() == 0) {
+        target_ = file_behind(target);
+        // The dot hides it from patterns such as "*", which another program may be reading.
+        std::string name = (target_.parent_path() / ".cleft-mpi-XXXXXX").string();
+        if (!mkdtemp(name.data()))
+            cannot_write_target(target, errno);
+        folder_ = name;
+        is_mine_ = true;
+    }
+    target_ = text_of_rank_0(target_.string(), exchange);
+    folder_ = text_of_rank_0(folder_.string(), exchange);
+    if (!io::is_folder(folder_.string()))
+        throw Error(CLEFT_ERROR_FILE,
+                    "cannot write '" + target_.string() + "': this rank does not see the folder that rank 0 writes to");
+}
+
+void SharedStage::commit(const std::vector<std::string>& names)
+{
+    std::vector<Renaming> all;
+    for (const std::string& name : names)
+        all.emplace_back(folder_ / name, target_.parent_path() / name, folder_ / ("old-" + std::to_string(all.size())));
+    size_t done = 0;
+    try {
+        for (; done < all.size(); ++done)
+            all[done].carry_out();
+    } catch (...) {
+        while (done > 0)
+            all[--done].take_back();
+        throw;
+    }
+}
+
+std::string SharedStage::with_final_names(std::string sentence) const
+{
+    if (folder_.empty())
+        return sentence;
+    for (size_t at; (at = sentence.find(folder_.string())) != std::string::npos;)
+        sentence.replace(at, folder_.string().size(), target_.parent_path().string());
+    return sentence;
+}
+
+}  // namespace cleft::mpi

@@ -1,0 +1,44 @@
+// The files that all ranks write together: all of them or none. They are written into a folder beside their target,
+// and take their names when all ranks have written all.
+#pragma once
+
+#include "parts/exchange.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace cleft::mpi
+{
+
+class SharedStage
+{
+public:
+    SharedStage() = default;
+    // Rank 0 removes the folder, and what has not taken its name. No other rank may be at work in it.
+    ~SharedStage();
+    SharedStage(const SharedStage&) = delete;
+    SharedStage& operator=(const SharedStage&) = delete;
+
+    // Makes the folder. All ranks call it; the target of rank 0 counts. Throws Error.
+    void open(const std::string& target, Exchange& exchange);
+
+    // The target: its name, and its name without the extension.
+    std::string name() const { return target_.filename().string(); }
+    std::string stem() const { return target_.stem().string(); }
+    // Where a file is written that is to lie beside the target, or to be it.
+    std::string place(const std::string& name) const { return (folder_ / name).string(); }
+
+    // On rank 0 alone, when all ranks have written: gives the files their names, in this order. All or none: if one
+    // fails, what was there before is put back.
+    void commit(const std::vector<std::string>& names);
+
+    // A sentence about a file in the folder becomes one about the file that the user knows.
+    std::string with_final_names(std::string sentence) const;
+
+private:
+    std::filesystem::path target_, folder_;
+    bool is_mine_ = false;
+};
+
+}  // namespace cleft::mpi

@@ -1,0 +1,325 @@
+/* Run by mpirun on some number of ranks, with a folder: parts are those of the mesh of one process, and files come
+ * whole or not at all. check_vtk.py compares the files that runs of several numbers leave there. */
+#include "cleft/cleft_io.h"
+#include "cleft/cleft_mpi.h"
+#include "support/capi.h"
+
+#include <dirent.h>
+#include <hdf5.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+static const char* folder;
+static int rank, ranks;
+
+enum { SIDE = 12 };
+
+static int32_t label_at(int64_t i, int64_t j, int64_t k)
+{
+    const int64_t x = 2 * i - SIDE, y = 2 * j - SIDE, z = 2 * k - SIDE;
+    return x * x + y * y + z * z < SIDE * SIDE / 2 ? 7 : x < 0 ? 3 : -2;
+}
+
+typedef struct {
+    int64_t side;
+    int fails;
+} labels;
+
+static int read_labels(const int64_t first[3], const int64_t count[3], void* voxels, char* sentence, int64_t room,
+                       void* user)
+{
+    int32_t* out = (int32_t*)voxels;
+    if (((const labels*)user)->fails) {
+        snprintf(sentence, (size_t)room, "the tape is worn");
+        return 1;
+    }
+    for (int64_t k = first[2]; k < first[2] + count[2]; ++k)
+        for (int64_t j = first[1]; j < first[1] + count[1]; ++j)
+            for (int64_t i = first[0]; i < first[0] + count[0]; ++i)
+                *out++ = label_at(i, j, k);
+    return 0;
+}
+
+static cleft_voxels voxels_of(labels* user)
+{
+    cleft_voxels v = {sizeof(cleft_voxels), CLEFT_TYPE_INT32, {user->side, user->side, user->side}, {0}, user,
+                      read_labels};
+    v.affine[0] = 1, v.affine[5] = 1.5, v.affine[10] = 0.5;
+    v.affine[3] = -4;
+    return v;
+}
+
+static cleft_mesh* whole_mesh(cleft_context* context, const cleft_voxels* voxels)
+{
+    static int32_t labels_of[SIDE * SIDE * SIDE];
+    const int64_t first[3] = {0, 0, 0};
+    cleft_volume* volume = NULL;
+    cleft_mesh* mesh = NULL;
+    assert_int_equal(voxels->read(first, voxels->dims, labels_of, NULL, 0, voxels->user), 0);
+    assert_ok(context, cleft_volume_create_labels(context, CLEFT_TYPE_INT32, labels_of, voxels->dims, voxels->affine,
+                                                  NULL, &volume));
+    assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, NULL, &mesh));
+    cleft_volume_destroy(volume);
+    return mesh;
+}
+
+static cleft_part_counts counts_of(const cleft_part* part)
+{
+    cleft_part_counts counts;
+    memset(&counts, 0, sizeof counts);
+    counts.struct_size = sizeof counts;
+    assert_int_equal(cleft_part_count(part, &counts), CLEFT_OK);
+    return counts;
+}
+
+static void assert_part_of(const cleft_part* part, const cleft_mesh* whole)
+{
+    const cleft_part_counts n = counts_of(part);
+    const int64_t* numbers = cleft_part_point_numbers(part);
+    assert_int_equal(n.rank, rank);
+    assert_int_equal(n.ranks, ranks);
+    assert_int_equal(n.all_points, cleft_mesh_point_count(whole));
+    assert_int_equal(n.all_tets, cleft_mesh_tet_count(whole));
+    for (int64_t p = 0; p < n.points; ++p)
+        assert_memory_equal(cleft_part_points(part) + 3 * p, cleft_mesh_points(whole) + 3 * numbers[p], 24);
+    for (int64_t t = 0; t < n.owned_tets; ++t) {
+        const int64_t number = n.first_tet + t;
+        assert_int_equal(cleft_part_tet_labels(part)[t], cleft_mesh_tet_labels(whole)[number]);
+        for (int c = 0; c < 4; ++c)
+            assert_int_equal(numbers[cleft_part_tets(part)[4 * t + c]], cleft_mesh_tets(whole)[4 * number + c]);
+    }
+}
+
+static char* path_of(const char* name)
+{
+    static char path[4096];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    return path;
+}
+
+/* A name for this number of ranks. */
+static char* own_path(const char* extension)
+{
+    char name[100];
+    snprintf(name, sizeof name, "%d%s", ranks, extension);
+    return path_of(name);
+}
+
+static void parts_are_the_whole(void** state)
+{
+    cleft_context* context = new_context();
+    labels user = {SIDE, 0};
+    const cleft_voxels voxels = voxels_of(&user);
+    cleft_mesh* whole = whole_mesh(context, &voxels);
+    (void)state;
+    for (int32_t ghosts = 0; ghosts < 2; ++ghosts) {
+        cleft_part* part = NULL;
+        assert_ok(context, cleft_mpi_mesh(context, MPI_COMM_WORLD, &voxels, NULL, ghosts, &part));
+        assert_part_of(part, whole);
+        assert_ok(context, cleft_mpi_write(context, MPI_COMM_WORLD, part, own_path(ghosts ? "g.vtkhdf" : ".vtkhdf")));
+        assert_ok(context, cleft_mpi_write(context, MPI_COMM_WORLD, part, own_path(ghosts ? "g.pvtu" : ".pvtu")));
+        /* Once more, over what is there. */
+        assert_ok(context, cleft_mpi_write(context, MPI_COMM_WORLD, part, own_path(ghosts ? "g.vtkhdf" : ".vtkhdf")));
+        cleft_part_destroy(part);
+    }
+    if (rank == 0)
+        assert_ok(context, cleft_io_write_mesh(context, whole, own_path(".vtu"), CLEFT_FORMAT_BY_NAME));
+    cleft_mesh_destroy(whole);
+    cleft_context_destroy(context);
+}
+
+/* With one voxel there are more ranks than points. */
+static void some_ranks_have_nothing(void** state)
+{
+    cleft_context* context = new_context();
+    labels user = {1, 0};
+    const cleft_voxels voxels = voxels_of(&user);
+    cleft_mesh* whole = whole_mesh(context, &voxels);
+    cleft_part* part = NULL;
+    (void)state;
+    assert_ok(context, cleft_mpi_mesh(context, MPI_COMM_WORLD, &voxels, NULL, 0, &part));
+    assert_part_of(part, whole);
+    assert_ok(context, cleft_mpi_write(context, MPI_COMM_WORLD, part, own_path("one.hdf")));
+    assert_ok(context, cleft_mpi_write(context, MPI_COMM_WORLD, part, own_path("one.pvtu")));
+    cleft_part_destroy(part);
+    cleft_mesh_destroy(whole);
+    cleft_context_destroy(context);
+}
+
+static void failures_are_those_of_all(void** state)
+{
+    cleft_context* context = new_context();
+    labels user = {4, rank == 0};
+    const cleft_voxels voxels = voxels_of(&user);
+    cleft_part* part = NULL;
+    (void)state;
+    assert_int_equal(cleft_mpi_mesh(context, MPI_COMM_WORLD, &voxels, NULL, 0, &part), CLEFT_ERROR_FILE);
+    assert_string_equal(cleft_context_last_error(context), ranks > 1 ? "rank 0: the tape is worn" : "the tape is worn");
+    assert_null(part);
+    user.fails = 0;
+    assert_ok(context, cleft_mpi_mesh(context, MPI_COMM_WORLD, &voxels, NULL, 0, &part));
+    assert_int_equal(cleft_mpi_write(context, MPI_COMM_WORLD, part, own_path(".obj")), CLEFT_ERROR_UNSUPPORTED);
+    assert_int_equal(cleft_mpi_write(context, MPI_COMM_WORLD, part, path_of("none/mesh.pvtu")), CLEFT_ERROR_FILE);
+    assert_non_null(strstr(cleft_context_last_error(context), "none/mesh.pvtu': No such file or directory"));
+    assert_int_equal(cleft_mpi_write(context, MPI_COMM_WORLD, rank == ranks - 1 ? NULL : part, own_path("no.vtkhdf")),
+                     CLEFT_ERROR_NULL);
+    assert_int_not_equal(access(own_path("no.vtkhdf"), F_OK), 0);
+    assert_int_equal(cleft_mpi_write(context, MPI_COMM_NULL, part, own_path("no.vtkhdf")), CLEFT_ERROR_ARGUMENT);
+    cleft_part_destroy(part);
+    cleft_context_destroy(context);
+}
+
+static void a_part_belongs_to_its_ranks(void** state)
+{
+    cleft_context* context = new_context();
+    labels user = {4, 0};
+    const cleft_voxels voxels = voxels_of(&user);
+    cleft_part* part = NULL;
+    (void)state;
+    assert_ok(context, cleft_mpi_mesh(context, MPI_COMM_SELF, &voxels, NULL, 0, &part));
+    assert_int_equal(counts_of(part).ranks, 1);
+    if (ranks > 1) {
+        assert_int_equal(cleft_mpi_write(context, MPI_COMM_WORLD, part, own_path("no.vtkhdf")), CLEFT_ERROR_ARGUMENT);
+        assert_non_null(strstr(cleft_context_last_error(context), "rank 0: the part is that of rank 0 of 1"));
+    }
+    cleft_part_destroy(part);
+    cleft_context_destroy(context);
+}
+
+static void an_exchange_opens_and_closes(void** state)
+{
+    cleft_exchange exchange;
+    int64_t send[64], receive[64];
+    (void)state;
+    memset(&exchange, 0, sizeof exchange);
+    cleft_mpi_exchange_close(&exchange);
+    cleft_mpi_exchange_close(NULL);
+    assert_int_equal(cleft_mpi_exchange_open(MPI_COMM_WORLD, &exchange), CLEFT_ERROR_ARGUMENT);
+    exchange.struct_size = sizeof exchange;
+    assert_int_equal(cleft_mpi_exchange_open(MPI_COMM_WORLD, &exchange), CLEFT_OK);
+    assert_int_equal(exchange.rank, rank);
+    assert_int_equal(exchange.ranks, ranks);
+    for (int r = 0; r < ranks; ++r)
+        send[r] = 100 * rank + r;
+    assert_int_equal(exchange.numbers(send, receive, exchange.user), 0);
+    for (int r = 0; r < ranks; ++r)
+        assert_int_equal(receive[r], 100 * r + rank);
+    cleft_mpi_exchange_close(&exchange);
+    assert_null((void*)exchange.user);
+}
+
+static void add_attribute(hid_t data, const char* name, double x, double y, double z)
+{
+    const hsize_t three = 3;
+    const double values[3] = {x, y, z};
+    const hid_t space = H5Screate_simple(1, &three, NULL);
+    const hid_t attribute = H5Acreate2(data, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT);
+    assert_true(H5Awrite(attribute, H5T_NATIVE_DOUBLE, values) >= 0);
+    H5Aclose(attribute);
+    H5Sclose(space);
+}
+
+/* Labels of 64 bits and of 8; one data set with attributes, the other without. */
+static void write_hdf5(const char* path, int is_second)
+{
+    const hsize_t extent[3] = {3, 4, 5};
+    int64_t values[60];
+    const hid_t file = H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t space = H5Screate_simple(3, extent, NULL);
+    const hid_t data = H5Dcreate2(file, "labels", is_second ? H5T_STD_U8LE : H5T_STD_I64BE, space, H5P_DEFAULT,
+                                  H5P_DEFAULT, H5P_DEFAULT);
+    for (int i = 0; i < 60; ++i)
+        values[i] = i;
+    assert_true(H5Dwrite(data, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0);
+    if (is_second) {
+        const hid_t other = H5Dcreate2(file, "more", H5T_STD_I32LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+        H5Dclose(other);
+    } else {
+        add_attribute(data, "spacing", 0.5, 2, 3);
+        add_attribute(data, "origin", -1, -2, -3);
+    }
+    H5Dclose(data);
+    H5Sclose(space);
+    H5Fclose(file);
+}
+
+static void hdf5_volumes_are_read(void** state)
+{
+    static const double kSpacing[3] = {2, 2, 2};
+    cleft_context* context = new_context();
+    cleft_voxels voxels;
+    const int64_t first[3] = {1, 2, 0}, count[3] = {2, 1, 3};
+    int32_t box[6];
+    uint8_t small[6];
+    char name[100], sentence[200] = "";
+    (void)state;
+    memset(&voxels, 0, sizeof voxels);
+    voxels.struct_size = sizeof voxels;
+    snprintf(name, sizeof name, "%d-%d.h5", ranks, rank);
+    write_hdf5(path_of(name), 0);
+    assert_ok(context, cleft_mpi_voxels_open(context, path_of(name), NULL, NULL, &voxels));
+    assert_int_equal(voxels.type, CLEFT_TYPE_INT32);
+    assert_int_equal(voxels.dims[0], 5);
+    assert_int_equal(voxels.dims[2], 3);
+    assert_true(voxels.affine[0] == 0.5 && voxels.affine[5] == 2 && voxels.affine[10] == 3);
+    assert_true(voxels.affine[3] == -1 && voxels.affine[11] == -3);
+    assert_int_equal(voxels.read(first, count, box, sentence, sizeof sentence, voxels.user), 0);
+    for (int i = 0; i < 6; ++i)
+        assert_int_equal(box[i], 1 + i % 2 + 5 * 2 + 20 * (i / 2));
+    cleft_mpi_voxels_close(&voxels);
+    cleft_mpi_voxels_close(&voxels);
+    assert_null((void*)voxels.user);
+
+    write_hdf5(path_of(name), 1);
+    assert_int_equal(cleft_mpi_voxels_open(context, path_of(name), NULL, NULL, &voxels), CLEFT_ERROR_FORMAT);
+    assert_non_null(strstr(cleft_context_last_error(context), "labels, more"));
+    assert_int_equal(cleft_mpi_voxels_open(context, path_of(name), "none", NULL, &voxels), CLEFT_ERROR_FORMAT);
+    assert_int_equal(cleft_mpi_voxels_open(context, path_of("none.h5"), NULL, NULL, &voxels), CLEFT_ERROR_FILE);
+    assert_ok(context, cleft_mpi_voxels_open(context, path_of(name), "labels", kSpacing, &voxels));
+    assert_int_equal(voxels.type, CLEFT_TYPE_UINT8);
+    assert_true(voxels.affine[10] == 2);
+    assert_int_equal(voxels.read(first, count, small, sentence, sizeof sentence, voxels.user), 0);
+    assert_int_equal(small[5], 52);
+    cleft_mpi_voxels_close(&voxels);
+    unlink(path_of(name));
+    cleft_context_destroy(context);
+}
+
+/* No folder in which files wait for their names is left. */
+static void nothing_is_left(void** state)
+{
+    (void)state;
+    MPI_Barrier(MPI_COMM_WORLD);
+    if (rank == 0) {
+        DIR* listing = opendir(folder);
+        assert_non_null(listing);
+        for (struct dirent* entry; (entry = readdir(listing));)
+            assert_null(strstr(entry->d_name, ".cleft-mpi-"));
+        closedir(listing);
+    }
+}
+
+int main(int argc, char** argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_exchange_opens_and_closes),
+        cmocka_unit_test(parts_are_the_whole),
+        cmocka_unit_test(some_ranks_have_nothing),
+        cmocka_unit_test(failures_are_those_of_all),
+        cmocka_unit_test(a_part_belongs_to_its_ranks),
+        cmocka_unit_test(hdf5_volumes_are_read),
+        cmocka_unit_test(nothing_is_left),
+    };
+    int provided = 0;
+    MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    folder = argc > 1 ? argv[1] : ".";
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    /* Others may wait for a rank that failed. */
+    if (failed)
+        MPI_Abort(MPI_COMM_WORLD, 1);
+    MPI_Finalize();
+    return 0;
+}
