@@ -1,9 +1,10 @@
 // The readers of single files, one for each format. `is` knows a format by the first bytes
-// of the file; `read` throws Errors that do not name the file. Formats that may have a tensor at each voxel have a
-// second function for it.
+// of the file; `read` throws Errors that do not name the file. Formats whose voxels
+// may be read by parts have a `locate`, and those that may have a tensor at each voxel a function for it.
 #pragma once
 
 #include "io/file_head.hpp"
+#include "io/stored_image.hpp"
 #include "io/tensor_image.hpp"
 
 namespace cleft::io
@@ -11,11 +12,14 @@ namespace cleft::io
 
 bool is_nrrd(const FileHead& head);
 Image read_nrrd(const std::string& path, const FileHead& head);
+StoredImage locate_nrrd(const std::string& path, const FileHead& head);
 TensorImage read_nrrd_tensors(const std::string& path, const FileHead& head);
 bool is_metaimage(const FileHead& head);
 Image read_metaimage(const std::string& path, const FileHead& head);
+StoredImage locate_metaimage(const std::string& path, const FileHead& head);
 bool is_vtk_volume(const FileHead& head);
 Image read_vtk_volume(const std::string& path, const FileHead& head);
+StoredImage locate_vtk_volume(const std::string& path, const FileHead& head);
 TensorImage read_vtk_tensors(const std::string& path, const FileHead& head);
 bool is_vti(const FileHead& head);
 TensorImage read_vti_tensors(const std::string& path, const FileHead& head);
@@ -25,6 +29,7 @@ bool is_mrc(const FileHead& head);
 Image read_mrc(const std::string& path, const FileHead& head);
 bool is_nifti(const FileHead& head);
 Image read_nifti(const std::string& path, const FileHead& head);
+StoredImage locate_nifti(const std::string& path, const FileHead& head);
 TensorImage read_nifti_tensors(const std::string& path, const FileHead& head);
 bool is_tiff(const FileHead& head);
 Image read_tiff(const std::string& path, const FileHead& head);

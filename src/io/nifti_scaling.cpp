@@ -46,10 +46,15 @@ void scale(double slope, double intercept, Image& image)
 
 }  // namespace
 
-void scale_values(double slope, double intercept, Image& image)
+bool is_scaled(double slope, double intercept)
 {
     // nifti1.h scales values only where scl_slope is not 0. Some writers put NaN there for "none".
-    if (slope == 0 || std::isnan(slope) || (slope == 1 && intercept == 0))
+    return slope != 0 && !std::isnan(slope) && (slope != 1 || intercept != 0);
+}
+
+void scale_values(double slope, double intercept, Image& image)
+{
+    if (!is_scaled(slope, intercept))
         return;
     if (!std::isfinite(slope) || !std::isfinite(intercept))
         throw Error(CLEFT_ERROR_FORMAT, "the scale of its values (scl_slope, scl_inter) is not finite");

@@ -6,8 +6,10 @@
 namespace cleft::io
 {
 
-// Replaces each value v by slope * v + intercept, and notes it; nothing is done where the slope is 0 or not a number,
-// which say that there is no scaling. The result is of int32 if all values are whole and fit, else of double.
+// Do these change values? A slope that is 0 or not a number says that there is no scaling.
+bool is_scaled(double slope, double intercept);
+// Replaces each value v by slope * v + intercept, and notes it; nothing is done unless is_scaled(). The result is of
+// int32 if all values are whole and fit, else of double.
 void scale_values(double slope, double intercept, Image& image);
 
 }  // namespace cleft::io

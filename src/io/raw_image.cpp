@@ -4,10 +4,8 @@
 
 #include "base/counted.hpp"
 #include "base/struct_size.hpp"
-#include "io/byte_source.hpp"
 #include "io/meaning.hpp"
 #include "io/text_scanner.hpp"
-#include "io/voxel_data.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,9 +67,10 @@ cleft_io_raw checked_layout(const cleft_io_raw* raw)
     return layout;
 }
 
-Image read_raw_image(const std::string& path, const cleft_io_raw& layout)
+StoredImage locate_raw_image(const std::string& path, const cleft_io_raw& layout)
 {
-    Image image;
+    StoredImage stored;
+    Image& image = stored.image;
     image.component = component_of(layout.type);
     std::copy_n(layout.dims, 3, image.dims.begin());
     std::copy_n(layout.spacing, 3, image.spacing.begin());
@@ -90,14 +89,18 @@ Image read_raw_image(const std::string& path, const cleft_io_raw& layout)
         throw Error(CLEFT_ERROR_FORMAT, "'" + path + "' has " + counted(static_cast<int64_t>(size), "byte") +
                                             ", but its voxels" + (layout.skip > 0 ? " and what is skipped" : "") +
                                             " would have " + std::to_string(expected));
-    allocate_voxels(image);
-    naming_file(path, [&] {
-        ByteSource(path, Coding::plain, static_cast<uintmax_t>(layout.skip)).read(image.voxels.get(), image.bytes());
-        return 0;
-    });
-    if (layout.big_endian != 0)
-        swap_bytes(image);
-    return image;
+    stored.data.big_endian = layout.big_endian != 0;
+    stored.data.attached = true;  // the path is that of the voxels
+    stored.data.offset = layout.skip;
+    stored.data.files = {path};
+    return stored;
+}
+
+Image read_raw_image(const std::string& path, const cleft_io_raw& layout)
+{
+    StoredImage stored = locate_raw_image(path, layout);
+    naming_file(path, [&] { read_voxels(stored.data, stored.image); });
+    return std::move(stored.image);
 }
 
 }  // namespace cleft::io

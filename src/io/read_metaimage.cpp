@@ -5,7 +5,6 @@
 #include "io/header_values.hpp"
 #include "io/image_readers.hpp"
 #include "io/metaimage_header.hpp"
-#include "io/voxel_data.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -241,11 +240,12 @@ bool is_metaimage(const FileHead& head)
     return text.substr(0, 10) == "ObjectType" && text.find("NDims") != std::string_view::npos;
 }
 
-Image read_metaimage(const std::string& path, const FileHead&)
+StoredImage locate_metaimage(const std::string& path, const FileHead&)
 {
     const MetaHeader header = read_meta_header(path);
     const std::vector<int64_t> sizes = sizes_of(header.fields);
-    Image image;
+    StoredImage stored;
+    Image& image = stored.image;
     image.component = component_of(header.fields);
     std::copy_n(sizes.begin(), std::min<size_t>(sizes.size(), 3), image.dims.begin());
     if (sizes.size() == 4)
@@ -253,8 +253,15 @@ Image read_metaimage(const std::string& path, const FileHead&)
     set_geometry(header.fields, sizes.size(), image);
     note_unscaled_values(header.fields, image);
     note_unknown_fields(header.fields, image.notes);
-    read_voxels(data_of(path, header, sizes, image), image);
-    return image;
+    stored.data = data_of(path, header, sizes, image);
+    return stored;
+}
+
+Image read_metaimage(const std::string& path, const FileHead& head)
+{
+    StoredImage stored = locate_metaimage(path, head);
+    read_voxels(stored.data, stored.image);
+    return std::move(stored.image);
 }
 
 }  // namespace cleft::io

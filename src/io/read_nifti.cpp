@@ -9,7 +9,6 @@
 #include "io/nifti_scaling.hpp"
 #include "io/path_kind.hpp"
 #include "io/text_scanner.hpp"
-#include "io/voxel_data.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -234,7 +233,7 @@ void skip_extensions(ByteSource& source, const NiftiHeader& header, uintmax_t of
     source.skip(left);
 }
 
-void read_voxels(const std::string& path, const NiftiHeader& header, Image& image)
+ByteSource source_of_voxels(const std::string& path, const NiftiHeader& header)
 {
     const uintmax_t offset = offset_of_voxels(header);
     ByteSource source(path, coding_of(path));
@@ -244,6 +243,12 @@ void read_voxels(const std::string& path, const NiftiHeader& header, Image& imag
     } else {
         source.skip(offset);
     }
+    return source;
+}
+
+void read_voxels(const std::string& path, const NiftiHeader& header, Image& image)
+{
+    ByteSource source = source_of_voxels(path, header);
     // Before memory is taken for what the header claims.
     source.expect(checked_bytes(image));
     allocate_voxels(image);
@@ -290,10 +295,10 @@ NiftiFile open_nifti(const std::string& path, const FileHead& head)
     return file;
 }
 
-Image read_fields(const std::string& path, const NiftiFile& file, int64_t fields)
+// All but the voxels.
+Image describe_fields(const std::string& path, const NiftiFile& file, int64_t fields)
 {
     const NiftiHeader& header = file.header;
-    const std::string& voxels = file.names.voxels;
     Image image;
     image.dims = {header.dim[1], header.dim[2], header.dim[3]};
     image.fields = fields;
@@ -301,6 +306,14 @@ Image read_fields(const std::string& path, const NiftiFile& file, int64_t fields
     set_nifti_geometry(header, image);
     if (header.kind == NiftiKind::analyze)
         note_spm_file(path, image);
+    return image;
+}
+
+Image read_fields(const std::string& path, const NiftiFile& file, int64_t fields)
+{
+    const NiftiHeader& header = file.header;
+    const std::string& voxels = file.names.voxels;
+    Image image = describe_fields(path, file, fields);
     // An error in the other file must name it, as the user did not.
     if (voxels == path)
         read_voxels(path, header, image);
@@ -308,6 +321,15 @@ Image read_fields(const std::string& path, const NiftiFile& file, int64_t fields
         naming_file(voxels, [&] { read_voxels(voxels, header, image); });
     scale_values(header.slope, header.intercept, image);
     return image;
+}
+
+NiftiFile open_nifti_volume(const std::string& path, const FileHead& head)
+{
+    NiftiFile file = open_nifti(path, head);
+    check_intent(file.header.intent);
+    check_dimensions(file.header);
+    check_one_number(file.header);
+    return file;
 }
 
 }  // namespace
@@ -320,11 +342,30 @@ bool is_nifti(const FileHead& head)
 
 Image read_nifti(const std::string& path, const FileHead& head)
 {
-    NiftiFile file = open_nifti(path, head);
-    check_intent(file.header.intent);
-    check_dimensions(file.header);
-    check_one_number(file.header);
+    const NiftiFile file = open_nifti_volume(path, head);
     return read_fields(path, file, file.header.dim[4]);
+}
+
+StoredImage locate_nifti(const std::string& path, const FileHead& head)
+{
+    const NiftiFile file = open_nifti_volume(path, head);
+    const std::string& voxels = file.names.voxels;
+    // A scaled value is a label only if all of them are whole, which one part does not show.
+    if (is_scaled(file.header.slope, file.header.intercept))
+        throw Error(CLEFT_ERROR_UNSUPPORTED,
+                    "its values are scaled (scl_slope, scl_inter): write them as whole "
+                    "numbers without a scale to read them by parts");
+    StoredImage stored;
+    stored.image = describe_fields(path, file, file.header.dim[4]);
+    stored.data.big_endian = file.header.swapped == is_swapped(true);
+    stored.data.attached = voxels == path;
+    stored.data.files = {voxels};
+    stored.data.offset = static_cast<int64_t>(offset_of_voxels(file.header));
+    if (is_gzip(voxels))
+        stored.data.encoding = VoxelData::Encoding::deflated;
+    else
+        source_of_voxels(voxels, file.header);  // which checks the extensions on the way
+    return stored;
 }
 
 TensorImage read_nifti_tensors(const std::string& path, const FileHead& head)

@@ -26,9 +26,10 @@ void separate_fields(Image& image)
             std::memcpy(&image.voxels[(field * count + voxel) * size], &mixed[(voxel * fields + field) * size], size);
 }
 
-Image read_as_stored(NrrdHeader& header, const NrrdAxes& axes)
+StoredImage locate_as_stored(NrrdHeader& header, const NrrdAxes& axes)
 {
-    Image image;
+    StoredImage stored;
+    Image& image = stored.image;
     image.notes = std::move(header.notes);
     image.component = header.component;
     for (size_t a = 0; a < axes.space.size(); ++a)
@@ -36,8 +37,15 @@ Image read_as_stored(NrrdHeader& header, const NrrdAxes& axes)
     if (axes.other)
         image.fields = header.sizes[*axes.other];
     set_nrrd_geometry(header, axes, image);
-    read_voxels(header.data, image);
-    return image;
+    stored.data = std::move(header.data);
+    return stored;
+}
+
+Image read_as_stored(NrrdHeader& header, const NrrdAxes& axes)
+{
+    StoredImage stored = locate_as_stored(header, axes);
+    read_voxels(stored.data, stored.image);
+    return std::move(stored.image);
 }
 
 // By the kind of the axis of the numbers, whose size must fit it.
@@ -87,6 +95,15 @@ Image read_nrrd(const std::string& path, const FileHead&)
     if (has_segments(header.keys))
         apply_segments(header.keys, image);
     return image;
+}
+
+StoredImage locate_nrrd(const std::string& path, const FileHead&)
+{
+    NrrdHeader header = read_nrrd_header(path);
+    StoredImage stored = locate_as_stored(header, nrrd_axes(header));
+    if (has_segments(header.keys))
+        check_segments(header.keys, stored.image);
+    return stored;
 }
 
 TensorImage read_nrrd_tensors(const std::string& path, const FileHead&)

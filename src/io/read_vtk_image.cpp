@@ -6,7 +6,6 @@
 #include "io/image_readers.hpp"
 #include "io/text_source.hpp"
 #include "io/voxel_access.hpp"
-#include "io/voxel_data.hpp"
 #include "io/vtk_arrays.hpp"
 
 #include <algorithm>
@@ -327,6 +326,27 @@ Image read_vtk_volume(const std::string& path, const FileHead&)
     set_place(grid, array.on_cells, image);
     read_values(path, grid, array, image);
     return image;
+}
+
+StoredImage locate_vtk_volume(const std::string& path, const FileHead&)
+{
+    TextSource source(path);
+    const Grid grid = read_grid(source);
+    const auto arrays = find_vtk_arrays(source, grid.binary, product_of(grid.points), product_of(cells_of(grid)));
+    StoredImage stored;
+    const VtkArray array = chosen(arrays, stored.image);
+    stored.image.component = array.component;
+    set_place(grid, array.on_cells, stored.image);
+    stored.data.encoding = grid.binary ? VoxelData::Encoding::raw : VoxelData::Encoding::text;
+    stored.data.big_endian = true;
+    stored.data.attached = true;
+    stored.data.offset = static_cast<int64_t>(array.place);
+    stored.data.files = {path};
+    stored.is_followed = true;
+    // Eight voxels a byte have no place of their own.
+    if (array.is_bit)
+        throw Error(CLEFT_ERROR_UNSUPPORTED, "its voxels are single bits, which cannot be read by parts");
+    return stored;
 }
 
 TensorImage read_vtk_tensors(const std::string& path, const FileHead&)

@@ -81,6 +81,8 @@ std::vector<Segment> segments_of(const Keys& keys, const Image& image)
                 throw Error(CLEFT_ERROR_FORMAT,
                             "its segments '" + other.name + "' and '" + last.name + "' have the same layer and value");
     }
+    if (is_floating(image.component))
+        throw Error(CLEFT_ERROR_FORMAT, "it is a segmentation, but its voxels are no whole numbers");
     return segments;
 }
 
@@ -213,11 +215,11 @@ bool has_segments(const Keys& keys)
     return keys.count("Segment0_ID") > 0 || keys.count("Segment0_Name") > 0 || keys.count("Segment0_LabelValue") > 0;
 }
 
+void check_segments(const Keys& keys, const Image& image) { segments_of(keys, image); }
+
 void apply_segments(const Keys& keys, Image& image)
 {
     std::vector<Segment> segments = segments_of(keys, image);
-    if (is_floating(image.component))
-        throw Error(CLEFT_ERROR_FORMAT, "it is a segmentation, but its voxels are no whole numbers");
     if (image.fields > 1)
         flatten(segments, image);
     else

@@ -56,15 +56,7 @@ uintmax_t behind_lines(const std::string& path, uintmax_t offset, int64_t lines)
 
 ByteSource open_data(const VoxelData& data, const std::string& path, uintmax_t bytes)
 {
-    if (data.offset == -1) {
-        // The voxels end with the file. A file that is too short is read from its beginning, so
-        // that the error tells how much is missing.
-        const uintmax_t size = ByteSource(path, Coding::plain).left();
-        return ByteSource(path, Coding::plain, size < bytes ? 0 : size - bytes);
-    }
-    uintmax_t begin = static_cast<uintmax_t>(data.offset);
-    if (data.lines > 0)
-        begin = behind_lines(path, begin, data.lines);
+    const uintmax_t begin = begin_of_voxels(data, path, bytes);
     if (data.encoding != VoxelData::Encoding::deflated)
         return ByteSource(path, Coding::plain, begin);
     return ByteSource(path, Coding::deflated, begin, data.length);
@@ -135,11 +127,32 @@ void read_text(ByteSource source, int64_t first, int64_t count, Image& image)
     note_text_end(rest.empty(), image);
 }
 
-bool is_swapped(bool big_endian) { return big_endian != (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__); }
-
 std::string bytes_text(uintmax_t count) { return counted(static_cast<int64_t>(count), "byte"); }
 
 }  // namespace
+
+uintmax_t begin_of_voxels(const VoxelData& data, const std::string& path, uintmax_t bytes)
+{
+    if (data.offset == -1) {
+        // The voxels end with the file. A file that is too short is read from its beginning, so
+        // that the error tells how much is missing.
+        const uintmax_t size = ByteSource(path, Coding::plain).left();
+        return size < bytes ? 0 : size - bytes;
+    }
+    const auto begin = static_cast<uintmax_t>(data.offset);
+    return data.lines > 0 ? behind_lines(path, begin, data.lines) : begin;
+}
+
+void judge_surplus(uintmax_t surplus, uintmax_t wanted, Image& image)
+{
+    // Twice the voxels: the header has forgotten an axis, or halved the type.
+    if (surplus >= wanted)
+        throw Error(CLEFT_ERROR_FORMAT,
+                    "its header tells of " + bytes_text(wanted) + " of voxels, but there are twice as many or more");
+    if (surplus > 0)
+        image.notes.push_back(bytes_text(surplus) + " behind its voxels " + (surplus == 1 ? "is" : "are") +
+                              " not read: is its size right?");
+}
 
 void check_end(ByteSource& source, uintmax_t wanted, Image& image)
 {
@@ -150,14 +163,8 @@ void check_end(ByteSource& source, uintmax_t wanted, Image& image)
     // gigabytes.
     for (size_t got = 1; got > 0 && surplus < wanted; surplus += got)
         got = source.read_some(waste.data(), waste.size());
-    // Twice the voxels: the header has forgotten an axis, or halved the type.
-    if (surplus >= wanted)
-        throw Error(CLEFT_ERROR_FORMAT,
-                    "its header tells of " + bytes_text(wanted) + " of voxels, but there are twice as many or more");
-    if (surplus > 0)
-        image.notes.push_back(bytes_text(surplus) + " behind its voxels " + (surplus == 1 ? "is" : "are") +
-                              " not read: is its size right?");
-    else if (source.left() > 0)
+    judge_surplus(surplus, wanted, image);
+    if (surplus == 0 && source.left() > 0)
         image.notes.push_back(bytes_text(source.left()) + " behind its compressed data " +
                               (source.left() == 1 ? "is" : "are") + " not read");
 }
@@ -168,6 +175,8 @@ void note_text_end(bool within_number, Image& image)
     if (within_number)
         image.notes.emplace_back("its last number ends with the file, without an end of the line: is it cut short?");
 }
+
+bool is_swapped(bool big_endian) { return big_endian != (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__); }
 
 void swap_bytes(std::byte* values, size_t count, size_t size)
 {

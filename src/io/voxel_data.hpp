@@ -31,8 +31,15 @@ struct VoxelData {
 // Throws Error: FORMAT where files are too short, too long or damaged, FILE where one is missing.
 void read_voxels(const VoxelData& data, Image& image);
 
-// For a source of which `wanted` bytes of voxels were read. A little more is passed over with a note; as much again
-// means that the header is wrong. The check sum of what is compressed must be right.
+// Where the voxels begin in a file, before `skip`. Raw data have `bytes` bytes in the file.
+uintmax_t begin_of_voxels(const VoxelData& data, const std::string& path, uintmax_t bytes);
+
+// So many bytes stand behind `wanted` bytes of voxels. A little more is passed over with a note; as much again means
+// that the header is wrong.
+void judge_surplus(uintmax_t surplus, uintmax_t wanted, Image& image);
+
+// For a source of which `wanted` bytes of voxels were read. What is left is judged as above. The check sum of what is
+// compressed must be right.
 void check_end(ByteSource& source, uintmax_t wanted, Image& image);
 
 // Of a text that ends with a number, nobody knows whether it had more digits.
@@ -44,6 +51,8 @@ std::string_view read_text_voxels(std::string_view text, Image& image, int64_t f
 // One number of text into a voxel.
 void store_text_voxel(std::string_view word, Image& image, int64_t voxel);
 
+// Is it not the order of this machine?
+bool is_swapped(bool big_endian);
 // From big-endian to the order of this machine, or back.
 void swap_bytes(std::byte* values, size_t count, size_t size);
 // Of all voxels.
