@@ -93,7 +93,7 @@ function(cleft_install_io)
     cleft_install_library(cleft_io_static io-static io_development io_development)
     set_target_properties(cleft_io_shared PROPERTIES EXPORT_NAME io_shared)
     set_target_properties(cleft_io_static PROPERTIES EXPORT_NAME io_static)
-    cleft_install_headers(io_development cleft_io.h cleft_io.hpp)
+    cleft_install_headers(io_development cleft_io.h cleft_io.hpp cleft_io_parts.h)
 
     cleft_link_flags(cleft_io_private_libs ${ARGN})
     cleft_install_pkgconfig(cleft-io io_development)

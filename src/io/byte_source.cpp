@@ -100,13 +100,21 @@ public:
     uintmax_t left() const { return unread_ + (is_plain() ? 0 : stream_.avail_in); }
     size_t read_some(char* to, size_t bytes) { return is_plain() ? read_file(to, bytes) : inflate_some(to, bytes); }
 
-private:
-    size_t read_file(char* to, size_t bytes)
+    void read_at(uintmax_t offset, char* to, size_t bytes) const
     {
-        bytes = static_cast<size_t>(std::min<uintmax_t>(bytes, unread_));
+        transfer(bytes, [&](size_t done, size_t wanted) {
+            return pread(descriptor_, to + done, wanted, static_cast<off_t>(offset + done));
+        });
+    }
+
+private:
+    // read_some(done, wanted) is a call of the system, to which `done` bytes came before.
+    template <class ReadSome>
+    static void transfer(size_t bytes, const ReadSome& read_some)
+    {
         for (size_t done = 0; done < bytes;) {
             // Linux transfers at most 2^31 - 4096 bytes a call; 2^30 stays below it.
-            const ssize_t got = ::read(descriptor_, to + done, std::min(bytes - done, size_t{1} << 30));
+            const ssize_t got = read_some(done, std::min(bytes - done, size_t{1} << 30));
             if (got < 0 && errno != EINTR)
                 cannot_read(errno);
             // The size was that of stat(), so the file has shrunk while it was being read.
@@ -114,6 +122,12 @@ private:
                 too_short(bytes - done);
             done += got > 0 ? static_cast<size_t>(got) : 0;
         }
+    }
+
+    size_t read_file(char* to, size_t bytes)
+    {
+        bytes = static_cast<size_t>(std::min<uintmax_t>(bytes, unread_));
+        transfer(bytes, [&](size_t done, size_t wanted) { return ::read(descriptor_, to + done, wanted); });
         unread_ -= bytes;
         return bytes;
     }
@@ -207,6 +221,11 @@ void ByteSource::read(void* to, size_t bytes)
     const size_t got = read_some(to, bytes);
     if (got < bytes)
         too_short(bytes - got);
+}
+
+void ByteSource::read_at(uintmax_t offset, void* to, size_t bytes) const
+{
+    state_->read_at(offset, static_cast<char*>(to), bytes);
 }
 
 void ByteSource::skip(uintmax_t bytes)

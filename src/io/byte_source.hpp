@@ -36,6 +36,8 @@ public:
     void expect(uintmax_t bytes) const;
     // All of them or an Error.
     void read(void* to, size_t bytes);
+    // Of a plain source, from this byte of the file on. What the other functions read next stays as it was.
+    void read_at(uintmax_t offset, void* to, size_t bytes) const;
     // Less than was asked for only at the end.
     size_t read_some(void* to, size_t bytes);
     // Passes over so many bytes, which must be there. It costs a seek in a plain file and a

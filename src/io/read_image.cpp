@@ -7,6 +7,7 @@
 #include "io/dicom_image.hpp"
 #include "io/file_head.hpp"
 #include "io/image_readers.hpp"
+#include "io/voxel_file.hpp"
 
 namespace cleft::io
 {
@@ -19,15 +20,16 @@ struct Reader {
     bool (*is)(const FileHead& head);
     Image (*read)(const std::string& path, const FileHead& head);
     TensorImage (*read_tensors)(const std::string& path, const FileHead& head) = nullptr;
+    StoredImage (*locate)(const std::string& path, const FileHead& head) = nullptr;
 };
 
 // Formats with a sure mark come first. Foreign marks stand before NIfTI, since Analyze is known by
 // little more than a number, and foreign extensions come last.
 constexpr Reader kReaders[] = {
     {"DICOM", is_dicom, read_dicom_image},
-    {"NRRD", is_nrrd, read_nrrd, read_nrrd_tensors},
-    {"MetaImage", is_metaimage, read_metaimage},
-    {"VTK legacy", is_vtk_volume, read_vtk_volume, read_vtk_tensors},
+    {"NRRD", is_nrrd, read_nrrd, read_nrrd_tensors, locate_nrrd},
+    {"MetaImage", is_metaimage, read_metaimage, nullptr, locate_metaimage},
+    {"VTK legacy", is_vtk_volume, read_vtk_volume, read_vtk_tensors, locate_vtk_volume},
     {"VTK XML image, of which only tensors are read", is_vti, refuse_foreign_format, read_vti_tensors},
     {"GIPL", is_gipl, read_gipl},
     {"MRC", is_mrc, read_mrc},
@@ -36,7 +38,7 @@ constexpr Reader kReaders[] = {
     {"JPEG", is_jpeg, read_jpeg},
     {"BMP", is_bmp, read_bmp},
     {"known by its first bytes, but not read", has_foreign_mark, refuse_foreign_format},
-    {"NIfTI or Analyze", is_nifti, read_nifti, read_nifti_tensors},
+    {"NIfTI or Analyze", is_nifti, read_nifti, read_nifti_tensors, locate_nifti},
     {"known, but not read", is_foreign_format, refuse_foreign_format},
 };
 
@@ -66,6 +68,24 @@ Image read_image(const std::string& path)
         Image image = reader_of(head).read(path, head);
         make_printable(image);
         return image;
+    } catch (const Error& error) {
+        throw Error(error.status(), printable(error.what()));
+    }
+}
+
+StoredImage locate_image(const std::string& path)
+{
+    try {
+        const FileHead head = read_head(path);
+        const Reader& reader = reader_of(head);
+        if (!reader.locate && reader.read == refuse_foreign_format)
+            refuse_foreign_format(path, head);
+        if (!reader.locate)
+            throw Error(CLEFT_ERROR_UNSUPPORTED,
+                        std::string("it is ") + reader.name + ", which cannot be read by parts: " + way_to_parts(path));
+        StoredImage stored = reader.locate(path, head);
+        make_printable(stored.image);
+        return stored;
     } catch (const Error& error) {
         throw Error(error.status(), printable(error.what()));
     }

@@ -180,16 +180,29 @@ cleft_type type_of(Component component)
     throw Error(CLEFT_ERROR_INTERNAL, "voxels were not converted");
 }
 
-void make_labels(Image& image)
+Component label_component(Component component)
 {
-    with_type(image.component, [&](auto zero) {
+    return with_type(component, [&](auto zero) {
         using From = decltype(zero);
         // The core has no type of signed bytes. int16 holds them all.
+        if (std::is_same_v<From, int8_t>)
+            return Component::int16;
+        const bool is_narrow = sizeof(From) < sizeof(int32_t) || std::is_same_v<From, int32_t>;
+        return is_narrow ? component : Component::int32;
+    });
+}
+
+void make_labels(Image& image)
+{
+    const Component to = label_component(image.component);
+    if (to == image.component)
+        return;
+    with_type(image.component, [&](auto zero) {
+        using From = decltype(zero);
         if constexpr (std::is_same_v<From, int8_t>)
-            convert_voxels<int16_t, From>(image, Component::int16, [](From v) { return int16_t{v}; });
-        else if constexpr (std::is_floating_point_v<From> || std::is_same_v<From, uint32_t> ||
-                           sizeof(From) > sizeof(int32_t))
-            convert_voxels<int32_t, From>(image, Component::int32, label_from<int32_t, From>);
+            convert_voxels<int16_t, From>(image, to, [](From v) { return int16_t{v}; });
+        else
+            convert_voxels<int32_t, From>(image, to, label_from<int32_t, From>);
     });
 }
 

@@ -17,6 +17,8 @@ void set_geometry(std::array<double, 12> affine, cleft_io_world world, Image& im
 
 // The type of the core's that the component corresponds to. Throws for those that have none.
 cleft_type type_of(Component component);
+// The type that make_labels() gives.
+Component label_component(Component component);
 // In place where the new type is not wider. Fractions are rounded to the nearest; throws if a label does not fit.
 void make_labels(Image& image);
 // Whole numbers become float. float and double stay as they are.

@@ -3,7 +3,7 @@
 
 #ifdef CLEFT_WITH_IO
 
-#include "cleft/cleft_io.h"
+#include "cleft/cleft_io_parts.h"
 #include "faults/digest.hpp"
 
 #include <algorithm>
@@ -48,6 +48,23 @@ Work reads_raw(const std::string& path)
                 if (status == CLEFT_OK)
                     bench.digest = digest(counts, 8);
                 cleft_volume_destroy(volume);
+                return status;
+            }};
+}
+
+Work reads_part(const std::string& path, const std::string& name)
+{
+    return {"reads a part of " + name, [path](Bench& bench) {
+                cleft_voxels voxels{};
+                voxels.struct_size = sizeof voxels;
+                cleft_status status = cleft_io_voxels_open(bench.context, path.c_str(), nullptr, &voxels);
+                if (status == CLEFT_OK) {
+                    const int64_t first[3] = {1, 1, 1}, count[3] = {3, 2, 2};
+                    int32_t labels[12] = {};
+                    status = voxels.read(first, count, labels, nullptr, 0, voxels.user);
+                    bench.digest = digest(labels, 12);
+                }
+                cleft_io_voxels_close(&voxels);
                 return status;
             }};
 }
@@ -159,6 +176,8 @@ std::vector<Work> file_works(const fs::path& inputs, const fs::path& outputs)
     for (Work& work : works)
         work.ours_alone = work.name == "reads stack.tif" || work.name == "reads packed.tif";
     works.push_back(reads_raw((inputs / "voxels.raw").string()));
+    for (const char* name : {"raw.nrrd", "apart.nhdr", "voxels.mha", "points.vtk", "voxels.nii", "pair.hdr"})
+        works.push_back(reads_part((inputs / name).string(), name));
     works.push_back(reads_field((inputs / "raw.nrrd").string()));
 
     const Bench bench(1);  // for the files that are read below
