@@ -6,6 +6,10 @@ build_packages="
     libdeflate-dev zlib1g-dev libtiff-dev libpng-dev libjpeg-dev libgdcm-dev
     libcli11-dev nlohmann-json3-dev"
 
+# For -DCLEFT_WITH_MPI=ON.
+mpi_packages="
+    libopenmpi-dev openmpi-bin libhdf5-openmpi-dev"
+
 binding_packages="
     swig
     python3-dev python3-numpy python3-matplotlib

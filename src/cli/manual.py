@@ -1,5 +1,5 @@
 """Writes the manual pages of the command from its own help: manual.py CLEFT VERSION FOLDER makes cleft.1, cleft-mesh.1
-...
+...; likewise for cleft-mpi.
 
 The help is made of a line that says what the command does, the usage, paragraphs, and sections: a heading at the margin
 that ends with a colon, followed by indented lines, an item and (after two blanks or more, or on further lines) its
@@ -80,9 +80,10 @@ def main():
     whole = help_of()
     commands = [item for item, _ in items(sections(whole.splitlines())["Subcommands"])]
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / "cleft.1").write_text(page("cleft", whole, version))
+    name = pathlib.Path(program).name
+    (folder / f"{name}.1").write_text(page(name, whole, version))
     for command in commands:
-        (folder / f"cleft-{command}.1").write_text(page(f"cleft-{command}", help_of(command), version))
+        (folder / f"{name}-{command}.1").write_text(page(f"{name}-{command}", help_of(command), version))
 
 
 main()

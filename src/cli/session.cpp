@@ -52,18 +52,19 @@ bool ends_with(const std::string& text, const std::string& end)
 
 }  // namespace
 
-void RunArguments::add_to(CLI::App& app)
+void RunArguments::add_to(CLI::App& app, bool has_json)
 {
     app.add_option("--threads", threads,
                    "Threads to use; 0: as many as the machine has. The result does\n"
                    "not depend on it (default 0)")
         ->type_name("N")
         ->group("Run");
-    app.add_option("--json", json,
-                   "Write a machine-readable report, also of a failure; \"-\": to\n"
-                   "standard output, instead of the summary")
-        ->type_name("FILE")
-        ->group("Run");
+    if (has_json)
+        app.add_option("--json", json,
+                       "Write a machine-readable report, also of a failure; \"-\": to\n"
+                       "standard output, instead of the summary")
+            ->type_name("FILE")
+            ->group("Run");
     app.add_flag("-q,--quiet", quiet, "Print nothing but errors")->group("Run");
     app.add_option("--progress", progress,
                    "How far the work is, on standard error: a bar, lines, or nothing.\n"

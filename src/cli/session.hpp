@@ -26,7 +26,8 @@ struct RunArguments {
     std::string progress = "auto";
     std::string json;  // path of the machine-readable report; "-": standard output; "": none
 
-    void add_to(CLI::App& app);
+    // `has_json`: is there a report?
+    void add_to(CLI::App& app, bool has_json = true);
     bool prints() const { return !quiet && json != "-"; }
 };
 

@@ -59,61 +59,13 @@ void add_grid_to(CLI::App& app, VolumeArguments& arguments)
         ->check(CLI::IsMember({"auto", "labels", "indicators"}).description(""))
         ->type_name("auto|labels|indicators")
         ->group(kGroup);
-    app.add_option("--spacing", arguments.spacing, "Size of a voxel, instead of the file's")
-        ->expected(3)
-        ->delimiter(',')
-        ->check(positive_length())
-        ->type_name("H")
-        ->group(kGroup);
+    arguments.add_spacing_to(app);
     app.add_option("--scale", arguments.scale,
                    "Multiply origin and spacing of the file by S: 0.001 makes metres of\n"
                    "millimetres. A --spacing beside it is taken as it is")
         ->check(positive_length())
         ->type_name("S")
         ->group(kGroup);
-}
-
-// What a header would tell of raw voxels.
-void add_raw_to(CLI::App& app, VolumeArguments& arguments)
-{
-    CLI::Option* raw =
-        app.add_option("--dims", arguments.dims, "Read raw voxels without a header: voxels along x (fastest), y, z")
-            ->expected(3)
-            ->delimiter(',')
-            ->check(CLI::PositiveNumber.description(""))
-            ->type_name("N")
-            // Raw voxels have no unit of a file that a scale could change.
-            ->excludes(app.get_option("--scale"))
-            ->group(kGroup);
-    // A header tells these three. Without --dims they would have no effect, and the user would not know.
-    app.add_option("--type", arguments.type,
-                   "Type of raw voxels: uint8, uint16, int16, uint32, int32, float32,\nfloat64 (default uint8)")
-        ->check(CLI::IsMember(type_names()).description(""))
-        ->type_name("TYPE")
-        ->needs(raw)
-        ->group(kGroup);
-    app.add_option("--skip", arguments.skip, "Bytes before the first raw voxel (default 0)")
-        ->check(CLI::NonNegativeNumber.description(""))
-        ->type_name("BYTES")
-        ->needs(raw)
-        ->group(kGroup);
-    app.add_flag("--big-endian", arguments.big_endian, "Raw voxels have their most significant byte first")
-        ->needs(raw)
-        ->group(kGroup);
-}
-
-cleft_io_raw raw_layout(const VolumeArguments& arguments)
-{
-    cleft_io_raw raw = {};
-    raw.struct_size = sizeof raw;
-    raw.type = kVoxelTypes.at(arguments.type);
-    raw.big_endian = arguments.big_endian ? 1 : 0;
-    raw.kind = arguments.kind_number();
-    raw.skip = arguments.skip;
-    std::copy(arguments.dims.begin(), arguments.dims.end(), raw.dims);
-    // CLI11 has checked that there are three numbers, or none.
-    std::copy(arguments.spacing.begin(), arguments.spacing.end(), raw.spacing);
-    return raw;
 }
 
 }  // namespace
@@ -132,7 +84,59 @@ void VolumeArguments::add_inputs_to(CLI::App& app)
 void VolumeArguments::add_reading_to(CLI::App& app)
 {
     add_grid_to(app, *this);
-    add_raw_to(app, *this);
+    add_raw_to(app);
+    // Raw voxels have no unit of a file that a scale could change.
+    app.get_option("--dims")->excludes(app.get_option("--scale"));
+}
+
+void VolumeArguments::add_spacing_to(CLI::App& app)
+{
+    app.add_option("--spacing", spacing, "Size of a voxel, instead of the file's")
+        ->expected(3)
+        ->delimiter(',')
+        ->check(positive_length())
+        ->type_name("H")
+        ->group(kGroup);
+}
+
+void VolumeArguments::add_raw_to(CLI::App& app)
+{
+    CLI::Option* raw =
+        app.add_option("--dims", dims, "Read raw voxels without a header: voxels along x (fastest), y, z")
+            ->expected(3)
+            ->delimiter(',')
+            ->check(CLI::PositiveNumber.description(""))
+            ->type_name("N")
+            ->group(kGroup);
+    // A header tells these three. Without --dims they would have no effect, and the user would not know.
+    app.add_option("--type", type,
+                   "Type of raw voxels: uint8, uint16, int16, uint32, int32, float32,\nfloat64 (default uint8)")
+        ->check(CLI::IsMember(type_names()).description(""))
+        ->type_name("TYPE")
+        ->needs(raw)
+        ->group(kGroup);
+    app.add_option("--skip", skip, "Bytes before the first raw voxel (default 0)")
+        ->check(CLI::NonNegativeNumber.description(""))
+        ->type_name("BYTES")
+        ->needs(raw)
+        ->group(kGroup);
+    app.add_flag("--big-endian", big_endian, "Raw voxels have their most significant byte first")
+        ->needs(raw)
+        ->group(kGroup);
+}
+
+cleft_io_raw VolumeArguments::raw() const
+{
+    cleft_io_raw out = {};
+    out.struct_size = sizeof out;
+    out.type = kVoxelTypes.at(type);
+    out.big_endian = big_endian ? 1 : 0;
+    out.kind = kind_number();
+    out.skip = skip;
+    std::copy(dims.begin(), dims.end(), out.dims);
+    // CLI11 has checked that there are three numbers, or none.
+    std::copy(spacing.begin(), spacing.end(), out.spacing);
+    return out;
 }
 
 cleft_io_kind VolumeArguments::kind_number() const
@@ -165,7 +169,7 @@ Volume VolumeArguments::read(Session& session, const cleft_options* options) con
             const cleft_io_reading how = reading();
             return cleft_io_read_volume(session.context(), options, paths.data(), count, &how, out);
         }
-        const cleft_io_raw layout = raw_layout(*this);
+        const cleft_io_raw layout = raw();
         return cleft_io_read_raw(session.context(), options, paths.data(), count, &layout, out);
     });
 }

@@ -2,6 +2,8 @@
 #
 #   runtime, development         libcleft;      its headers, static library, CMake package and cleft.pc
 #   io, io_development           libcleft_io;   its header, static library and cleft-io.pc
+#   mpi, mpi_development         libcleft_mpi;  its header and cleft-mpi.pc
+#   mpi_command                  the cleft-mpi command and its manual pages
 #   command                      the cleft command, its manual pages and shell completion
 #   fortran                      the Fortran modules
 #
@@ -103,6 +105,29 @@ function(cleft_install_io)
     set(dependencies ${PROJECT_BINARY_DIR}/install/Cleft-io-static-dependencies.cmake)
     configure_file(${PROJECT_SOURCE_DIR}/src/cmake/CleftIoStaticDependencies.cmake.in ${dependencies} @ONLY)
     install(FILES ${dependencies} DESTINATION ${CLEFT_INSTALL_CMAKEDIR} COMPONENT io_development)
+endfunction()
+
+# The component for MPI, which is a shared library alone, as those of MPI mostly are.
+function(cleft_install_mpi)
+    if(NOT CLEFT_INSTALL)
+        return()
+    endif()
+    cleft_find_libraries_from(cleft_mpi_shared ${CMAKE_INSTALL_LIBDIR})
+    cleft_install_library(cleft_mpi_shared mpi mpi mpi_development)
+    cleft_install_headers(mpi_development cleft_mpi.h)
+    cleft_install_pkgconfig(cleft-mpi mpi_development)
+endfunction()
+
+# cleft_install_mpi_command(MANUAL): as cleft_install_command().
+function(cleft_install_mpi_command manual)
+    if(NOT CLEFT_INSTALL)
+        return()
+    endif()
+    cleft_find_libraries_from(cleft_mpi_cli ${CMAKE_INSTALL_BINDIR})
+    install(TARGETS cleft_mpi_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT mpi_command)
+    if(manual)
+        install(DIRECTORY ${manual}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT mpi_command)
+    endif()
 endfunction()
 
 # cleft_install_command(MANUAL): the command, its completion and, if there is one, the folder of its manual pages.

@@ -15,7 +15,8 @@ set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/src ${PROJECT_BINARY_DIR}/src/io)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/src ${PROJECT_BINARY_DIR}/src/io
+    ${PROJECT_BINARY_DIR}/src/mpi)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
 
@@ -53,6 +54,13 @@ cleft_package(io_development libcleft-io-dev libdevel
     "This package has what is needed to build programs that read and write files."
     NEEDS io development RECOMMENDS ${static_io})
 cleft_package(command cleft science "This package has the command." NEEDS io)
+cleft_package(mpi libcleft-mpi0 libs "This package has the component for processes that share a mesh by MPI."
+    NEEDS runtime)
+cleft_package(mpi_development libcleft-mpi-dev libdevel
+    "This package has what is needed to build programs whose processes share a mesh."
+    NEEDS mpi development DEPENDS libopenmpi-dev)
+cleft_package(mpi_command cleft-mpi science "This package has the command that makes meshes on several processes."
+    NEEDS mpi io DEPENDS openmpi-bin)
 cleft_package(fortran libcleft-fortran-dev libdevel "This package has the Fortran modules."
     NEEDS development RECOMMENDS libcleft-io-dev SUGGESTS gfortran)
 cleft_package(java_native libcleft-jni java "This package has the native part of the Java package." NEEDS io)
@@ -69,7 +77,7 @@ endif()
 
 # The loader learns of new libraries by a trigger.
 file(WRITE ${PROJECT_BINARY_DIR}/install/triggers "activate-noawait ldconfig\n")
-foreach(component RUNTIME IO)
+foreach(component RUNTIME IO MPI)
     set(CPACK_DEBIAN_${component}_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/install/triggers)
 endforeach()
 

@@ -28,7 +28,8 @@ namespace
 fs::path file_behind(const std::string& path)
 {
     std::error_code error;
-    fs::path target = fs::weakly_canonical(path, error);
+    // Without a folder that is there, the answer would be relative.
+    fs::path target = fs::weakly_canonical(fs::absolute(path, error), error);
     if (error)
         cannot_write_target(path, error.value());
     if (io::is_there(target.string()) && !fs::is_regular_file(target, error))
@@ -93,6 +94,7 @@ void SharedStage::open(const std::string& target, Exchange& exchange)
 {
     if (exchange.rank() == 0) {
         target_ = file_behind(target);
+        said_ = target.substr(0, target.rfind('/') + 1);
         // The dot hides it from patterns such as "*", which another program may be reading.
         std::string name = (target_.parent_path() / ".cleft-mpi-XXXXXX").string();
         if (!mkdtemp(name.data()))
@@ -102,9 +104,10 @@ void SharedStage::open(const std::string& target, Exchange& exchange)
     }
     target_ = text_of_rank_0(target_.string(), exchange);
     folder_ = text_of_rank_0(folder_.string(), exchange);
+    said_ = text_of_rank_0(said_, exchange);
     if (!io::is_folder(folder_.string()))
         throw Error(CLEFT_ERROR_FILE,
-                    "cannot write '" + target_.string() + "': this rank does not see the folder that rank 0 writes to");
+                    "cannot write '" + said_ + name() + "': this rank does not see the folder that rank 0 writes to");
 }
 
 void SharedStage::commit(const std::vector<std::string>& names)
@@ -125,10 +128,9 @@ void SharedStage::commit(const std::vector<std::string>& names)
 
 std::string SharedStage::with_final_names(std::string sentence) const
 {
-    if (folder_.empty())
-        return sentence;
-    for (size_t at; (at = sentence.find(folder_.string())) != std::string::npos;)
-        sentence.replace(at, folder_.string().size(), target_.parent_path().string());
+    const std::string prefix = folder_.string() + "/";
+    for (size_t at; !folder_.empty() && (at = sentence.find(prefix)) != std::string::npos;)
+        sentence.replace(at, prefix.size(), said_);
     return sentence;
 }
 

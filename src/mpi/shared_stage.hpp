@@ -38,6 +38,7 @@ public:
 
 private:
     std::filesystem::path target_, folder_;
+    std::string said_;  // the folder of the target as the user says it, up to its last "/"
     bool is_mine_ = false;
 };
 

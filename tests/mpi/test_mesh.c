@@ -286,6 +286,28 @@ static void hdf5_volumes_are_read(void** state)
     cleft_context_destroy(context);
 }
 
+/* For test_command.py. */
+static void a_volume_is_left(void** state)
+{
+    const hsize_t extent[3] = {SIDE, SIDE, SIDE};
+    const int64_t first[3] = {0, 0, 0}, count[3] = {SIDE, SIDE, SIDE};
+    int32_t values[SIDE * SIDE * SIDE];
+    labels user = {SIDE, 0};
+    (void)state;
+    if (ranks > 1)
+        return;
+    assert_int_equal(read_labels(first, count, values, NULL, 0, &user), 0);
+    const hid_t file = H5Fcreate(path_of("volume.h5"), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t space = H5Screate_simple(3, extent, NULL);
+    const hid_t data = H5Dcreate2(file, "labels", H5T_STD_I32LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    assert_true(H5Dwrite(data, H5T_NATIVE_INT32, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0);
+    add_attribute(data, "spacing", 1, 1.5, 0.5);
+    add_attribute(data, "origin", -4, 0, 0);
+    H5Dclose(data);
+    H5Sclose(space);
+    H5Fclose(file);
+}
+
 /* No folder in which files wait for their names is left. */
 static void nothing_is_left(void** state)
 {
@@ -309,6 +331,7 @@ int main(int argc, char** argv)
         cmocka_unit_test(failures_are_those_of_all),
         cmocka_unit_test(a_part_belongs_to_its_ranks),
         cmocka_unit_test(hdf5_volumes_are_read),
+        cmocka_unit_test(a_volume_is_left),
         cmocka_unit_test(nothing_is_left),
     };
     int provided = 0;

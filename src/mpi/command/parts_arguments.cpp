@@ -1,0 +1,98 @@
+// The options of `cleft-mpi mesh`: those of `cleft mesh` that a mesh in parts has, and few others.
+#include "mpi/command/parts_arguments.hpp"
+
+#include "cli/output_conflicts.hpp"
+#include "cli/staged_outputs.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+namespace cleft_mpi_cli
+{
+namespace
+{
+
+const std::vector<std::string> kHdf5Extensions = {".h5", ".hdf5", ".hdf"};
+const std::vector<std::string> kPartsExtensions = {".vtkhdf", ".hdf", ".pvtu"};
+
+bool has_extension_of(const std::string& path, const std::vector<std::string>& extensions)
+{
+    const std::string extension = CLI::detail::to_lower(std::filesystem::path(path).extension().string());
+    return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+}
+
+const char* parts_footer()
+{
+    return "Formats of OUTPUT, by extension:\n"
+           "  .vtkhdf, .hdf               VTKHDF: one file, the same for every number of ranks\n"
+           "  .pvtu                       VTK XML: a piece for each rank, and a list of them\n"
+           "\nExamples:\n"
+           "  mpirun -n 8 cleft-mpi mesh rock.h5 -o rock.vtkhdf --background octree\n"
+           "  mpirun -n 4 cleft-mpi mesh rock.h5 --dataset /scan/labels --spacing 2 2 2 -o rock.pvtu\n";
+}
+
+}  // namespace
+
+void PartsArguments::add_to(CLI::App& parser)
+{
+    parser
+        .add_option("INPUT", volume.inputs,
+                    "A label map whose voxels lie uncompressed in one file (NRRD, NIfTI,\n"
+                    "MetaImage, VTK legacy, raw), or an HDF5 file")
+        ->required()
+        ->expected(1)
+        ->type_name("");
+    parser
+        .add_option("-o,--output", outputs,
+                    "The mesh; may be repeated for several formats. Missing folders\n"
+                    "and unknown extensions are refused before the work begins")
+        ->required()
+        ->allow_extra_args(false)
+        ->type_name("OUTPUT");
+    parser.add_flag("--ghosts", ghosts,
+                    "Pieces of .pvtu also have the tetrahedra of others at their own\npoints, marked as ghosts");
+    options.add_to(parser, {"volume", "mesh"});
+    options.add_label_sizes_to(parser);
+    options.add_label_lists_to(parser);
+    parser
+        .add_option("--dataset", dataset,
+                    "The path of the label map in an HDF5 file. Default: the only data\n"
+                    "set with three dimensions and integers at the root")
+        ->type_name("PATH")
+        ->group("Input");
+    volume.add_spacing_to(parser);
+    volume.add_raw_to(parser);
+    // A rank has one core, unless mpirun is told otherwise.
+    run.threads = 1;
+    run.add_to(parser, false);
+    parser.get_option("--threads")
+        ->description(
+            "Threads of each rank; 0: as many as the machine has. The result\n"
+            "does not depend on it (default 1)");
+    parser.footer(parts_footer() + std::string("\n") + cleft_cli::exit_code_help());
+}
+
+bool PartsArguments::is_hdf5() const
+{
+    return volume.dims.empty() && (!dataset.empty() || has_extension_of(input(), kHdf5Extensions));
+}
+
+void PartsArguments::check_outputs() const
+{
+    cleft_cli::refuse_conflicts(volume.inputs, outputs, "");
+    for (const std::string& path : outputs) {
+        if (!has_extension_of(path, kPartsExtensions))
+            throw cleft_cli::usage_failure("--output: '" + path + "' ends with none of .vtkhdf .hdf .pvtu");
+        const std::string folder = cleft_cli::folder_of(path).string();
+        if (access(folder.c_str(), W_OK | X_OK) != 0)
+            throw cleft_cli::Failure(cleft_cli::EXIT_CANNOT_WRITE, CLEFT_ERROR_FILE,
+                                     "cannot write '" + path + "': " + std::strerror(errno));
+    }
+}
+
+}  // namespace cleft_mpi_cli

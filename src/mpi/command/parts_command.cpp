@@ -1,0 +1,152 @@
+// Each step ends with an agreement of all ranks, and one of them prints.
+#include "mpi/command/parts_command.hpp"
+
+#include "cleft/cleft_io_parts.h"
+#include "cleft/cleft_mpi.h"
+#include "cli/standard_output.hpp"
+#include "cli/text.hpp"
+#include "mpi/command/parts_arguments.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+namespace cleft_mpi_cli
+{
+namespace
+{
+
+using cleft_cli::Failure;
+using cleft_cli::Session;
+
+struct CloseVoxels {
+    void operator()(cleft_voxels* voxels) const
+    {
+        // Each leaves the other's as it is.
+        cleft_mpi_voxels_close(voxels);
+        cleft_io_voxels_close(voxels);
+        delete voxels;
+    }
+};
+using Voxels = std::unique_ptr<cleft_voxels, CloseVoxels>;
+
+struct DestroyPart {
+    void operator()(cleft_part* part) const { cleft_part_destroy(part); }
+};
+using Part = std::unique_ptr<cleft_part, DestroyPart>;
+
+// The origin stays that of the file.
+void set_spacing(cleft_voxels& voxels, const std::vector<double>& spacing)
+{
+    for (std::size_t axis = 0; axis < spacing.size(); ++axis) {
+        double* const step = voxels.affine + axis;
+        const double factor = spacing[axis] / std::hypot(step[0], step[4], step[8]);
+        for (const int row : {0, 4, 8})
+            step[row] *= factor;
+    }
+}
+
+Voxels open_voxels(const Session& session, const PartsArguments& arguments)
+{
+    Voxels voxels(new cleft_voxels{});
+    voxels->struct_size = sizeof *voxels;
+    const char* path = arguments.input().c_str();
+    const std::vector<double>& spacing = arguments.volume.spacing;
+    if (arguments.is_hdf5()) {
+        session.check(cleft_mpi_voxels_open(session.context(), path,
+                                            arguments.dataset.empty() ? nullptr : arguments.dataset.c_str(),
+                                            spacing.empty() ? nullptr : spacing.data(), voxels.get()),
+                      cleft_cli::EXIT_CANNOT_READ);
+        return voxels;
+    }
+    const cleft_io_raw raw = arguments.volume.raw();
+    const bool is_raw = !arguments.volume.dims.empty();
+    session.check(cleft_io_voxels_open(session.context(), path, is_raw ? &raw : nullptr, voxels.get()),
+                  cleft_cli::EXIT_CANNOT_READ);
+    if (!is_raw)
+        set_spacing(*voxels, spacing);
+    return voxels;
+}
+
+std::string line(const std::string& heading, const std::string& text)
+{
+    return cleft_cli::left(heading, 12) + text + "\n";
+}
+
+std::string summary(const Session& session, const PartsArguments& arguments, const cleft_part* part)
+{
+    cleft_part_counts n{};
+    n.struct_size = sizeof n;
+    session.check(cleft_part_count(part, &n), cleft_cli::EXIT_MESHING_FAILED);
+    std::string text = line("Mesh", cleft_cli::plural(n.all_points, "point") + ", " +
+                                        cleft_cli::plural(n.all_tets, "tetrahedron", "tetrahedra") + " in " +
+                                        cleft_cli::plural(n.ranks, "part"));
+    text += line("Time", cleft_cli::seconds_text(session.elapsed_seconds()));
+    for (const std::string& path : arguments.outputs)
+        text += line("Written", path);
+    return text;
+}
+
+void make_and_write(const Ranks& ranks, const PartsArguments& arguments)
+{
+    cleft_cli::Options options;
+    std::unique_ptr<Session> session;
+    Voxels voxels;
+    Part part;
+    ranks.together([&] {
+        options = arguments.options.make();
+        if (ranks.is_first())
+            arguments.check_outputs();
+        cleft_cli::RunArguments run = arguments.run;
+        run.quiet = run.quiet || !ranks.is_first();
+        session = std::make_unique<Session>(run, std::vector<cleft_cli::Part>{{"mesh", 90}, {"write", 10}});
+        voxels = open_voxels(*session, arguments);
+    });
+    ranks.together([&] {
+        session->timed("mesh", "meshing", [&] {
+            cleft_part* made = nullptr;
+            const cleft_status status = cleft_mpi_mesh(session->context(), MPI_COMM_WORLD, voxels.get(), options.get(),
+                                                       arguments.ghosts ? 1 : 0, &made);
+            part.reset(made);
+            session->check(status, status == CLEFT_ERROR_FILE || status == CLEFT_ERROR_FORMAT
+                                       ? cleft_cli::EXIT_CANNOT_READ
+                                       : cleft_cli::EXIT_MESHING_FAILED);
+        });
+    });
+    for (const std::string& path : arguments.outputs)
+        ranks.together([&] {
+            session->timed("write", "writing", [&] {
+                session->check(cleft_mpi_write(session->context(), MPI_COMM_WORLD, part.get(), path.c_str()),
+                               cleft_cli::EXIT_CANNOT_WRITE);
+            });
+        });
+    session->clear_progress();
+    if (ranks.is_first() && arguments.run.prints())
+        cleft_cli::print_summary_text(summary(*session, arguments, part.get()));
+}
+
+int run_parts(const Ranks& ranks, const PartsArguments& arguments)
+{
+    try {
+        make_and_write(ranks, arguments);
+        return cleft_cli::EXIT_OK;
+    } catch (const Failure& failure) {
+        if (ranks.is_first())
+            std::fprintf(stderr, "cleft-mpi mesh: %s\n", failure.what());
+        return failure.exit_code;
+    }
+}
+
+}  // namespace
+
+std::function<int(const Ranks& ranks)> add_parts_command(CLI::App& app)
+{
+    auto arguments = std::make_shared<PartsArguments>();
+    CLI::App& parser = *app.add_subcommand("mesh", "Make a mesh of a volume on several processes");
+    arguments->add_to(parser);
+    return [arguments](const Ranks& ranks) { return run_parts(ranks, *arguments); };
+}
+
+}  // namespace cleft_mpi_cli

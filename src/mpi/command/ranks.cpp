@@ -1,0 +1,86 @@
+// Failures travel as an exit code, a status and a sentence.
+#include "mpi/command/ranks.hpp"
+
+#include "cli/exit_code.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <optional>
+
+namespace cleft_mpi_cli
+{
+namespace
+{
+
+using cleft_cli::Failure;
+
+struct Told {
+    int exit_code;
+    int status;
+    char sentence[2000];
+};
+
+// Not a Failure, so that it can be made without memory.
+Told told(int exit_code, cleft_status status, const char* sentence)
+{
+    Told out{exit_code, status, ""};
+    std::strncpy(out.sentence, sentence, sizeof out.sentence - 1);
+    return out;
+}
+
+Told result_of(const std::function<void()>& step)
+{
+    try {
+        step();
+        return told(cleft_cli::EXIT_OK, CLEFT_OK, "");
+    } catch (const Failure& failure) {
+        return told(failure.exit_code, failure.status, failure.what());
+    } catch (const std::bad_alloc&) {
+        return told(cleft_cli::EXIT_OUT_OF_MEMORY, CLEFT_ERROR_OUT_OF_MEMORY, "out of memory");
+    } catch (const std::exception& other) {
+        return told(cleft_cli::EXIT_MESHING_FAILED, CLEFT_ERROR_INTERNAL, other.what());
+    }
+}
+
+}  // namespace
+
+Ranks::Ranks(int* argc, char*** argv)
+{
+    int provided = 0;
+    // The library has threads, and only the first one of a rank sends messages.
+    MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &provided);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+    MPI_Comm_size(MPI_COMM_WORLD, &count_);
+    if (provided < MPI_THREAD_FUNNELED) {
+        std::fputs("cleft-mpi: this MPI does not work beside threads\n", stderr);
+        end_all(cleft_cli::EXIT_MESHING_FAILED);
+    }
+}
+
+Ranks::~Ranks() { MPI_Finalize(); }
+
+void Ranks::together(const std::function<void()>& step) const
+{
+    Told result = result_of(step);
+    const bool has_failed = result.exit_code != cleft_cli::EXIT_OK;
+    int first = has_failed ? rank_ : count_, failed = has_failed ? 1 : 0, all_failed = 0;
+    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+    MPI_Allreduce(&failed, &all_failed, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
+    if (first == count_)
+        return;
+    MPI_Bcast(&result, sizeof result, MPI_BYTE, first, MPI_COMM_WORLD);
+    // What all say, as of a file that is not there, or after the library has told all, needs no name.
+    const std::string who = all_failed < count_ ? "rank " + std::to_string(first) + ": " : "";
+    throw Failure(result.exit_code, result.status, who + result.sentence);
+}
+
+void Ranks::end_all(int exit_code)
+{
+    MPI_Abort(MPI_COMM_WORLD, exit_code);
+    std::abort();
+}
+
+}  // namespace cleft_mpi_cli

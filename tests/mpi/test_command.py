@@ -1,0 +1,112 @@
+"""The command cleft-mpi, as its users meet it: files, failures of one rank, and the ends of ranks."""
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+
+COMMAND, MPIRUN, FILES = sys.argv[1:4]
+VOLUME = f"{FILES}/volume.h5"
+
+
+class Command(unittest.TestCase):
+    def setUp(self):
+        made = tempfile.TemporaryDirectory()
+        self.addCleanup(made.cleanup)
+        self.folder = pathlib.Path(made.name)
+
+    def start(self, ranks, script):
+        """Runs a shell script on each rank; $R is its number, and "$C" the command."""
+        script = f'R=$OMPI_COMM_WORLD_RANK; C="{COMMAND}"; cd "{self.folder}"; {script}'
+        return subprocess.Popen(
+            [MPIRUN, "-n", str(ranks), "sh", "-c", script],
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+
+    def run_ranks(self, ranks, script):
+        process = self.start(ranks, script)
+        out, errors = process.communicate()
+        return process.returncode, out, [line for line in errors.splitlines() if line.startswith("cleft")]
+
+    def names(self):
+        return {path.name for path in self.folder.iterdir() if not path.name.startswith("pid.")}
+
+    def test_help_and_version(self):
+        for words, said in ((["--help"], "Usage: cleft-mpi"), (["mesh", "--help"], "--dataset"), (["--version"], "0.")):
+            done = subprocess.run([COMMAND, *words], capture_output=True, text=True)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn(said, done.stdout)
+
+    def test_a_mesh(self):
+        for ranks in (1, 3):
+            code, out, errors = self.run_ranks(ranks, f"$C mesh {VOLUME} -o a.vtkhdf -o a.pvtu --ghosts --threads 2")
+            self.assertEqual((code, errors), (0, []))
+            # One rank prints.
+            self.assertEqual(out.count("Mesh "), 1)
+            self.assertIn(f"in {ranks} part", out)
+            self.assertEqual((self.folder / "a.vtkhdf").read_bytes(), pathlib.Path(FILES, "1.vtkhdf").read_bytes())
+        self.assertEqual(self.names(), {"a.vtkhdf", "a.pvtu", "a_0000.vtu", "a_0001.vtu", "a_0002.vtu"})
+
+    def test_raw_voxels_and_headers(self):
+        labels = bytes(1 + (i % 8 > 3) for i in range(8 * 6 * 5))
+        (self.folder / "a.raw").write_bytes(labels)
+        # The corner of raw voxels is at the origin.
+        head = "NDims = 3\nDimSize = 8 6 5\nElementType = MET_UCHAR\nElementSpacing = 1 1 1\nOffset = 0.5 1 0.25\n"
+        (self.folder / "a.mha").write_bytes(head.encode() + b"ElementDataFile = LOCAL\n" + labels)
+        spaced = "--spacing 1 2 0.5 --background lattice -o"
+        self.assertEqual(self.run_ranks(2, f"$C mesh a.raw --dims 8 6 5 {spaced} raw.vtkhdf")[0], 0)
+        self.assertEqual(self.run_ranks(1, f"$C mesh a.mha {spaced} mha.vtkhdf")[0], 0)
+        self.assertEqual(*((self.folder / f"{name}.vtkhdf").read_bytes() for name in ("raw", "mha")))
+
+    def assert_fails(self, code, sentence, script):
+        found, out, errors = self.run_ranks(3, script)
+        self.assertEqual((found, out), (code, ""), errors)
+        self.assertEqual(len(errors), 1, errors)
+        self.assertIn(sentence, errors[0])
+        self.assertEqual(self.names(), set())
+
+    def test_failures_are_one_sentence(self):
+        self.assert_fails(3, "mesh: cannot read 'no.h5': No such file", "$C mesh no.h5 -o a.pvtu")
+        one = f"if [ $R = 1 ]; then V=no.h5; else V={VOLUME}; fi; $C mesh $V -o a.pvtu"
+        self.assert_fails(3, "mesh: rank 1: cannot read 'no.h5'", one)
+        other = f"if [ $R = 2 ]; then S=2; else S=3; fi; $C mesh {VOLUME} --size $S -o a.vtkhdf"
+        self.assert_fails(5, "the ranks do not give the same volume, options and ghosts", other)
+        self.assert_fails(2, "'a.vtu' ends with none of .vtkhdf .hdf .pvtu", f"$C mesh {VOLUME} -o a.vtu")
+        self.assert_fails(4, "cannot write 'no/a.pvtu'", f"$C mesh {VOLUME} -o no/a.pvtu")
+
+    def test_a_rank_that_cannot_write(self):
+        # 100 blocks of 512 bytes: the shell's limit, beyond which the system refuses.
+        limited = f"if [ $R = 1 ]; then ulimit -f 100; fi; exec $C mesh {VOLUME} --size 0.5 -o "
+        self.assert_fails(4, "rank 1: cannot write 'a_0001.vtu': File too large", limited + "a.pvtu")
+        self.assert_fails(4, "rank 1: cannot write './a.vtkhdf': ", limited + "./a.vtkhdf")
+
+    def start_long(self):
+        process = self.start(3, f"echo $$ > pid.$R; exec $C mesh {VOLUME} --size 0.1 -o a.vtkhdf --progress lines")
+        # It works when it says how far it is.
+        while "%" not in process.stderr.readline():
+            self.assertIsNone(process.poll())
+        return process
+
+    def test_a_rank_that_is_killed_ends_all(self):
+        process = self.start_long()
+        os.kill(int((self.folder / "pid.2").read_text()), signal.SIGKILL)
+        process.communicate()
+        self.assertNotEqual(process.returncode, 0)
+        self.assertEqual(self.names(), set())
+
+    def test_a_stopped_run_leaves_nothing(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            process = self.start_long()
+            process.send_signal(number)
+            process.communicate()
+            self.assertNotEqual(process.returncode, 0)
+            self.assertEqual(self.names(), set())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
