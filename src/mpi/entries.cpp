@@ -112,7 +112,7 @@ cleft_status cleft_mpi_exchange_open(MPI_Comm comm, cleft_exchange* out) noexcep
         cleft::check_struct_size(*cleft::io::required(out, "out"), "cleft_exchange");
         auto mpi = std::make_unique<MpiExchange>(comm);
         cleft::copy_out(cleft::mpi::described(*mpi), *out);
-        mpi.release();
+        (void)mpi.release();  // owned by *out
     });
 }
 

@@ -113,6 +113,7 @@ void SharedStage::open(const std::string& target, Exchange& exchange)
 void SharedStage::commit(const std::vector<std::string>& names)
 {
     std::vector<Renaming> all;
+    all.reserve(names.size());
     for (const std::string& name : names)
         all.emplace_back(folder_ / name, target_.parent_path() / name, folder_ / ("old-" + std::to_string(all.size())));
     size_t done = 0;

@@ -72,7 +72,7 @@ cleft_status cleft_mpi_voxels_open(cleft_context* context, const char* path, con
         made.user = voxels.get();
         made.read = cleft::mpi::read_box;
         cleft::copy_out(made, *out);
-        voxels.release();
+        (void)voxels.release();  // owned by *out
     });
 }
 

@@ -139,6 +139,7 @@ void write_list(bool has_ghosts, const std::vector<std::string>& pieces, const s
 std::vector<std::string> write_pvtu(const PartView& part, const Writing& writing)
 {
     std::vector<std::string> names;
+    names.reserve(to_size(writing.exchange.ranks() + 1));
     for (int32_t r = 0; r < writing.exchange.ranks(); ++r)
         names.push_back(name_of_piece(writing.stage, r));
     // An array that one piece has, all have.
