@@ -5,6 +5,8 @@
 #include "cleaving/split_tet.hpp"
 #include "mesh/quality.hpp"
 
+#include <algorithm>
+
 namespace cleft
 {
 
@@ -56,12 +58,15 @@ Array<int32_t> find_flat(const Centres& c, double threshold, const Run& run)
 
 // False if the tetrahedron has no cut left.
 // The pieces next to the least central cut are the thinnest, so they are lost first.
-bool drop_least_central_cut(Centres& c, const MixedTet& m)
+bool drop_least_central_cut(Centres& c, const MixedTet& m, const Array<int32_t>& held)
 {
+    const auto is_held = [&](int32_t v) { return std::binary_search(held.begin(), held.end(), v); };
     CutEdge* least = nullptr;
     for (const int32_t e : m.edges)
         if (c.is_cut(e)) {
             CutEdge& edge = c.edges[e];
+            if (is_held(edge.lower) && is_held(edge.upper))
+                continue;
             if (!least || edge.t * (1 - edge.t) < least->t * (1 - least->t))
                 least = &edge;
         }
@@ -72,7 +77,7 @@ bool drop_least_central_cut(Centres& c, const MixedTet& m)
 
 }  // namespace
 
-int64_t give_up_flat_cuts(Centres& c, const Run& run)
+int64_t give_up_flat_cuts(Centres& c, const Array<int32_t>& held, const Run& run)
 {
     // Twice what validation calls flat, which goes by the mean edge of the output, shorter than the background's.
     const double edge = mean_edge(c, run);
@@ -80,8 +85,11 @@ int64_t give_up_flat_cuts(Centres& c, const Run& run)
     int64_t dropped = 0;
     for (Array<int32_t> flat; !(flat = find_flat(c, threshold, run)).empty();) {
         // Each round gives up at least one cut, and cuts do not come back, so the loop ends.
+        const int64_t before = dropped;
         for (const int32_t m : flat)
-            dropped += drop_least_central_cut(c, c.mixed[m]);
+            dropped += drop_least_central_cut(c, c.mixed[m], held);
+        if (dropped == before)
+            break;
         choose_fans(c, run);  // an edge has many tetrahedra; slivers are few
     }
     return dropped;

@@ -49,11 +49,11 @@ VisitLevels levels_of(const SnapState& state, const Array<int32_t>& order, const
 
 }  // namespace
 
-SnapCounts snap_vertices(Centres& c, Snap rule, const Run& run)
+SnapCounts snap_vertices(Centres& c, Snap rule, const Array<int32_t>& held, const Run& run)
 {
     if (rule == Snap::none)
         return {};
-    SnapState state(c, rule, run);
+    SnapState state(c, rule, held, run);
     PerWorker<SnapVisitor> visitors(run, state);
     // Safe alphas are measured once, before anything moves, so a second pass with them would prove nothing.
     const int passes = rule == Snap::quality ? kPasses : 1;

@@ -14,7 +14,7 @@ struct SnapCounts {
 };
 
 // Vertices of the hull stay in their box face; those of a hull face across no axis stay where they are.
-// Changes points, materials, cuts and fans of `c` in place.
-SnapCounts snap_vertices(Centres& c, Snap rule, const Run& run);
+// Vertices that are held stay as they are. Changes points, materials, cuts and fans of `c` in place.
+SnapCounts snap_vertices(Centres& c, Snap rule, const Array<int32_t>& held, const Run& run);
 
 }  // namespace cleft

@@ -4,6 +4,7 @@
 #include "base/collect.hpp"
 #include "base/shared_access.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -62,7 +63,8 @@ Array<int32_t> vertices_to_visit(const SnapState& state, double reach, const Run
     const Array<float> nearest = nearest_cuts(state.c, run);
     const auto ranked = collect<Ranked>(run, nearest.count(), kCutsAtOnce, [&](int64_t begin, int64_t end, auto& list) {
         for (auto v = static_cast<int32_t>(begin); v < end; ++v) {
-            if (!state.touched[v] || !(nearest[v] < kNoCut))
+            if (!state.touched[v] || !(nearest[v] < kNoCut) ||
+                std::binary_search(state.held.begin(), state.held.end(), v))
                 continue;
             const double ratio = std::sqrt(static_cast<double>(nearest[v]) / shortest_edge(state, v)) / reach;
             if (ratio <= 1)

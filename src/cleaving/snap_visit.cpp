@@ -37,8 +37,13 @@ Array<std::atomic<int64_t>> vertices_of_materials(const Centres& c)
 
 }  // namespace
 
-SnapState::SnapState(Centres& centres, Snap snap_rule, const Run& run)
-    : c(centres), rule(snap_rule), tets_of(c, run), touched(c.points.size(), 1), vertices_of(vertices_of_materials(c))
+SnapState::SnapState(Centres& centres, Snap snap_rule, const Array<int32_t>& held_vertices, const Run& run)
+    : c(centres),
+      rule(snap_rule),
+      held(held_vertices),
+      tets_of(c, run),
+      touched(c.points.size(), 1),
+      vertices_of(vertices_of_materials(c))
 {
     if (rule == Snap::safe)
         safe_reach = find_safe_reach(c, tets_of, run);

@@ -13,7 +13,7 @@ namespace cleft
 // What all visits share. A visit changes it at its vertex and at the edges and tetrahedra there, and looks at no more
 // than the vertices next to it: visits of vertices that share no edge may go side by side.
 struct SnapState {
-    SnapState(Centres& centres, Snap snap_rule, const Run& run);
+    SnapState(Centres& centres, Snap snap_rule, const Array<int32_t>& held_vertices, const Run& run);
 
     // Tetrahedra at a vertex of one material alone are of that material: a label that keeps such a vertex is not lost.
     bool is_last_of_material(int32_t v) const
@@ -24,6 +24,7 @@ struct SnapState {
 
     Centres& c;
     const Snap rule;
+    const Array<int32_t>& held;  // vertices that are not visited
     const VertexTets tets_of;
     Array<uint8_t> touched;                   // by vertex: something in its star changed since its last visit
     Array<std::atomic<int64_t>> vertices_of;  // by material: how many carry it alone

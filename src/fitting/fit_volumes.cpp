@@ -42,7 +42,8 @@ Array<int32_t> relocate(LocalMesh& mesh, const Volume& volume, double floor, con
 
 }  // namespace
 
-bool fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, const Run& run, double surface_error)
+bool fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, const Run& run, double surface_error,
+                 const Array<double>* volumes)
 {
     if (volume.material_count() < 2)
         return true;
@@ -61,7 +62,7 @@ bool fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, cons
     const Array<SharedArea> shared = find_shared_areas(triangles);
     const double most_moved = surface_error > 0 ? kShareOfError * surface_error : INFINITY;
     VolumeCorrector corrector(mesh, floor, most_moved, points, of_volumes);
-    VolumeDeficits deficits(mesh, volume, of_volumes);
+    VolumeDeficits deficits(mesh, volume, volumes, of_volumes);
     int64_t held = 0;  // in the last round
     for (int round = 0; round < kMostRounds; ++round) {
         if (round >= kFitRounds && !deficits.is_any_off())

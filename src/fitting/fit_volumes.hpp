@@ -15,7 +15,9 @@ namespace cleft
 // fitting.*. Returns whether the volumes of all labels, but small ones, are met within a few percent.
 //   With a `surface_error`, no point moves by more than half of it, since points are off the interface then as well as
 // triangles.
-bool fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, const Run& run, double surface_error = 0);
+//   `volumes`: what each material of a label map is to have; null: the volume of its voxels.
+bool fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, const Run& run, double surface_error = 0,
+                 const Array<double>* volumes = nullptr);
 bool fit_volumes(LabelledMesh& mesh, const Volume& volume, double least_angle, const Run& run);
 
 }  // namespace cleft

@@ -20,24 +20,34 @@ constexpr double kTolerance = 0.003;
 constexpr int64_t kSmallLabel = 60;
 constexpr double kWideTolerance = 0.03;
 
+// In a part of a mesh.
+constexpr int64_t kLeastInPart = 20;
+constexpr double kToleranceInPart = 0.001;
+
 }  // namespace
 
-VolumeDeficits::VolumeDeficits(const LocalMesh& mesh, const Volume& volume, const Run& run)
+VolumeDeficits::VolumeDeficits(const LocalMesh& mesh, const Volume& volume, const Array<double>* volumes,
+                               const Run& run)
     : voxel_(volume.grid().spacing.prod())
 {
     if (!volume.is_label_map())
         return;
-    voxels_ = volume.voxel_counts();
+    is_part_ = volumes != nullptr;
+    if (volumes)
+        wanted_.assign(volumes->begin(), volumes->end());
+    else
+        for (const int64_t voxels : volume.voxel_counts())
+            wanted_.push_back(static_cast<double>(voxels) * voxel_);
     missing_ =
-        material_volumes(mesh.points(), mesh.tets(), mesh.materials(), static_cast<Material>(voxels_.size()), run);
-    for (size_t m = 0; m < voxels_.size(); ++m)
-        missing_[m] = static_cast<double>(voxels_[m]) * voxel_ - missing_[m];
+        material_volumes(mesh.points(), mesh.tets(), mesh.materials(), static_cast<Material>(wanted_.size()), run);
+    for (size_t m = 0; m < wanted_.size(); ++m)
+        missing_[m] = wanted_[m] - missing_[m];
     wide_.resize(missing_.size(), 0);
 }
 
 bool VolumeDeficits::is_off(size_t m, int64_t least_voxels, double tolerance) const
 {
-    return voxels_[m] > least_voxels && std::abs(missing_[m]) > tolerance * (static_cast<double>(voxels_[m]) * voxel_);
+    return wanted_[m] > static_cast<double>(least_voxels) * voxel_ && std::abs(missing_[m]) > tolerance * wanted_[m];
 }
 
 bool VolumeDeficits::is_far_off(size_t m) const { return is_off(m, kSmallLabel, kWideTolerance); }
@@ -53,7 +63,8 @@ bool VolumeDeficits::is_any_far_off() const
 bool VolumeDeficits::is_any_off() const
 {
     for (size_t m = 0; m < missing_.size(); ++m)
-        if (is_off(m, kLargeLabel, kTolerance))
+        // What parts of a mesh leave undone adds up.
+        if (is_off(m, is_part_ ? kLeastInPart : kLargeLabel, is_part_ ? kToleranceInPart : kTolerance))
             return true;
     return is_any_far_off();
 }

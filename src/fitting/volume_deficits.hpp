@@ -12,7 +12,8 @@ class VolumeDeficits
 {
 public:
     // There are none for fields, whose volumes nobody knows.
-    VolumeDeficits(const LocalMesh& mesh, const Volume& volume, const Run& run);
+    // `volumes`: what each material is to have; null: the volume of its voxels.
+    VolumeDeficits(const LocalMesh& mesh, const Volume& volume, const Array<double>* volumes, const Run& run);
 
     bool empty() const { return missing_.empty(); }
     const Array<double>& missing() const { return missing_; }
@@ -30,8 +31,9 @@ private:
     bool is_off(size_t m, int64_t least_voxels, double tolerance) const;
     bool is_far_off(size_t m) const;
 
-    Array<int64_t> voxels_;
-    double voxel_;  // its volume
+    double voxel_;          // the volume of one
+    Array<double> wanted_;  // by material
+    bool is_part_ = false;
     Array<double> missing_;
     Array<char> wide_;
 };

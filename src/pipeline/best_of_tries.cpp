@@ -6,6 +6,7 @@
 #include "base/stage.hpp"
 #include "improving/improve_lengths.hpp"
 #include "improving/search.hpp"
+#include "mesh/piece.hpp"
 #include "pipeline/hold_surfaces.hpp"
 
 #include <iterator>
@@ -39,7 +40,10 @@ Try try_with(const Volume& volume, const Cleaved& cleaved, const PipelineOptions
                       {nullptr, holds ? 10.0 : 0},
                       {nullptr, 30},
                       {nullptr, holds ? 15.0 : 0}});
-    LocalMesh mesh(cleaved(steps.next()), run);
+    LabelledMesh from = cleaved(steps.next());
+    const Array<int32_t> held = pipeline.region ? points_of_cut(from, pipeline.region->box, run) : Array<int32_t>();
+    LocalMesh mesh(std::move(from), run);
+    mesh.hold(held);
     const Run of_lengths = steps.next();
     if (is_measured) {
         mesh.measure_by({pipeline.cleave.metric}, run);

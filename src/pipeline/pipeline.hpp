@@ -5,6 +5,7 @@
 #include "base/array.hpp"
 #include "cleaving/cleave.hpp"
 #include "improving/improve.hpp"
+#include "mesh/bounding_box.hpp"
 #include "pipeline/scaled_sizing.hpp"
 #include "sizing/sizing_options.hpp"
 #include "volume/kept_materials.hpp"
@@ -14,6 +15,12 @@
 
 namespace cleft
 {
+
+// A part of the volume that stages work on, which was cut out of a larger mesh.
+struct Region {
+    BoundingBox box;        // of the whole; hull triangles in none of its sides are held
+    Array<double> volumes;  // that each material is to have in the part
+};
 
 struct PipelineOptions {
     SizingOptions sizing;
@@ -25,6 +32,8 @@ struct PipelineOptions {
     double max_tets = 0;       // bounds all tetrahedra where `tets` counts some of them; 0: no limit
     bool strict = false;
     bool asks_surface_error = false;  // the user does, so that a warning says where it has no effect
+    int32_t block = 0;                // planes of voxels across a block, see mesh_blocks.hpp; 0: no blocks
+    const Region* region = nullptr;   // null: all of the volume
     KeptMaterials kept;               // the tetrahedra of others are left out of the finished mesh
 };
 
@@ -55,6 +64,10 @@ LabelledMesh cleave_improve_and_fit(const Volume& volume, const TetMesh& backgro
 
 // Gives a cleaved mesh, the same one whenever it is called: improving may need it again, and need not hold it.
 using Cleaved = std::function<LabelledMesh(const Run& run)>;
+
+// Improving and fitting of a cleaved mesh, without the final checks and the ordering.
+LabelledMesh improve_and_fit(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options,
+                             const Run& run);
 
 // The last stage: angles and volumes of a cleaved mesh are improved, what was missed is reported (with `strict`,
 // refused), and the mesh is ordered.

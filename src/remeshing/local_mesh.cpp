@@ -102,6 +102,12 @@ void LocalMesh::freeze_hull(const Run& run)
     }
 }
 
+void LocalMesh::hold(const Array<int32_t>& points)
+{
+    for (const int32_t v : points)
+        frozen_[v] = kAllAxes | kHeld;
+}
+
 int32_t LocalMesh::tet_at(int32_t v, int32_t w) const
 {
     const auto tets = star(v);
@@ -155,7 +161,8 @@ void LocalMesh::ring(int32_t t, int corner_a, int corner_b, EdgeRing& out) const
         first = std::find_if(left.begin(), left.end(), [&](const Hinge& h) { return h.c == end; });
     }
     out.closed = end == start;
-    out.whole = left.empty();
+    const bool is_held = !out.closed && (frozen_[out.a] & frozen_[out.b] & kHeld) != 0;
+    out.whole = left.empty() && !is_held;
     if (!out.closed)
         out.points.push_back(end);
 }

@@ -20,7 +20,9 @@ struct Hinge {
 struct EdgeRing {
     int32_t a = -1, b = -1;
     bool closed = true;
-    bool whole = true;  // false where parts of the mesh touch in the edge alone: these are the tetrahedra of one part
+    // False if the edge may not be changed: where parts of the mesh touch in it alone, and these are the tetrahedra of
+    // one part; or where the mesh is held (LocalMesh::hold()).
+    bool whole = true;
     Array<int32_t> points;
     Array<int32_t> tets;
     Array<Hinge> unordered;  // room to work in
@@ -52,7 +54,10 @@ public:
     const Array<Tet>& tets() const { return tets_; }
     const Array<Material>& materials() const { return materials_; }
     // Axes that the point must not move along (see frozen_axes in adjacency.hpp).
-    uint8_t frozen(int32_t v) const { return frozen_[v]; }
+    uint8_t frozen(int32_t v) const { return frozen_[v] & kAllAxes; }
+    // The points of a hull face where the mesh was cut out of a larger one, whose other part has the face too: they do
+    // not move, and hull edges between them are not changed.
+    void hold(const Array<int32_t>& points);
 
     // From here on shapes are measured by a field, which must outlive the mesh.
     void measure_by(const Measure& measure, const Run& run);
@@ -132,7 +137,8 @@ private:
     Array<Tet> tets_;
     Array<Material> materials_;
     PointStars stars_;
-    Array<uint8_t> frozen_;
+    static constexpr uint8_t kAllAxes = 7, kHeld = 8;
+    Array<uint8_t> frozen_;  // by point: axes, and whether it is held
     Measure measure_;
     Array<PointMetric> metrics_;  // by point, if the mesh is measured
     Array<int32_t> free_slots_;

@@ -27,7 +27,7 @@ static const char* const kValues[][2] = {
     {"max_tets", "1000"},      {"smooth", "2"},        {"snap", "none"},
     {"improve", "fast"},       {"steps", "1"},         {"seed", "7"},
     {"strict", "true"},        {"repair", "0"},        {"min_angle", "35"},
-    {"surface_error", "0.02"}, {"anisotropy", "3"},
+    {"surface_error", "0.02"}, {"anisotropy", "3"},    {"block", "2"},
 };
 /* Those whose values make no difference by design. */
 static const char* const kSameMesh[] = {"delaunay"};

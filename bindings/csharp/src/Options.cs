@@ -221,6 +221,16 @@ namespace Cleft
         }
 
         /// <summary>
+        /// Thickness, in voxels, of the slabs that are meshed one by one and then joined. The mesh differs a little
+        /// from that of the whole volume. 0: the whole volume at once (0 to 1000000; default 0).
+        /// </summary>
+        public long Block
+        {
+            get { return Integer(CleftNative.CLEFT_OPTION_BLOCK); }
+            set { Set(CleftNative.CLEFT_OPTION_BLOCK, value); }
+        }
+
+        /// <summary>
         /// Engine that makes the tetrahedra of the particles. Both give the same mesh; a library may be built without
         /// TetGen (cleft or tetgen; default cleft).
         /// </summary>

@@ -38,6 +38,7 @@ class OptionKeywords(TypedDict, total=False):
     seed: int
     strict: bool
     repair: float
+    block: int
     delaunay: str
     # </options>
     label_sizes: Mapping[int, float]

@@ -446,6 +446,27 @@ public final class Options extends NativeObject {
     }
 
     /**
+     * Sets {@code block}: thickness, in voxels, of the slabs that are meshed one by one and then joined. The mesh
+     * differs a little from that of the whole volume. 0: the whole volume at once (0 to 1000000; default 0).
+     *
+     * @param value the new value
+     * @return these options
+     */
+    public Options block(long value) {
+        return set(CleftNative.CLEFT_OPTION_BLOCK, value);
+    }
+
+    /**
+     * {@code block}: thickness, in voxels, of the slabs that are meshed one by one and then joined. The mesh differs a
+     * little from that of the whole volume. 0: the whole volume at once (0 to 1000000; default 0).
+     *
+     * @return the value
+     */
+    public long block() {
+        return integer(CleftNative.CLEFT_OPTION_BLOCK);
+    }
+
+    /**
      * Sets {@code delaunay}: engine that makes the tetrahedra of the particles. Both give the same mesh; a library may
      * be built without TetGen (cleft or tetgen; default cleft).
      *

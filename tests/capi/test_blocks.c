@@ -1,0 +1,143 @@
+/* Meshes made block by block: valid, as good as that of the whole, with its volumes, and the same for any threads. */
+#include "support/capi.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { SIDE = 24 };
+
+static cleft_options* options_of(const char* background, const char* block)
+{
+    cleft_options* options = NULL;
+    assert_int_equal(cleft_options_create(&options), CLEFT_OK);
+    assert_int_equal(cleft_options_set_text(options, "background", background), CLEFT_OK);
+    assert_int_equal(cleft_options_set_text(options, "block", block), CLEFT_OK);
+    return options;
+}
+
+static cleft_mesh* mesh_of(cleft_context* context, const cleft_volume* volume, const char* background,
+                           const char* block)
+{
+    cleft_options* options = options_of(background, block);
+    cleft_mesh* mesh = NULL;
+    assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, options, &mesh));
+    cleft_options_destroy(options);
+    return mesh;
+}
+
+static void assert_valid(cleft_context* context, const cleft_mesh* mesh)
+{
+    cleft_validation found;
+    memset(&found, 0, sizeof found);
+    found.struct_size = sizeof found;
+    assert_ok(context, cleft_mesh_validate(context, mesh, 1, &found));
+    assert_int_equal(found.valid, 1);
+}
+
+static void assert_volumes(cleft_context* context, const cleft_volume* volume, const cleft_mesh* mesh)
+{
+    cleft_report* report = NULL;
+    assert_ok(context, cleft_report_create(context, volume, mesh, &report));
+    assert_int_equal(cleft_report_count(report), 3);
+    for (int32_t i = 0; i < cleft_report_count(report); ++i) {
+        cleft_label_report row;
+        memset(&row, 0, sizeof row);
+        row.struct_size = sizeof row;
+        assert_int_equal(cleft_report_label(report, i, &row), CLEFT_OK);
+        assert_true(fabs(row.mesh_volume / row.voxel_volume - 1) < 0.01);
+        assert_int_equal(row.mesh_components, row.voxel_components);
+    }
+    cleft_report_destroy(report);
+}
+
+static int are_same(const cleft_mesh* a, const cleft_mesh* b)
+{
+    const int64_t points = cleft_mesh_point_count(a), tets = cleft_mesh_tet_count(a);
+    return points == cleft_mesh_point_count(b) && tets == cleft_mesh_tet_count(b) &&
+           !memcmp(cleft_mesh_points(a), cleft_mesh_points(b), sizeof(double) * 3 * (size_t)points) &&
+           !memcmp(cleft_mesh_tets(a), cleft_mesh_tets(b), sizeof(int32_t) * 4 * (size_t)tets) &&
+           !memcmp(cleft_mesh_tet_labels(a), cleft_mesh_tet_labels(b), sizeof(int32_t) * (size_t)tets);
+}
+
+static void blocks_are_as_good_as_the_whole(void** state)
+{
+    static const char* const kBackgrounds[] = {"particles", "octree", "lattice"};
+    (void)state;
+    cleft_context* context = new_context();
+    cleft_volume* volume = ball_volume(context, SIDE);
+    for (size_t b = 0; b < sizeof kBackgrounds / sizeof *kBackgrounds; ++b) {
+        cleft_mesh* whole = mesh_of(context, volume, kBackgrounds[b], "0");
+        cleft_mesh* blocks = mesh_of(context, volume, kBackgrounds[b], "8");
+        cleft_quality quality;
+        memset(&quality, 0, sizeof quality);
+        quality.struct_size = sizeof quality;
+        assert_valid(context, blocks);
+        assert_volumes(context, volume, blocks);
+        assert_int_equal(cleft_mesh_quality(context, blocks, &quality), CLEFT_OK);
+        assert_true(quality.min_dihedral > 24.99);
+        /* Seams take some more tetrahedra, but hardly any. */
+        assert_true(fabs((double)cleft_mesh_tet_count(blocks) / (double)cleft_mesh_tet_count(whole) - 1) < 0.1);
+        assert_false(are_same(blocks, whole));
+        cleft_mesh_destroy(whole);
+        cleft_mesh_destroy(blocks);
+    }
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
+/* A block that is as thick as the volume is the volume. */
+static void one_block_is_the_whole(void** state)
+{
+    (void)state;
+    cleft_context* context = new_context();
+    cleft_volume* volume = ball_volume(context, 12);
+    cleft_mesh *whole = mesh_of(context, volume, "octree", "0"), *block = mesh_of(context, volume, "octree", "12");
+    assert_true(are_same(whole, block));
+    cleft_mesh_destroy(whole);
+    cleft_mesh_destroy(block);
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
+static void any_threads_make_the_same_blocks(void** state)
+{
+    (void)state;
+    cleft_context* context = new_context();
+    cleft_volume* volume = ball_volume(context, SIDE);
+    cleft_mesh* one = mesh_of(context, volume, "octree", "6");
+    for (int32_t threads = 2; threads < 4; ++threads) {
+        assert_int_equal(cleft_context_set_threads(context, threads), CLEFT_OK);
+        cleft_mesh* some = mesh_of(context, volume, "octree", "6");
+        assert_true(are_same(one, some));
+        cleft_mesh_destroy(some);
+    }
+    cleft_mesh_destroy(one);
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
+/* Blocks of one plane are thinner than their tetrahedra: the mesh is worse, but it is one. */
+static void thin_blocks_are_valid(void** state)
+{
+    (void)state;
+    cleft_context* context = new_context();
+    cleft_volume* volume = ball_volume(context, 12);
+    for (int kind = 0; kind < 2; ++kind) {
+        cleft_mesh* mesh = mesh_of(context, volume, kind == 0 ? "octree" : "particles", "1");
+        assert_valid(context, mesh);
+        cleft_mesh_destroy(mesh);
+    }
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(blocks_are_as_good_as_the_whole),
+        cmocka_unit_test(one_block_is_the_whole),
+        cmocka_unit_test(any_threads_make_the_same_blocks),
+        cmocka_unit_test(thin_blocks_are_valid),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
