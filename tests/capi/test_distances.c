@@ -159,7 +159,8 @@ static void test_a_plain_report_has_none(void** state)
     cleft_distance row = {.struct_size = sizeof(cleft_distance)};
     assert_int_equal(cleft_report_distance(report, 0, &row), CLEFT_ERROR_ARGUMENT);
     assert_int_equal(cleft_report_distance(report, 0, NULL), CLEFT_ERROR_NULL);
-    assert_fails(context, CLEFT_ERROR_NULL, cleft_report_create_with_distances(context, NULL, mesh, &report));
+    cleft_report* none = NULL;
+    assert_fails(context, CLEFT_ERROR_NULL, cleft_report_create_with_distances(context, NULL, mesh, &none));
     cleft_report_destroy(report);
     cleft_mesh_destroy(mesh);
     cleft_volume_destroy(volume);

@@ -275,7 +275,7 @@ void cuts_of_slivers_are_given_up(void**)
     mesh.points[0] = (mesh.points[1] + mesh.points[2] + mesh.points[3]) / 3;
     mesh.points[0] -= 1e-10 * (mesh.points[4] - mesh.points[0]);
     Centres c = unsnapped(volume, mesh, {0, 1, 2, 3, 4});
-    assert_true(give_up_flat_cuts(c, kRun) > 0);
+    assert_true(give_up_flat_cuts(c, {}, kRun) > 0);
     const LabelledMesh out = assemble(c, kRun);
     double least = 1, least_before = 1;
     const double before = total_volume(mesh.points, mesh.tets, least_before);
