@@ -435,7 +435,7 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_volume_sample(const cleft_volume* v
  *  With TETS the library scales the field until its mesh has that number of tetrahedra in the labels that strip and
  *  only keep. It makes meshes for that as cleft_mesh_volume() does, and takes as long. Then MAX_TETS limits only the
  *  whole mesh from which labels are left out.
- *  Options read: all but SMOOTH, STRICT, REPAIR, BLOCK and DELAUNAY.
+ *  Options read: all but SMOOTH, STRICT, REPAIR and DELAUNAY.
  *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* volume,
                                                            const cleft_options* options,
