@@ -23,7 +23,8 @@ The classes of cleft.hpp own what the functions of C make. Files are in cleft_io
 """,
 }
 LANGUAGES = {
-    "c": 'FILE_PATTERNS = *.h\nOPTIMIZE_OUTPUT_FOR_C = YES\nPROJECT_NAME = "Cleft in C"',
+    "c": "FILE_PATTERNS = *.h\nEXCLUDE_PATTERNS = */cleft_mpi.h\n"
+    'OPTIMIZE_OUTPUT_FOR_C = YES\nPROJECT_NAME = "Cleft in C"',
     # Most members have the name that the header of C explains, and no comment of their own.
     "cpp": 'FILE_PATTERNS = *.hpp\nEXTRACT_ALL = YES\nPROJECT_NAME = "Cleft in C++"',
 }
