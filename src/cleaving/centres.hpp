@@ -88,6 +88,13 @@ struct Centres {
 
     // Finds a cut anew, after an end has moved or changed its materials.
     void place_cut(CutEdge& e, Samples& scratch) const;
+    // The same if its ends still have no material in common; else it is a cut no more.
+    void renew_cut(CutEdge& e, Samples& scratch) const
+    {
+        e.is_cut = disjoint(materials_of(e.lower), materials_of(e.upper));
+        if (e.is_cut)
+            place_cut(e, scratch);
+    }
 };
 
 }  // namespace cleft

@@ -48,11 +48,8 @@ void restore_snapped(Centres& c, const Snapped& snapped, const Run& run)
         Samples scratch;
         for (int64_t i = begin; i < end; ++i) {
             CutEdge& e = c.edges[i];
-            if (!has_snapped[e.lower] && !has_snapped[e.upper])
-                continue;
-            e.is_cut = disjoint(c.materials_of(e.lower), c.materials_of(e.upper));
-            if (e.is_cut)
-                c.place_cut(e, scratch);
+            if (has_snapped[e.lower] || has_snapped[e.upper])
+                c.renew_cut(e, scratch);
         }
     });
     choose_fans(c, run);

@@ -171,12 +171,8 @@ void change_vertex(Centres& c, const CutStar& star, const Vec3& x, const Materia
 
 void place_cuts(Centres& c, const CutStar& star, Samples& scratch)
 {
-    for (const int32_t e : star.edges()) {
-        CutEdge& edge = c.edges[e];
-        edge.is_cut = disjoint(c.materials_of(edge.lower), c.materials_of(edge.upper));
-        if (edge.is_cut)
-            c.place_cut(edge, scratch);
-    }
+    for (const int32_t e : star.edges())
+        c.renew_cut(c.edges[e], scratch);
 }
 
 void measure_star(const Centres& c, const CutStar& star, StarShape& shape)

@@ -178,4 +178,10 @@ Array<int32_t> points_of_cut(const RegionMesh& piece, const BoundingBox& box, co
     return points;
 }
 
+Array<int32_t> points_of_cut(const TetMesh& piece, const BoundingBox& box, const Run& run)
+{
+    const Array<int32_t> one_region(piece.tets.size(), 0);
+    return points_of_cut({piece.points, piece.tets, one_region}, box, run);
+}
+
 }  // namespace cleft

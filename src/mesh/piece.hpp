@@ -32,5 +32,6 @@ LabelledMesh joined(LabelledMesh a, const LabelledMesh& b, const Run& run);
 
 // The corners of hull triangles that lie in no side of the box, ascending: where a piece was cut out of a mesh.
 Array<int32_t> points_of_cut(const RegionMesh& piece, const BoundingBox& box, const Run& run);
+Array<int32_t> points_of_cut(const TetMesh& piece, const BoundingBox& box, const Run& run);
 
 }  // namespace cleft

@@ -8,7 +8,7 @@
 #include "pipeline/quiet_run.hpp"
 #include "pipeline/volumes_inside.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace cleft
 {
@@ -42,8 +42,7 @@ Block block_of(TetMesh background, const BoundingBox& box, const Run& run)
 {
     Block block;
     block.background = std::move(background);
-    const Array<Material> none(block.background.tets.size(), 0);
-    block.held = points_of_cut({block.background.points, block.background.tets, none}, box, quiet(run));
+    block.held = points_of_cut(block.background, box, quiet(run));
     return block;
 }
 
@@ -63,10 +62,16 @@ void mesh_block(const Volume& volume, Block& block, const PipelineOptions& optio
     const Run of_part = quiet(run);
     CleaveOptions cutting = options.cleave;
     cutting.held = Array<int32_t>(block.held.begin(), block.held.end());
-    const Cleaved cleaved = [&](const Run& part) {
+    const auto cut = [&](const Run& part) {
         return cleave_snapped(volume, block.background, cutting, block.snapped, part);
     };
-    block.mesh = worked_on(volume, cleaved, volumes_inside(volume, cleaved(of_part), of_part), options, of_part);
+    LabelledMesh first = cut(of_part);
+    Array<double> volumes = volumes_inside(volume, first, of_part);
+    // Improving asks for it again only where it tries again.
+    const Cleaved cleaved = [&](const Run& part) {
+        return first.tets.empty() ? cut(part) : std::exchange(first, LabelledMesh());
+    };
+    block.mesh = worked_on(volume, cleaved, std::move(volumes), options, of_part);
 }
 
 void improve_seam(const Volume& volume, LabelledMesh& lower, LabelledMesh& upper, const IsAbove& is_above,

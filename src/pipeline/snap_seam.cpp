@@ -152,10 +152,8 @@ void snap_seam(const Volume& volume, Block& lower, Block& upper, const PipelineO
     add_renumbered(lower.snapped, seam.lower, before);
     add_renumbered(upper.snapped, seam.upper, before);
     sort(before);
-    const Array<Material> none(seam.background.tets.size(), 0);
     CleaveOptions snapping = options.cleave;
-    snapping.held = points_of_cut({seam.background.points, seam.background.tets, none},
-                                  {Vec3::Zero(), volume.grid().extent()}, of_part);
+    snapping.held = points_of_cut(seam.background, {Vec3::Zero(), volume.grid().extent()}, of_part);
     const Snapped after = snap_background(volume, seam.background, snapping, before, of_part);
     take_back(seam, seam.lower, after, lower.snapped);
     take_back(seam, seam.upper, after, upper.snapped);
