@@ -65,7 +65,7 @@ class Help(CommandTest):
         self.assertEqual(self.options_of("sizing", "Labels"), self.options_of("mesh", "Labels"))
         self.assertEqual(
             self.options_of("sizing", "Meshing"),
-            ["--background", "--smooth", "--snap", "--improve", "--min-angle", "--steps", "--seed"],
+            ["--background", "--smooth", "--snap", "--improve", "--min-angle", "--steps", "--seed", "--block"],
         )
 
     def test_lines_fit_a_wide_terminal(self):
