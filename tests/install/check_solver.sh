@@ -27,4 +27,8 @@ petsc)
         -Wl,-rpath,"$libraries" -o "$folder/poisson"
     "$mpirun" -n 4 "$folder/poisson"
     ;;
+dolfinx)
+    "$python" -c "import dolfinx, h5py" 2>"$folder/log" || skip "python3-dolfinx-real and python3-h5py"
+    CLEFT_MPI="$prefix/bin/cleft-mpi" XDG_CACHE_HOME="$folder/cache" "$python" -B "$source/run.py" "$mpirun" -n 4
+    ;;
 esac

@@ -165,7 +165,7 @@ static PetscErrorCode set_equation(DM dm)
     PetscDS equation;
     DMLabel hull;
     PetscFunctionBeginUser;
-    PetscCall(PetscFECreateLagrange(PETSC_COMM_SELF, 3, 1, PETSC_TRUE, 1, PETSC_DETERMINE, &element));
+    PetscCall(PetscFECreateLagrange(PETSC_COMM_SELF, 3, 1, PETSC_TRUE, 1, 4, &element));
     PetscCall(DMSetField(dm, 0, NULL, (PetscObject)element));
     PetscCall(DMCreateDS(dm));
     PetscCall(DMGetDS(dm, &equation));
