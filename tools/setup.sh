@@ -19,7 +19,7 @@ binding_packages="
 test_packages="
     clang clang-format clang-tidy black findent libclang-rt-dev gcovr libcmocka-dev python3 mypy
     gmsh tetgen calculix-ccx openfoam getdp python3-dolfinx-real python3-gmsh
-    petsc-dev python3-h5py
+    petsc-dev python3-h5py libdeal.ii-dev
     gfortran make abigail-tools freefem++ man-db lintian locales
     python3-numpy python3-meshio python3-vtk9 python3-nibabel python3-pydicom
     python3-pil python3-skimage python3-tifffile python3-tqdm

@@ -11,6 +11,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #define BALL_RADIUS 0.55
 enum { AROUND = 1, BALL = 2, BALL_LABELS = 2 };
@@ -42,7 +43,7 @@ static inline int ball_read(const int64_t first[3], const int64_t count[3], void
 }
 
 /* This rank's part of a mesh of edges of this length. NULL after a failure, which rank 0 has told. */
-static inline cleft_part* ball_part(MPI_Comm comm, double size)
+static inline cleft_part* ball_part(MPI_Comm comm, double size, int32_t ghosts)
 {
     const double h = 2.0 / BALL_VOXELS;
     cleft_voxels voxels = {
@@ -58,7 +59,7 @@ static inline cleft_part* ball_part(MPI_Comm comm, double size)
     MPI_Comm_rank(comm, &rank);
     if (cleft_context_create(&context) || cleft_options_create(&options) ||
         cleft_options_set_real(options, CLEFT_OPTION_SIZE, size) ||
-        cleft_mpi_mesh(context, comm, &voxels, options, 0, &part)) {
+        cleft_mpi_mesh(context, comm, &voxels, options, ghosts, &part)) {
         if (rank == 0)
             fprintf(stderr, "%s\n", context ? cleft_context_last_error(context) : "no memory");
     }
@@ -72,7 +73,8 @@ static inline void ball_volumes(MPI_Comm comm, const cleft_part* part, double vo
 {
     const double* points = cleft_part_points(part);
     double mine[BALL_LABELS + 1] = {0};
-    cleft_part_counts n = {0};
+    cleft_part_counts n;
+    memset(&n, 0, sizeof n);
     n.struct_size = sizeof n;
     if (cleft_part_count(part, &n))
         return;

@@ -31,4 +31,13 @@ dolfinx)
     "$python" -c "import dolfinx, h5py" 2>"$folder/log" || skip "python3-dolfinx-real and python3-h5py"
     CLEFT_MPI="$prefix/bin/cleft-mpi" XDG_CACHE_HOME="$folder/cache" "$python" -B "$source/run.py" "$mpirun" -n 4
     ;;
+dealii)
+    CXXFLAGS=-Werror cmake -S "$source" -B "$folder/build" -DCMAKE_PREFIX_PATH="$prefix" >"$folder/log" 2>&1 || {
+        ! grep -q 'provided by "deal.II"' "$folder/log" || skip libdeal.ii-dev
+        cat "$folder/log"
+        exit 1
+    }
+    cmake --build "$folder/build"
+    "$mpirun" -n 4 "$folder/build/poisson"
+    ;;
 esac

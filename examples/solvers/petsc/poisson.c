@@ -215,7 +215,7 @@ static PetscErrorCode solve(DM dm, PetscReal* error)
 static PetscErrorCode error_of_size(double size, PetscReal* error)
 {
     double volumes[BALL_LABELS + 1];
-    cleft_part* part = ball_part(PETSC_COMM_WORLD, size);
+    cleft_part* part = ball_part(PETSC_COMM_WORLD, size, 0);
     DM dm;
     PetscFunctionBeginUser;
     PetscCheck(part, PETSC_COMM_WORLD, PETSC_ERR_LIB, "there is no mesh");
