@@ -3,6 +3,7 @@
 #include "cleft/cleft_io.h"
 #include "cleft/cleft_mpi.h"
 #include "support/capi.h"
+#include "support/part_counts.h"
 
 #include <dirent.h>
 #include <hdf5.h>
@@ -62,15 +63,6 @@ static cleft_mesh* whole_mesh(cleft_context* context, const cleft_voxels* voxels
     assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, NULL, &mesh));
     cleft_volume_destroy(volume);
     return mesh;
-}
-
-static cleft_part_counts counts_of(const cleft_part* part)
-{
-    cleft_part_counts counts;
-    memset(&counts, 0, sizeof counts);
-    counts.struct_size = sizeof counts;
-    assert_int_equal(cleft_part_count(part, &counts), CLEFT_OK);
-    return counts;
 }
 
 static void assert_part_of(const cleft_part* part, const cleft_mesh* whole)

@@ -1,5 +1,6 @@
 /* Meshes in parts: put together, they are the mesh of one process, whatever the number of ranks. */
 #include "support/capi.h"
+#include "support/part_counts.h"
 
 #include "ranks.h"
 
@@ -85,15 +86,6 @@ static void destroy_parts(job* jobs, int32_t ranks)
 {
     for (int32_t r = 0; r < ranks; ++r)
         cleft_part_destroy(jobs[r].part);
-}
-
-static cleft_part_counts counts_of(const cleft_part* part)
-{
-    cleft_part_counts counts;
-    memset(&counts, 0, sizeof counts);
-    counts.struct_size = sizeof counts;
-    assert_int_equal(cleft_part_count(part, &counts), CLEFT_OK);
-    return counts;
 }
 
 /* What a rank owns is what the whole mesh has under the same numbers. */
