@@ -283,14 +283,9 @@ void add_parts(Array<Part>& parts, TetMesh& mesh, const Run& run)
     mesh.tets = joined<Tet>(run, parts, &Part::tets);
 }
 
-}  // namespace
-
-TetMesh octree_background(const SizingField& field, const Run& run)
+TetMesh mesh_of(const Octree& tree, const Vec3& extent, const Run& of_cells)
 {
-    Steps steps(run, {{nullptr, 1}, {"background: cells", 1}});
-    const Octree tree = build_octree(field, steps.next());
-    const Run of_cells = steps.next();
-    const Points points(tree, field.grid.extent(), of_cells);
+    const Points points(tree, extent, of_cells);
     if (!points.fits())
         throw Error(CLEFT_ERROR_TOO_LARGE, "the sizing field spans too many octree levels for a box of this shape");
     TetMesh mesh;
@@ -305,6 +300,47 @@ TetMesh octree_background(const SizingField& field, const Run& run)
     });
     add_parts(parts, mesh, of_cells);
     return mesh;
+}
+
+// Of the layers that tetrahedra between two places along the last axis come from. A tetrahedron is in two leaves at
+// most, and these depend on what is less than a root away: halving doubles with each leaf from the least one on, so
+// that leaves of a root's side are a root's side away. One layer more is to spare.
+Planes layers_around(int32_t layers, double extent, double low, double high)
+{
+    constexpr int32_t kLayersAround = 3;
+    const double side = extent / layers;
+    const auto layer_of = [&](double z) { return std::clamp(static_cast<int32_t>(z / side), 0, layers - 1); };
+    const int32_t first = std::max(0, layer_of(low) - kLayersAround);
+    return {first, std::min(layers, layer_of(high) + 1 + kLayersAround) - first};
+}
+
+}  // namespace
+
+TetMesh octree_background(const SizingField& field, const Run& run)
+{
+    Steps steps(run, {{nullptr, 1}, {"background: cells", 1}});
+    const Octree tree = build_octree(field, steps.next());
+    return mesh_of(tree, field.grid.extent(), steps.next());
+}
+
+Planes octree_slab_planes(const Grid& grid, const SizeRange& sizes, double low, double high)
+{
+    const Vec3 extent = grid.extent();
+    const int32_t all = octree_roots(extent, sizes)[2];
+    const Planes layers = layers_around(all, extent[2], low, high);
+    // Values are read between the centres of planes: one plane more on either side, and one for the rounding.
+    const double planes_a_layer = static_cast<double>(grid.dims[2]) / all;
+    const int32_t first = std::max(0, static_cast<int32_t>(layers.first * planes_a_layer) - 2);
+    return {first, std::min(grid.dims[2], static_cast<int32_t>(layers.end() * planes_a_layer) + 3) - first};
+}
+
+TetMesh octree_slab(const SizingField& field, const SizeRange& sizes, double low, double high, const Run& run)
+{
+    Steps steps(run, {{nullptr, 1}, {"background: cells", 1}});
+    const Vec3 extent = field.grid.extent();
+    const Planes layers = layers_around(octree_roots(extent, sizes)[2], extent[2], low, high);
+    const Octree tree = build_octree_part(field, sizes, layers, steps.next());
+    return mesh_of(tree, extent, steps.next());
 }
 
 // A face is counted where the finer of the two leaves, or one of two equal ones, would write its tetrahedra.

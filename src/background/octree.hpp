@@ -13,6 +13,11 @@ namespace cleft
 // only (after Labelle and Shewchuk, isosurface stuffing): see octree.cpp.
 TetMesh octree_background(const SizingField& field, const Run& run);
 
+// The same of a part of the box: all tetrahedra whose middle is between two places along the last axis, among others.
+// `field` has the planes that octree_slab_planes() says, and `sizes` are those of the whole field.
+TetMesh octree_slab(const SizingField& field, const SizeRange& sizes, double low, double high, const Run& run);
+Planes octree_slab_planes(const Grid& grid, const SizeRange& sizes, double low, double high);
+
 // How many tetrahedra that has, by its tree alone; those that split sides add are taken as usual.
 int64_t octree_tets(const SizingField& field, const Run& run);
 

@@ -27,9 +27,6 @@ constexpr int32_t kMostLevels = 20;
 // What 32-bit numbers and memory hold with a margin: some twelve tetrahedra a leaf.
 constexpr double kMostTets = 600e6;
 constexpr size_t kMostCells = 60'000'000;
-// Tetrahedra of an octree over those of particles of the same field, mostly. Around spikes of a user-supplied field
-// there are more: there the number of cells is the bound.
-constexpr double kTetsOverParticles = 1.5;
 
 void refuse_too_many(const SizingField& field)
 {
@@ -71,12 +68,14 @@ double greatest_root(const Vec3& extent)
     return side;
 }
 
-// Roots as large as the field and the box allow, of a side that halving brings to the least h: the finest leaves
-// resolve what the field asks for, not up to kSlack less.
-Int3 root_counts(const Vec3& extent, const SizingField& field)
+}  // namespace
+
+// As large as the sizes and the box allow, of a side that halving brings to the least h: the finest leaves resolve what
+// the field asks for, not up to kSlack less.
+Int3 octree_roots(const Vec3& extent, const SizeRange& sizes)
 {
-    const double most = std::min(field.greatest() * kSlack / kMeanEdge, greatest_root(extent));
-    const double finest = field.least() / kMeanEdge;
+    const double most = std::min(sizes.greatest * kSlack / kMeanEdge, greatest_root(extent));
+    const double finest = sizes.least / kMeanEdge;
     const double side =
         most > finest ? std::ldexp(finest, std::ilogb(most / finest)) : std::min(finest, extent.minCoeff());
     Int3 roots{};
@@ -93,15 +92,18 @@ Int3 root_counts(const Vec3& extent, const SizingField& field)
     return roots;
 }
 
+namespace
+{
+
 // A spike of a user-supplied field can ask for more levels than the keys of points hold: better refused at once than
 // when the tree is built. One level less than the least size needs, for the tree may miss the very tip.
-void refuse_too_deep(const Octree& tree, const SizingField& field, const Vec3& root_side)
+void refuse_too_deep(const Octree& tree, double least_size, const Vec3& root_side)
 {
-    const double halvings = std::log2(kMeanEdge * std::cbrt(root_side.prod()) / (kSlack * field.least()));
+    const double halvings = std::log2(kMeanEdge * std::cbrt(root_side.prod()) / (kSlack * least_size));
     const auto levels = static_cast<int32_t>(std::clamp(std::ceil(halvings) - 1, 0.0, double{kMostLevels}));
     const int64_t roots = *std::max_element(tree.roots.begin(), tree.roots.end());
     if (roots << (levels + 1) > kMostPlaces)
-        throw Error(CLEFT_ERROR_TOO_LARGE, "the sizing field, whose least size is " + number_text(field.least()) +
+        throw Error(CLEFT_ERROR_TOO_LARGE, "the sizing field, whose least size is " + number_text(least_size) +
                                                ", spans too many octree levels for a box of this shape");
 }
 
@@ -120,9 +122,9 @@ double least_size(const SizingField& field, const OctreeCell& cell, const Vec3& 
     return least;
 }
 
-void refine(Octree& tree, const SizingField& field, const Vec3& root_side, const Run& run)
+void refine(Octree& tree, const SizingField& field, double least_of_all, const Vec3& root_side, const Run& run)
 {
-    const double thin = kThin * field.least();
+    const double thin = kThin * least_of_all;
     for (size_t c = 0; c < tree.cells.size(); ++c) {  // children join the end of the list and get their turn
         if (c % 4096 == 0)
             run.report(static_cast<double>(c) / static_cast<double>(tree.cells.size()));
@@ -175,7 +177,9 @@ int32_t Octree::find(const Int3& at, int32_t level) const
         if (at[axis] < 0 || root[axis] >= roots[axis])
             return -1;
     }
-    int32_t cell = root[0] + roots[0] * (root[1] + roots[1] * root[2]);
+    if (!layers.has(root[2]))
+        return -1;
+    int32_t cell = root[0] + roots[0] * (root[1] + roots[1] * (root[2] - layers.first));
     for (int32_t l = level - 1; l >= 0 && !is_leaf(cell); --l) {
         const int32_t child = (at[0] >> l & 1) + 2 * (at[1] >> l & 1) + 4 * (at[2] >> l & 1);
         cell = cells[cell].first_child + child;
@@ -186,7 +190,7 @@ int32_t Octree::find(const Int3& at, int32_t level) const
 double rough_octree_tets(const SizingField& field)
 {
     constexpr double kTetsACell = 12;  // of body-centred cubic cells
-    const Int3 roots = root_counts(field.grid.extent(), field);
+    const Int3 roots = octree_roots(field.grid.extent(), field.range());
     const double least = kTetsACell * double(roots[0]) * double(roots[1]) * double(roots[2]);
     return std::max(least, kTetsOverParticles * expected_particle_tets(field));
 }
@@ -194,17 +198,24 @@ double rough_octree_tets(const SizingField& field)
 Octree build_octree(const SizingField& field, const Run& run)
 {
     refuse_too_many(field);
+    const SizeRange sizes = field.range();
+    return build_octree_part(field, sizes, {0, octree_roots(field.grid.extent(), sizes)[2]}, run);
+}
+
+Octree build_octree_part(const SizingField& field, const SizeRange& sizes, Planes layers, const Run& run)
+{
     const Vec3 extent = field.grid.extent();
     Octree tree;
-    tree.roots = root_counts(extent, field);
-    for (int32_t k = 0; k < tree.roots[2]; ++k)
+    tree.roots = octree_roots(extent, sizes);
+    tree.layers = layers;
+    for (int32_t k = layers.first; k < layers.end(); ++k)
         for (int32_t j = 0; j < tree.roots[1]; ++j)
             for (int32_t i = 0; i < tree.roots[0]; ++i)
                 tree.cells.push_back({{i, j, k}, 0, -1});
     const Vec3 root_side = extent.cwiseQuotient(Vec3(tree.roots[0], tree.roots[1], tree.roots[2]));
-    refuse_too_deep(tree, field, root_side);
+    refuse_too_deep(tree, sizes.least, root_side);
     Steps steps(run, {{"background: octree", 3}, {"background: balancing the octree", 1}});
-    refine(tree, field, root_side, steps.next());
+    refine(tree, field, sizes.least, root_side, steps.next());
     balance(tree, steps.next());
     return tree;
 }

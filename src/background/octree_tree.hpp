@@ -24,7 +24,8 @@ struct OctreeCell {
 };
 
 struct Octree {
-    Int3 roots{};             // number of roots along each axis; they are the first cells
+    Int3 roots{};             // number of roots along each axis
+    Planes layers;            // of roots across the last axis that are there; they are the first cells
     int32_t levels = 0;       // depth of the deepest cell
     Array<OctreeCell> cells;  // children of a cell are eight in a row, x fastest
 
@@ -33,11 +34,23 @@ struct Octree {
     int32_t find(const Int3& at, int32_t level) const;
 };
 
+// Tetrahedra of an octree over those of particles of the same field, mostly. Around spikes of a user-supplied field
+// there are more: there the number of cells is the bound.
+constexpr double kTetsOverParticles = 1.5;
+
 // The tetrahedra that an octree mostly has, without building it.
 double rough_octree_tets(const SizingField& field);
+
+// The roots of a box for sizes of that range.
+Int3 octree_roots(const Vec3& extent, const SizeRange& sizes);
 
 // Splits cells until a leaf's mean edge is about h, then until leaves that share a face or an edge differ by at most
 // one level.
 Octree build_octree(const SizingField& field, const Run& run);
+
+// A part of the tree of a large field: some layers of roots, for which `field` has the planes. `sizes` are those of the
+// whole field. Leaves of the outermost layers may be coarser than in the whole tree, since what is behind them is not
+// seen.
+Octree build_octree_part(const SizingField& field, const SizeRange& sizes, Planes layers, const Run& run);
 
 }  // namespace cleft

@@ -49,7 +49,7 @@ cleft_status cleft_mesh_estimate(cleft_context* context, const cleft_volume* vol
         // Before the work: a struct whose size was not set should not cost minutes first.
         cleft::check_struct_size(*required(out, "out"), "cleft_estimate");
         if (!sizing && !background)
-            warn_of_unknown_sizes(v->volume, options, run);
+            warn_of_unknown_sizes(v->volume.labels(), options, run);
         const Estimate found = estimated(*v, sizing, background, pipeline_options(options, *v), run);
         cleft::copy_out<cleft_estimate>({0, found.mesh.is_rough, found.mesh.kept_tets, found.mesh.whole_tets,
                                          found.mesh.background_tets, found.peak_bytes},

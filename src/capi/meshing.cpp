@@ -184,7 +184,7 @@ cleft_status cleft_mesh_volume(cleft_context* context, const cleft_volume* volum
         // Warnings on options come before the minutes of work, so that a caller can cancel.
         warn_of_unknown_labels(v->volume.labels(), options, "volume", run);
         if (!sizing && !background)
-            warn_of_unknown_sizes(v->volume, options, run);
+            warn_of_unknown_sizes(v->volume.labels(), options, run);
         warn_of_unused_smooth(v->volume, options, run);
         LabelledMesh mesh = meshed(*v, sizing, background, p, run);
         cleft_mesh result = to_user(std::move(mesh), *v, run);

@@ -131,10 +131,10 @@ void set_labels(Array<UserLabel>& list, const int32_t* labels, int64_t count)
 
 // In world units. Below 0 there is one value alone, see assign(): the description of the option says what it stands
 // for.
-double surface_error(double given, const Volume& volume)
+double surface_error(double given, const Grid& grid)
 {
     constexpr double kShareOfVoxel = 0.5;
-    return given < 0 ? kShareOfVoxel * volume.grid().spacing.minCoeff() : given;
+    return given < 0 ? kShareOfVoxel * grid.spacing.minCoeff() : given;
 }
 
 // By material, as the stages know the labels. A label that the volume does not have is told of by
@@ -178,23 +178,26 @@ PipelineOptions pipeline_options(const cleft_options* options)
     return out;
 }
 
-PipelineOptions pipeline_options(const cleft_options* options, const cleft_volume& volume)
+PipelineOptions pipeline_options(const cleft_options* options, const Grid& grid, const Array<UserLabel>& labels)
 {
     PipelineOptions out = pipeline_options(options);
-    const Array<UserLabel>& labels = volume.volume.labels();
     out.kept = kept_labels(labels, options, "volume");
     out.sizing.material_sizes = material_sizes(labels, options);
     out.asks_surface_error =
         options && options->given[option_row(CLEFT_OPTION_SURFACE_ERROR)] && out.sizing.surface_error > 0;
-    out.sizing.surface_error = surface_error(out.sizing.surface_error, volume.volume);
+    out.sizing.surface_error = surface_error(out.sizing.surface_error, grid);
     return out;
 }
 
-void warn_of_unknown_sizes(const Volume& volume, const cleft_options* options, const Run& run)
+PipelineOptions pipeline_options(const cleft_options* options, const cleft_volume& volume)
+{
+    return pipeline_options(options, volume.volume.grid(), volume.volume.labels());
+}
+
+void warn_of_unknown_sizes(const Array<UserLabel>& labels, const cleft_options* options, const Run& run)
 {
     if (!options)
         return;
-    const Array<UserLabel>& labels = volume.labels();
     for (const auto& row : options->label_sizes)
         // A warning, not an error: one list of sizes may serve several volumes.
         if (std::find(labels.begin(), labels.end(), row.first) == labels.end())

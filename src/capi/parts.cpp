@@ -10,6 +10,7 @@
 #include "capi/voxel_type.hpp"
 #include "checking/quick_check.hpp"
 #include "parts/mesh_part.hpp"
+#include "parts/rank_mesh.hpp"
 #include "parts/voxel_source.hpp"
 
 #include <cstring>
@@ -102,11 +103,44 @@ LabelledMesh whole_mesh(const cleft::Frame& frame, const cleft::VoxelSource& sou
         made_volume(frame, cleft::Volume::from_labels(source.type, voxels.data(), frame.grid, kernel, run));
     const cleft::PipelineOptions p = pipeline_options(options, volume);
     warn_of_unknown_labels(volume.volume.labels(), options, "volume", run);
-    warn_of_unknown_sizes(volume.volume, options, run);
+    warn_of_unknown_sizes(volume.volume.labels(), options, run);
     LabelledMesh mesh = cleft::mesh_from_volume(volume.volume, p, run);
     for (cleft::Material& m : mesh.material)
         m = number_of(volume.volume.labels()[m]);
     return mesh;
+}
+
+// The blocks of this rank, with labels in the place of materials.
+LabelledMesh mesh_of_own_blocks(const cleft::SharedVoxels& voxels, const cleft_options* options, Exchange& exchange,
+                                const Run& run)
+{
+    const auto block = static_cast<int32_t>(option_value(options, CLEFT_OPTION_BLOCK));
+    const int kernel = static_cast<int>(option_value(options, CLEFT_OPTION_SMOOTH));
+    const cleft::LabelCounts labels = labels_of_all(voxels, block, exchange, run);
+    const cleft::PipelineOptions p = pipeline_options(options, voxels.grid, labels.labels);
+    if (exchange.rank() == 0) {
+        warn_of_unknown_labels(labels.labels, options, "volume", run);
+        warn_of_unknown_sizes(labels.labels, options, run);
+    }
+    LabelledMesh mesh = mesh_of_rank(voxels, labels, kernel, p, exchange, run);
+    for (cleft::Material& m : mesh.material)
+        m = number_of(labels.labels[m]);
+    return mesh;
+}
+
+// What a rank makes of the mesh, before it is shared out.
+LabelledMesh piece_of_rank(const cleft::SharedVoxels& voxels, const cleft::Frame& frame, const cleft_options* options,
+                           Exchange& exchange, const Run& run)
+{
+    const cleft::PipelineOptions p = pipeline_options(options);
+    const std::string reason = needs_whole_mesh(p, voxels.grid);
+    if (reason.empty())
+        return mesh_of_own_blocks(voxels, options, exchange, run);
+    if (exchange.rank() > 0)
+        return {};
+    if (exchange.ranks() > 1)
+        run.warn("the first rank makes the whole mesh alone, since " + reason);
+    return whole_mesh(frame, voxels.source, options, run);
 }
 
 // To the world: what to_user() does for a whole mesh.
@@ -157,9 +191,7 @@ cleft_part part_of(const cleft_voxels* given, const cleft_options* options, bool
         const cleft::VoxelSource source = source_of(voxels);
         cleft::Steps steps(run, {{"mesh", 9}, {nullptr, 1}});
         const Run of_mesh = steps.next();
-        LabelledMesh piece;
-        if (exchange.rank() == 0)
-            piece = whole_mesh(frame, source, options, of_mesh);
+        LabelledMesh piece = piece_of_rank({frame.grid, source}, frame, options, exchange, of_mesh);
         const cleft::BoundingBox box{cleft::Vec3::Zero(), frame.grid.extent()};
         part = share_mesh(std::move(piece), box, ghosts, exchange, steps.next());
         to_world(frame, part, run);

@@ -55,7 +55,7 @@ cleft_sizing sizing_of_given(const cleft_volume* volume, bool combines, const cl
     const auto held_options = held_if_any(options, "options");
     const cleft::PipelineOptions p = pipeline_options(options, *v);
     if (combines)
-        warn_of_unknown_sizes(v->volume, options, run);
+        warn_of_unknown_sizes(v->volume.labels(), options, run);
     warn_of_unused_smooth(v->volume, options, run);
     return finished(*v, cleft::make_sizing(v->volume, make(*v, p.sizing), combines, p, run), p, run);
 }
@@ -70,7 +70,7 @@ cleft_status cleft_sizing_create(cleft_context* context, const cleft_volume* vol
         const auto held_options = held_if_any(options, "options");
         const cleft::PipelineOptions p = pipeline_options(options, *v);
         warn_of_unknown_labels(v->volume.labels(), options, "volume", run);
-        warn_of_unknown_sizes(v->volume, options, run);
+        warn_of_unknown_sizes(v->volume.labels(), options, run);
         warn_of_unused_smooth(v->volume, options, run);
         return finished(*v, cleft::make_sizing(v->volume, p, run), p, run);
     });

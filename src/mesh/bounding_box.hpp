@@ -58,4 +58,11 @@ struct BoundingBox {
     }
 };
 
+inline BoundingBox box_of(const Array<Vec3>& points)
+{
+    BoundingBox box;
+    box.add(points);
+    return box;
+}
+
 }  // namespace cleft

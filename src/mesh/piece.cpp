@@ -5,6 +5,7 @@
 #include "mesh/surface_points.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace cleft
@@ -111,18 +112,19 @@ TetMesh ordered_by_place(const TetMesh& mesh)
             p = number[p];
         out.tets.push_back(tet);
     }
+    std::sort(out.tets.begin(), out.tets.end());
     return out;
 }
 
-Array<int32_t> shared_points(const Array<Vec3>& points, const Array<int32_t>& candidates, const Array<Vec3>& others,
-                             const Array<int32_t>& candidates_of_others)
+Array<int32_t> points_at(const Array<Vec3>& points, const Array<int32_t>& candidates, const Array<Vec3>& places)
 {
-    const Places places(others, candidates_of_others);
-    Array<int32_t> shared;
-    for (const int32_t p : candidates)
-        if (places.find(points[p]) >= 0)
-            shared.push_back(p);
-    return shared;
+    Array<Vec3> sorted(places.begin(), places.end());
+    std::sort(sorted.begin(), sorted.end(), is_lower_place);
+    Array<int32_t> found;
+    std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(found), [&](int32_t p) {
+        return std::binary_search(sorted.begin(), sorted.end(), points[p], is_lower_place);
+    });
+    return found;
 }
 
 Array<uint8_t> near_points(const Array<Tet>& tets, size_t point_count, const Array<int32_t>& points, int rings)

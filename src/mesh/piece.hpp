@@ -18,12 +18,12 @@ TetMesh piece_of(const TetMesh& mesh, const std::function<bool(int64_t tet)>& is
 
 // Whether one place comes before another: by z, then by y, then by x.
 bool is_lower_place(const Vec3& x, const Vec3& y);
-// The same mesh with its points in that order, which no cut into pieces changes.
+// The same mesh with its points in that order, and its tetrahedra in the order of their points: no cut into pieces
+// changes either.
 TetMesh ordered_by_place(const TetMesh& mesh);
 
-// Of `candidates`, the points that others have at the same place.
-Array<int32_t> shared_points(const Array<Vec3>& points, const Array<int32_t>& candidates, const Array<Vec3>& others,
-                             const Array<int32_t>& candidates_of_others);
+// Of `candidates`, the points at one of the places.
+Array<int32_t> points_at(const Array<Vec3>& points, const Array<int32_t>& candidates, const Array<Vec3>& places);
 // By tetrahedron: 1 if it is within some rings of the points.
 Array<uint8_t> near_points(const Array<Tet>& tets, size_t point_count, const Array<int32_t>& points, int rings);
 

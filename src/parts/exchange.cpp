@@ -29,6 +29,20 @@ Exchange::Exchange(Messenger messenger)
 {
 }
 
+Exchange Exchange::alone()
+{
+    const auto numbers = [](const int64_t* send, int64_t* receive) {
+        *receive = *send;
+        return true;
+    };
+    const auto bytes = [](const void* send, const int64_t* send_size, void* receive, const int64_t*) {
+        if (*send_size > 0)
+            std::memcpy(receive, send, to_size(*send_size));
+        return true;
+    };
+    return Exchange({0, 1, numbers, bytes});
+}
+
 void Exchange::together(const std::function<void()>& body)
 {
     Failure own{CLEFT_OK, ""};

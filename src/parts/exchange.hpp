@@ -34,6 +34,8 @@ class Exchange
 {
 public:
     explicit Exchange(Messenger messenger);
+    // Of a process that is the only rank.
+    static Exchange alone();
 
     int32_t rank() const { return messenger_.rank; }
     int32_t ranks() const { return messenger_.ranks; }
@@ -60,7 +62,7 @@ public:
     template <class T>
     Received<T> all_to_all(const Array<T>& send, const Array<int64_t>& counts)
     {
-        static_assert(std::is_trivially_copyable_v<T>, "items travel as bytes");
+        static_assert(std::is_trivially_destructible_v<T>, "items travel as bytes");
         Received<T> out;
         out.start = starts_of(received_counts(counts));
         out.items.resize(out.start.back());

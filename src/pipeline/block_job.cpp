@@ -8,8 +8,6 @@
 #include "pipeline/quiet_run.hpp"
 #include "pipeline/volumes_inside.hpp"
 
-#include <utility>
-
 namespace cleft
 {
 
@@ -21,6 +19,15 @@ namespace
 constexpr int kSeamRings = 6;
 
 BoundingBox box_of(const Volume& volume) { return {Vec3::Zero(), volume.grid().extent()}; }
+
+Array<Vec3> places_of(const Array<Vec3>& points, const Array<int32_t>& some)
+{
+    Array<Vec3> places;
+    places.reserve(some.size());
+    for (const int32_t p : some)
+        places.push_back(points[p]);
+    return places;
+}
 
 LabelledMesh worked_on(const Volume& volume, const Cleaved& cleaved, Array<double> volumes,
                        const PipelineOptions& options, const Run& run)
@@ -36,75 +43,88 @@ LabelledMesh copy_of(const LabelledMesh& mesh)
     return piece_of(mesh, [](int64_t) { return true; });
 }
 
+CleaveOptions cleaving_of(const Block& block, const PipelineOptions& options)
+{
+    CleaveOptions cleaving = options.cleave;
+    cleaving.held = Array<int32_t>(block.held.begin(), block.held.end());
+    return cleaving;
+}
+
 }  // namespace
 
-Block block_of(TetMesh background, const BoundingBox& box, const Run& run)
+Block block_of(const TetMesh& background, const BoundingBox& box, const Run& run)
 {
     Block block;
-    block.background = std::move(background);
+    block.background = ordered_by_place(background);
     block.held = points_of_cut(block.background, box, quiet(run));
     return block;
 }
 
-void snap_block(const Volume& volume, Block& block, const PipelineOptions& options, const Run& run)
+void snap_block(const VolumeParts& volume, Block& block, const PipelineOptions& options, const Run& run)
 {
     if (block.background.tets.empty())
         return;
-    CleaveOptions snapping = options.cleave;
-    snapping.held = Array<int32_t>(block.held.begin(), block.held.end());
-    block.snapped = snap_background(volume, block.background, snapping, {}, quiet(run));
+    const auto around = volume.around(box_of(block.background.points));
+    block.snapped = snap_background(*around, block.background, cleaving_of(block, options), {}, quiet(run));
 }
 
-void mesh_block(const Volume& volume, Block& block, const PipelineOptions& options, const Run& run)
+void mesh_block(const VolumeParts& volume, Block& block, const PipelineOptions& options, const Run& run)
 {
     if (block.background.tets.empty())
         return;
+    const auto around = volume.around(box_of(block.background.points));
     const Run of_part = quiet(run);
-    CleaveOptions cutting = options.cleave;
-    cutting.held = Array<int32_t>(block.held.begin(), block.held.end());
+    const CleaveOptions cutting = cleaving_of(block, options);
     const auto cut = [&](const Run& part) {
-        return cleave_snapped(volume, block.background, cutting, block.snapped, part);
+        return cleave_snapped(*around, block.background, cutting, block.snapped, part);
     };
     LabelledMesh first = cut(of_part);
-    Array<double> volumes = volumes_inside(volume, first, of_part);
+    Array<double> volumes = volumes_inside(*around, first, of_part);
     // Improving asks for it again only where it tries again.
     const Cleaved cleaved = [&](const Run& part) {
         return first.tets.empty() ? cut(part) : std::exchange(first, LabelledMesh());
     };
-    block.mesh = worked_on(volume, cleaved, std::move(volumes), options, of_part);
+    block.mesh = worked_on(*around, cleaved, std::move(volumes), options, of_part);
 }
 
-void improve_seam(const Volume& volume, LabelledMesh& lower, LabelledMesh& upper, const IsAbove& is_above,
-                  const PipelineOptions& options, const Run& run)
+Array<Vec3> places_of_cut(const Block& block) { return places_of(block.background.points, block.held); }
+
+Array<Vec3> places_of_cut(const LabelledMesh& mesh, const BoundingBox& box, const Run& run)
+{
+    return places_of(mesh.points, points_of_cut(mesh, box, quiet(run)));
+}
+
+LabelledMesh taken_near(LabelledMesh& mesh, const Array<Vec3>& places_of_other, const BoundingBox& box, const Run& run)
+{
+    const Array<int32_t> on_seam = points_at(mesh.points, points_of_cut(mesh, box, quiet(run)), places_of_other);
+    const Array<uint8_t> is_near = near_points(mesh.tets, mesh.points.size(), on_seam, kSeamRings);
+    LabelledMesh taken = piece_of(mesh, [&](int64_t t) { return is_near[t] != 0; });
+    mesh = piece_of(mesh, [&](int64_t t) { return is_near[t] == 0; });
+    return taken;
+}
+
+std::pair<LabelledMesh, LabelledMesh> improve_seam(const VolumeParts& volume, LabelledMesh lower,
+                                                   const LabelledMesh& upper, double seam,
+                                                   const PipelineOptions& options, const Run& run)
 {
     if (lower.tets.empty() || upper.tets.empty())
-        return;
+        return {std::move(lower), copy_of(upper)};
+    BoundingBox reach = box_of(lower.points);
+    reach.add(upper.points);
+    const auto around = volume.around(reach);
     const Run of_part = quiet(run);
-    const BoundingBox box = box_of(volume);
-    const Array<int32_t> cut_of_lower = points_of_cut(lower, box, of_part),
-                         cut_of_upper = points_of_cut(upper, box, of_part);
-    const auto near_in_lower =
-        near_points(lower.tets, lower.points.size(),
-                    shared_points(lower.points, cut_of_lower, upper.points, cut_of_upper), kSeamRings);
-    const auto near_in_upper =
-        near_points(upper.tets, upper.points.size(),
-                    shared_points(upper.points, cut_of_upper, lower.points, cut_of_lower), kSeamRings);
-    LabelledMesh low = piece_of(lower, [&](int64_t t) { return near_in_lower[t] != 0; });
-    const LabelledMesh high = piece_of(upper, [&](int64_t t) { return near_in_upper[t] != 0; });
+    const BoundingBox box = box_of(*around);
     const Array<int32_t> on_seam =
-        shared_points(low.points, points_of_cut(low, box, of_part), high.points, points_of_cut(high, box, of_part));
-    LabelledMesh seam = joined(std::move(low), high, of_part);  // the points of `low` keep their numbers
-    mend_interfaces(seam, on_seam, of_part);
-    lower = piece_of(lower, [&](int64_t t) { return near_in_lower[t] == 0; });
-    upper = piece_of(upper, [&](int64_t t) { return near_in_upper[t] == 0; });
-    const Cleaved as_it_is = [&](const Run&) { return copy_of(seam); };
+        points_at(lower.points, points_of_cut(lower, box, of_part), places_of_cut(upper, box, of_part));
+    LabelledMesh both = joined(std::move(lower), upper, of_part);  // the points of `lower` keep their numbers
+    mend_interfaces(both, on_seam, of_part);
+    const Cleaved as_it_is = [&](const Run&) { return copy_of(both); };
     // Together the blocks have the volumes that they are to have. Where they meet, labels keep those of both.
     const LabelledMesh better = worked_on(
-        volume, as_it_is, material_volumes(seam.points, seam.tets, seam.material, volume.material_count(), of_part),
+        *around, as_it_is, material_volumes(both.points, both.tets, both.material, around->material_count(), of_part),
         options, of_part);
-    const auto above = [&](int64_t t) { return is_above(better.points, better.tets[t]); };
-    lower = joined(std::move(lower), piece_of(better, [&](int64_t t) { return !above(t); }), of_part);
-    upper = joined(std::move(upper), piece_of(better, above), of_part);
+    const auto is_above = [&](int64_t t) { return middle_of(better.points, better.tets[t]) >= seam; };
+    return {piece_of(better, [&](int64_t t) { return !is_above(t); }), piece_of(better, is_above)};
 }
 
 }  // namespace cleft

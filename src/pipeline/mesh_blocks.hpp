@@ -1,25 +1,31 @@
-// A mesh made block by block. Blocks are slabs of the volume across its last axis, of the same thickness everywhere:
-// which slab a tetrahedron of the background is in follows from its place, never from threads, ranks or memory.
+// A mesh made block by block. Which block a tetrahedron of the background is in follows from its place, never from
+// threads, ranks or memory.
 //
 // 1. In each block, vertices snap that are not where it was cut out of the background. Then those at each seam do,
 //    with the tetrahedra of both blocks around them.
 // 2. Each block is cut, improved and fitted on its own. Its surface inside the volume stays as it is. Cuts follow from
-// their
-//    edges, so the blocks fit together.
+//    their edges, so the blocks fit together.
 // 3. At each seam, the tetrahedra near it from both blocks are improved and fitted together, and their outside stays as
-//    it is. Seams of even number come first, then the others, so that none touches another.
+//    it is.
 #pragma once
 
+#include "parts/exchange.hpp"
+#include "pipeline/block_layout.hpp"
 #include "pipeline/pipeline.hpp"
 
 namespace cleft
 {
 
-// How many blocks of so many planes of voxels a volume has; 1 for 0 planes.
-int32_t block_count(const Grid& grid, int32_t planes);
+// The mesh of this rank's blocks (own_blocks() in block_seams.hpp). `background` has at least the tetrahedra
+// whose middles are in these.
+LabelledMesh mesh_own_blocks(const VolumeParts& volume, const BlockLayout& layout, const TetMesh& background,
+                             const PipelineOptions& options, Exchange& exchange, const Run& run);
 
-// Cleaving, improving and fitting of a whole background, block by block.
+// Cleaving, improving and fitting of a whole background, block by block, in one process.
 LabelledMesh mesh_in_blocks(const Volume& volume, const TetMesh& background, const PipelineOptions& options,
                             const Run& run);
+
+// A volume that is there as a whole. It must outlive what is returned.
+VolumeParts parts_of(const Volume& whole);
 
 }  // namespace cleft

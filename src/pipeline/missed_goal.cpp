@@ -136,14 +136,21 @@ std::string place_text(const Missed& missed, const Grid& grid)
 
 }  // namespace
 
-void warn_of_missed_goal(const Volume& volume, const LabelledMesh& mesh, const PipelineOptions& options, const Run& run)
+void warn_of_missed_goal(const Grid& grid, const LabelledMesh& mesh, const PipelineOptions& options, Exchange& exchange,
+                         const Run& run)
 {
     // Who leaves out improving knows that angles will be bad, and without a caller for warnings or figures there is
-    // nobody to tell.
-    if (options.improve.effort == Effort::off || (!run.on_warning && !run.metrics))
+    // nobody to tell. Of several ranks, others may have one.
+    const bool is_heard = run.on_warning || run.metrics || exchange.ranks() > 1;
+    if (options.improve.effort == Effort::off || !is_heard)
         return;
     const double target = target_angle(options.improve);
-    const MissedGoal missed = missed_goal(mesh, options.cleave.metric, target, options.kept, run);
+    MissedGoal missed;
+    for (const MissedGoal& of_rank :
+         exchange.all_gather(Array<MissedGoal>{missed_goal(mesh, options.cleave.metric, target, options.kept, run)}))
+        missed.join(of_rank);
+    if (exchange.rank() > 0)
+        return;
     run.note("improving.target_angle", target);
     run.note("improving.tets_missed", static_cast<double>(missed.angles.tets));
     run.note("improving.ratios_missed", static_cast<double>(missed.ratios.tets));
@@ -151,11 +158,11 @@ void warn_of_missed_goal(const Volume& volume, const LabelledMesh& mesh, const P
         run.warn(counted(missed.angles.tets, "tetrahedron has", "tetrahedra have") + " dihedral angles below " +
                  number_text(target) + " or above " + decimals_text(greatest_angle(target), 1) + " degrees, from " +
                  decimals_text(missed.least, 1) + " to " + decimals_text(missed.greatest, 1) +
-                 place_text(missed.angles, volume.grid()));
+                 place_text(missed.angles, grid));
     if (missed.ratios.tets > 0)
         run.warn(counted(missed.ratios.tets, "tetrahedron has a radius ratio", "tetrahedra have radius ratios") +
                  " above " + decimals_text(greatest_ratio(target), 1) + ", up to " +
-                 decimals_text(1 / missed.ratios.least_quality, 1) + place_text(missed.ratios, volume.grid()));
+                 decimals_text(1 / missed.ratios.least_quality, 1) + place_text(missed.ratios, grid));
 }
 
 }  // namespace cleft

@@ -8,14 +8,15 @@
 #include "base/number_text.hpp"
 #include "base/stage.hpp"
 #include "fitting/fit_volumes.hpp"
+#include "mesh/materials.hpp"
 #include "mesh/order.hpp"
 #include "mesh/strip.hpp"
 #include "pipeline/best_of_tries.hpp"
+#include "pipeline/block_sizes.hpp"
+#include "pipeline/finish.hpp"
 #include "pipeline/label_report.hpp"
 #include "pipeline/mesh_blocks.hpp"
-#include "pipeline/missed_goal.hpp"
 #include "pipeline/number_search.hpp"
-#include "pipeline/volume_differences.hpp"
 #include "sizing/anisotropic_sizing.hpp"
 #include "sizing/metric_sizing.hpp"
 #include "sizing/volume_sizing.hpp"
@@ -56,14 +57,6 @@ void require_all_labels(const Volume& volume, const LabelledMesh& mesh, const Pi
                                                     counted(contact.triangles, "triangle") +
                                                     ", but no two of their voxels share a face or an edge; a "
                                                     "smaller size would keep them apart");
-}
-
-// A label that is to be kept can have been lost; where all are, an empty mesh would be left.
-void require_kept(const LabelledMesh& mesh, const PipelineOptions& options)
-{
-    if (std::none_of(mesh.material.begin(), mesh.material.end(), [&](Material m) { return options.kept.has(m); }))
-        throw Error(CLEFT_ERROR_LABEL_LOST,
-                    "none of the labels that are kept has a tetrahedron; a smaller size would keep them");
 }
 
 // Where a part is hardly thicker than its tetrahedra, shapes at the target leave the interface no room to move. So it
@@ -112,11 +105,14 @@ void repair_background(TetMesh& background, const SizingField* adapted_to, const
 LabelledMesh finished(const Volume& volume, LabelledMesh mesh, const PipelineOptions& options, const Run& run)
 {
     // Before anything is reported: the sentence of this error says more than warnings about an empty mesh.
-    require_kept(mesh, options);
+    require_kept(kept_tets(mesh, options.kept));
     if (options.strict)
         require_all_labels(volume, mesh, options, run);
-    warn_of_volume_differences(volume, mesh, options.kept, run);
-    warn_of_missed_goal(volume, mesh, options, run);
+    if (run.on_warning)
+        warn_of_volume_differences(volume.grid(), volume.label_counts(),
+                                   material_volumes(mesh, volume.material_count(), run), options.kept, run);
+    Exchange alone = Exchange::alone();
+    warn_of_missed_goal(volume.grid(), mesh, options, alone, run);
     Stage stage(run, "finish", {{nullptr, 1}});
     // Last, since stages before number points as they make them. It changes no place, so what was reported stays true.
     order_spatially(mesh, stage.next());
@@ -210,6 +206,11 @@ SizingField sizes_of(const Volume& volume, const PipelineOptions& options, const
         sizing.max_tets = 0;
     if (sizing.anisotropy > 1)
         return anisotropic_sizes_of(volume, sizing, options.background.kind, run);
+    const BlockLayout layout = BlockLayout::of(volume.grid(), options.block);
+    if (layout.count > 1 && volume.is_label_map()) {
+        Exchange alone = Exchange::alone();
+        return sizes_of_own_blocks(parts_of(volume), layout, options, alone, run);
+    }
     return compute_sizing(volume, sizing, run);
 }
 
@@ -260,7 +261,7 @@ LabelledMesh cleave_improve_and_fit(const Volume& volume, const TetMesh& backgro
                                     const Run& run)
 {
     // Improving may ask for it again, and holds no copy of it meanwhile.
-    if (block_count(volume.grid(), options.block) > 1)
+    if (BlockLayout::of(volume.grid(), options.block).count > 1)
         return mesh_in_blocks(volume, background, options, run);
     const Cleaved cleaved = [&](const Run& part) { return cleave(volume, background, options.cleave, part); };
     return improve_and_fit(volume, cleaved, options, run);

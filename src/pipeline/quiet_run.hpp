@@ -14,4 +14,13 @@ inline Run quiet(Run run)
     return run;
 }
 
+// Work that is a part of something whose time is counted: it can be cancelled, but moves no bar.
+inline Run uncounted(Run run)
+{
+    run = quiet(run);
+    if (run.progress)
+        run.progress = [outer = run.progress](double, const char*) { return outer(0, nullptr); };
+    return run;
+}
+
 }  // namespace cleft

@@ -16,76 +16,58 @@ namespace
 // A visit looks at the tetrahedra around its vertex. With two rings, vertices next to the seam can follow.
 constexpr int kSnapRings = 3;
 
-// How a block and the background of a seam number the same things.
+// By vertex or tetrahedron of one background, its number in another; -1: not there.
 struct Numbers {
-    Array<int32_t> vertex;  // of the block's vertices in the seam; -1: not there
-    Array<int32_t> tet;     // of the block's tetrahedra in the seam; -1: not there
+    Array<int32_t> vertex, tet;
 };
 
-struct Seam {
+// Where the vertices of two sides are in one background, which has each place once.
+struct Joined {
     TetMesh background;
     Numbers lower, upper;
 };
 
-struct SeamVertex {
+struct SideVertex {
     Vec3 x;
-    int32_t lower, upper;  // in the blocks
+    int32_t vertex;
+    bool is_upper;
 };
 
-void add_vertices(const Block& block, const Array<uint8_t>& is_near, int32_t SeamVertex::*side,
-                  Array<SeamVertex>& vertices)
+void add_vertices(const TetMesh& side, bool is_upper, Array<SideVertex>& vertices)
 {
-    Array<uint8_t> is_used(block.background.points.size(), 0);
-    for (int64_t t = 0; t < block.background.tets.count(); ++t)
-        if (is_near[t])
-            for (const int32_t v : block.background.tets[t])
-                is_used[v] = 1;
-    for (int32_t v = 0; v < is_used.count(); ++v)
-        if (is_used[v]) {
-            vertices.push_back({block.background.points[v], -1, -1});
-            vertices.back().*side = v;
-        }
+    for (int32_t v = 0; v < side.points.count(); ++v)
+        vertices.push_back({side.points[v], v, is_upper});
 }
 
-void add_tets(const Block& block, const Array<uint8_t>& is_near, Numbers& numbers, Array<Tet>& tets)
+void add_tets(const TetMesh& side, Numbers& numbers, Array<Tet>& tets)
 {
-    numbers.tet.assign(block.background.tets.size(), -1);
-    for (int64_t t = 0; t < block.background.tets.count(); ++t) {
-        if (!is_near[t])
-            continue;
-        Tet tet = block.background.tets[t];
+    for (Tet tet : side.tets) {
         for (int32_t& v : tet)
             v = numbers.vertex[v];
-        numbers.tet[t] = static_cast<int32_t>(tets.size());
+        numbers.tet.push_back(static_cast<int32_t>(tets.size()));
         tets.push_back(tet);
     }
 }
 
-Seam seam_between(const Block& lower, const Block& upper)
+Joined joined_sides(const TetMesh& lower, const TetMesh& upper)
 {
-    const TetMesh &a = lower.background, &b = upper.background;
-    const auto near_in_lower =
-        near_points(a.tets, a.points.size(), shared_points(a.points, lower.held, b.points, upper.held), kSnapRings);
-    const auto near_in_upper =
-        near_points(b.tets, b.points.size(), shared_points(b.points, upper.held, a.points, lower.held), kSnapRings);
-    Array<SeamVertex> vertices;
-    add_vertices(lower, near_in_lower, &SeamVertex::lower, vertices);
-    add_vertices(upper, near_in_upper, &SeamVertex::upper, vertices);
-    std::sort(vertices.begin(), vertices.end(), [](const SeamVertex& p, const SeamVertex& q) {
-        return p.x != q.x ? is_lower_place(p.x, q.x) : p.upper < q.upper;
+    Array<SideVertex> vertices;
+    add_vertices(lower, false, vertices);
+    add_vertices(upper, true, vertices);
+    std::sort(vertices.begin(), vertices.end(), [](const SideVertex& p, const SideVertex& q) {
+        return p.x != q.x ? is_lower_place(p.x, q.x) : p.is_upper < q.is_upper;
     });
-    Seam seam;
-    seam.lower.vertex.assign(a.points.size(), -1);
-    seam.upper.vertex.assign(b.points.size(), -1);
-    for (const SeamVertex& v : vertices) {
-        if (seam.background.points.empty() || seam.background.points.back() != v.x)
-            seam.background.points.push_back(v.x);
-        const auto number = static_cast<int32_t>(seam.background.points.size() - 1);
-        (v.lower >= 0 ? seam.lower.vertex[v.lower] : seam.upper.vertex[v.upper]) = number;
+    Joined out;
+    out.lower.vertex.resize(lower.points.size());
+    out.upper.vertex.resize(upper.points.size());
+    for (const SideVertex& v : vertices) {
+        if (out.background.points.empty() || out.background.points.back() != v.x)
+            out.background.points.push_back(v.x);
+        (v.is_upper ? out.upper : out.lower).vertex[v.vertex] = static_cast<int32_t>(out.background.points.size() - 1);
     }
-    add_tets(lower, near_in_lower, seam.lower, seam.background.tets);
-    add_tets(upper, near_in_upper, seam.upper, seam.background.tets);
-    return seam;
+    add_tets(lower, out.lower, out.background.tets);
+    add_tets(upper, out.upper, out.background.tets);
+    return out;
 }
 
 void sort(Snapped& snapped)
@@ -122,41 +104,75 @@ Array<int32_t> inverse(const Array<int32_t>& numbers, size_t count)
     return out;
 }
 
-// What the seam says takes the place of what the block had there.
-void take_back(const Seam& seam, const Numbers& numbers, const Snapped& of_seam, Snapped& of_block)
+// The vertices and tetrahedra of which `numbers` has no -1, as they are in another background.
+Snapped renumbered(const Snapped& from, const Numbers& numbers)
 {
     Snapped out;
-    for (const SnappedVertex& v : of_block.vertices)
-        if (numbers.vertex[v.vertex] < 0)
-            out.vertices.push_back(v);
-    for (const Snapped::Kept& k : of_block.kept)
-        if (numbers.tet[k.tet] < 0)
-            out.kept.push_back(k);
-    add_renumbered(
-        of_seam,
-        {inverse(numbers.vertex, seam.background.points.size()), inverse(numbers.tet, seam.background.tets.size())},
-        out);
+    add_renumbered(from, numbers, out);
     sort(out);
-    of_block = std::move(out);
+    return out;
 }
 
 }  // namespace
 
-void snap_seam(const Volume& volume, Block& lower, Block& upper, const PipelineOptions& options, const Run& run)
+NearSnapped near_snapped(const Block& block, const Array<Vec3>& places_of_other)
+{
+    const TetMesh& all = block.background;
+    const Array<int32_t> on_seam = points_at(all.points, block.held, places_of_other);
+    const Array<uint8_t> is_near = near_points(all.tets, all.points.size(), on_seam, kSnapRings);
+    NearSnapped near;
+    Array<uint8_t> is_used(all.points.size(), 0);
+    for (int32_t t = 0; t < all.tets.count(); ++t)
+        if (is_near[t]) {
+            near.tets.push_back(t);
+            for (const int32_t v : all.tets[t])
+                is_used[v] = 1;
+        }
+    for (int32_t v = 0; v < all.points.count(); ++v)
+        if (is_used[v])
+            near.vertices.push_back(v);
+    near.side.background = piece_of(all, [&](int64_t t) { return is_near[t] != 0; });
+    near.side.snapped =
+        renumbered(block.snapped, {inverse(near.vertices, all.points.size()), inverse(near.tets, all.tets.size())});
+    return near;
+}
+
+std::pair<Snapped, Snapped> snap_seam(const VolumeParts& volume, const SnapSide& lower, const SnapSide& upper,
+                                      const PipelineOptions& options, const Run& run)
 {
     if (lower.background.tets.empty() || upper.background.tets.empty())
-        return;
+        return {lower.snapped, upper.snapped};
     const Run of_part = quiet(run);
-    const Seam seam = seam_between(lower, upper);
+    const Joined both = joined_sides(lower.background, upper.background);
     Snapped before;
-    add_renumbered(lower.snapped, seam.lower, before);
-    add_renumbered(upper.snapped, seam.upper, before);
+    add_renumbered(lower.snapped, both.lower, before);
+    add_renumbered(upper.snapped, both.upper, before);
     sort(before);
+    const auto around = volume.around(box_of(both.background.points));
     CleaveOptions snapping = options.cleave;
-    snapping.held = points_of_cut(seam.background, {Vec3::Zero(), volume.grid().extent()}, of_part);
-    const Snapped after = snap_background(volume, seam.background, snapping, before, of_part);
-    take_back(seam, seam.lower, after, lower.snapped);
-    take_back(seam, seam.upper, after, upper.snapped);
+    snapping.held = points_of_cut(both.background, {Vec3::Zero(), volume.grid.extent()}, of_part);
+    const Snapped after = snap_background(*around, both.background, snapping, before, of_part);
+    const auto of_side = [&](const Numbers& numbers) {
+        return renumbered(after, {inverse(numbers.vertex, both.background.points.size()),
+                                  inverse(numbers.tet, both.background.tets.size())});
+    };
+    return {of_side(both.lower), of_side(both.upper)};
+}
+
+void take_back(Block& block, const NearSnapped& near, const Snapped& of_side)
+{
+    const Array<int32_t> vertex = inverse(near.vertices, block.background.points.size()),
+                         tet = inverse(near.tets, block.background.tets.size());
+    Snapped out;
+    for (const SnappedVertex& v : block.snapped.vertices)
+        if (vertex[v.vertex] < 0)
+            out.vertices.push_back(v);
+    for (const Snapped::Kept& k : block.snapped.kept)
+        if (tet[k.tet] < 0)
+            out.kept.push_back(k);
+    add_renumbered(of_side, {near.vertices, near.tets}, out);
+    sort(out);
+    block.snapped = std::move(out);
 }
 
 }  // namespace cleft

@@ -3,7 +3,6 @@
 #include "pipeline/volume_differences.hpp"
 
 #include "base/number_text.hpp"
-#include "mesh/materials.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,23 +33,23 @@ std::string text(const Difference& difference)
 }
 
 // The comparison makes no sense where a background of the user fills only a part of the box.
-bool fills_box(const Volume& volume, const Array<double>& volumes)
+bool fills_box(const Grid& grid, const Array<double>& volumes)
 {
-    const double box = volume.grid().extent().prod();
+    const double box = grid.extent().prod();
     return std::abs(std::accumulate(volumes.begin(), volumes.end(), 0.0) - box) < 1e-6 * box;
 }
 
 // Those that differ too much, the greatest difference first.
-Array<Difference> differences(const Volume& volume, const Array<double>& volumes, const KeptMaterials& kept)
+Array<Difference> differences(const Grid& grid, const LabelCounts& of, const Array<double>& volumes,
+                              const KeptMaterials& kept)
 {
-    const Array<int64_t>& voxels = volume.voxel_counts();
     Array<Difference> all;
-    for (size_t m = 0; m < voxels.size(); ++m) {
-        if (voxels[m] < kLeastVoxels || !kept.has(static_cast<Material>(m)))
+    for (size_t m = 0; m < of.voxels.size(); ++m) {
+        if (of.voxels[m] < kLeastVoxels || !kept.has(static_cast<Material>(m)))
             continue;
-        const double share = volumes[m] / (static_cast<double>(voxels[m]) * volume.grid().spacing.prod()) - 1;
+        const double share = volumes[m] / (static_cast<double>(of.voxels[m]) * grid.spacing.prod()) - 1;
         if (std::abs(share) > kMostDifference)
-            all.push_back({volume.labels()[m], share});
+            all.push_back({of.labels[m], share});
     }
     // Equal differences stay in the order of the materials.
     std::stable_sort(all.begin(), all.end(),
@@ -60,17 +59,14 @@ Array<Difference> differences(const Volume& volume, const Array<double>& volumes
 
 }  // namespace
 
-void warn_of_volume_differences(const Volume& volume, const LabelledMesh& mesh, const KeptMaterials& kept,
-                                const Run& run)
+void warn_of_volume_differences(const Grid& grid, const LabelCounts& voxels, const Array<double>& volumes,
+                                const KeptMaterials& kept, const Run& run)
 {
     // A sentence that names more is not read.
     constexpr size_t kNamed = 5;
-    if (!run.on_warning)
+    if (!run.on_warning || !fills_box(grid, volumes))
         return;
-    const Array<double> volumes = material_volumes(mesh, volume.material_count(), run);
-    if (!fills_box(volume, volumes))
-        return;
-    const Array<Difference> all = differences(volume, volumes, kept);
+    const Array<Difference> all = differences(grid, voxels, volumes, kept);
     if (all.empty())
         return;
     std::string names;

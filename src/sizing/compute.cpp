@@ -6,13 +6,13 @@
 #include "base/stage.hpp"
 #include "sizing/feature_size.hpp"
 #include "sizing/gradient_limit.hpp"
+#include "sizing/number_limit.hpp"
 #include "sizing/one_voxel.hpp"
 #include "volume/limits.hpp"
 
 #include <cmath>
 #include <limits>
 #include <string>
-#include <utility>
 
 namespace cleft
 {
@@ -43,6 +43,13 @@ struct Limits {
     double least_feature;  // no feature asks for less
     double least;          // nothing asks for less
     double thin;           // of parts that are one voxel thick, if they are to be kept
+
+    // The same for features that may ask for so many times less.
+    Limits raised(double factor) const
+    {
+        // A least size above the greatest would be cut off again.
+        return {std::max(greatest, factor * least_feature), factor * least_feature, least, factor * thin};
+    }
 };
 
 // A plate whose elements are longer than this share of its thickness has flat ones, and nothing can make them better.
@@ -54,6 +61,8 @@ constexpr double kMostOfThickness = 1.5;
 // A plate of 20 x 20 voxels of 50 x 50 x 1 would have millions of tetrahedra for nothing that its labels need.
 // These many have some 140,000 background tetrahedra by the estimate of sizing_field.cpp.
 constexpr double kMostSquares = 20000;
+
+}  // namespace
 
 double default_size_max(const Grid& grid)
 {
@@ -68,6 +77,9 @@ double default_size_max(const Grid& grid)
     const double squares = box.prod() / (box.minCoeff() * thin * thin);
     return is_usual || squares <= kMostSquares ? std::min(whole, thin) : whole;
 }
+
+namespace
+{
 
 Limits limits_of(const Grid& grid, const SizingOptions& options)
 {
@@ -184,71 +196,23 @@ SizingField field_of(const Sources& from, const Limits& limits, const Run& run)
     return field;
 }
 
-// Cells of an octree are no longer than the box is thin, whatever their size is to be: a plate can have many more of
-// them than the sizes ask for.
-void refuse_flat_box(const SizingField& field, double expected, double wanted)
+void keep_to_max_tets(const Sources& from, Limits limits, SizingField& field, const Run& run)
 {
-    // Trees come in steps of eight times the number, and have half as many tetrahedra again as particles.
-    constexpr double kOfSteps = 4;
-    if (expected <= kOfSteps * std::max(wanted, expected_particle_tets(field)))
+    const SizingOptions& options = from.options;
+    if (!limits_number(options))
         return;
-    throw Error(CLEFT_ERROR_TOO_LARGE, "the box is so thin that the background has about " + count_text(expected) +
-                                           " tetrahedra, whatever their size, more than max_tets, " +
-                                           count_text(wanted) + ": set a greater max_tets or another background");
-}
-
-// A size that is given for interfaces, labels or points holds whatever the number comes to.
-void warn_of_raised(double least, double asked, double expected, double wanted, const Run& run)
-{
-    // The expected number is off by some percent: what is so little above says nothing.
-    constexpr double kNearly = 1.2;
-    const std::string raised = "the features ask for about " + count_text(asked) +
-                               " tetrahedra: the least size was raised to " + number_text(least);
-    if (expected > kNearly * wanted)
-        run.warn(raised + ", but the box and the given sizes of interfaces, labels or points still ask for about " +
-                 count_text(expected) + ", more than max_tets, " + count_text(wanted));
-    else
-        run.warn(raised + " to keep to max_tets, " + count_text(wanted));
-}
-
-// Raises the least size of features until the expected number is kept to.
-void keep_to_number(const Sources& from, Limits limits, SizingField& field, const Run& run)
-{
-    // Thin structures fill a noisy volume, so that the number falls with a power of the least size between two and
-    // three: with the mean of both, each round leaves a fifth of what was too many at most, so nine are enough for any
-    // number. Each computes a whole field.
-    constexpr int kMostRounds = 9;
-    constexpr double kPower = 2.5;
-    // Nearer than the estimate is anyway; also the least factor, so that each round changes the field.
-    constexpr double kClose = 1.02;
-    const double wanted = from.options.max_tets;
-    if (wanted <= 0 || from.options.size > 0 || from.options.size_min > 0)
-        return;
-    const auto count = [&] {
-        return from.options.expected_tets ? from.options.expected_tets(field, wanted, run)
-                                          : expected_particle_tets(field);
+    const auto expected = [&](double raised) {
+        if (raised > 1) {
+            // Frees the old values before the new ones are made: a field can be the largest array of the stage.
+            field = SizingField();
+            field = field_of(from, limits.raised(raised), run);
+        }
+        return options.expected_tets ? options.expected_tets(field, options.max_tets, run)
+                                     : expected_particle_tets(field);
     };
-    const double asked = count();
-    if (asked <= wanted)
-        return;
-    double expected = asked;
-    for (int round = 0; round < kMostRounds && expected > kClose * wanted; ++round) {
-        const double factor = std::max(std::pow(expected / wanted, 1 / kPower), kClose);
-        limits.least_feature *= factor;
-        limits.thin *= factor;
-        // A least size above the greatest would be cut off again.
-        limits.greatest = std::max(limits.greatest, limits.least_feature);
-        // Frees the old values before the new ones are made: a field can be the largest array of the stage.
-        field = SizingField();
-        field = field_of(from, limits, run);
-        const double before = std::exchange(expected, count());
-        // No cell is longer than the box is thin, so that greater sizes change nothing.
-        if (expected >= before && limits.least_feature > field.grid.extent().minCoeff())
-            break;
-    }
-    run.note("sizing.raised_size_min", limits.least_feature);
-    refuse_flat_box(field, expected, wanted);
-    warn_of_raised(limits.least_feature, asked, expected, wanted, run);
+    const auto at_wanted_size = [&] { return expected_particle_tets(field); };
+    keep_to_number({options.max_tets, limits.least_feature, from.labelling.grid.extent().minCoeff()}, expected,
+                   at_wanted_size, run);
 }
 
 }  // namespace
@@ -272,7 +236,7 @@ SizingField compute_sizing(const Labelling& labelling, const SizingOptions& opti
 {
     Stage stage(run, "sizing", {{"sizing: features", 60}, {"sizing: field", 40}, {"sizing: number of tetrahedra", 0}});
     check_options(options);
-    const Limits limits = limits_of(labelling.grid, options);
+    const Limits limits = limits_of(labelling.grid, options).raised(options.raised);
 
     Sources from{labelling, options, given_limits, {}};
     const Run of_features = stage.next();
@@ -283,7 +247,7 @@ SizingField compute_sizing(const Labelling& labelling, const SizingOptions& opti
     if (options.size > 0)  // only the places are wanted
         std::fill(from.features.size.begin(), from.features.size.end(), std::numeric_limits<float>::infinity());
     SizingField field = field_of(from, limits, stage.next());
-    keep_to_number(from, limits, field, stage.next());
+    keep_to_max_tets(from, limits, field, stage.next());
     note_field(field, run);
     return field;
 }

@@ -18,6 +18,9 @@ void check_size(const std::string& name, double value);
 // Throws if the greatest wanted size is less than the least.
 void check_size_range(const SizingOptions& options);
 
+// What size_max 0 stands for.
+double default_size_max(const Grid& grid);
+
 // A greatest size at a voxel.
 struct SizeLimit {
     int64_t voxel;

@@ -16,6 +16,10 @@ namespace cleft
 {
 
 // Values at the voxel centres of the grid; read between them by trilinear interpolation, constant past the outermost.
+struct SizeRange {
+    double least, greatest;
+};
+
 struct SizingField {
     Grid grid;
     Array<float> h;
@@ -23,19 +27,21 @@ struct SizingField {
     // Wanted lengths by direction, on the same grid; null: they are the same in all. With a metric, h is the size of
     // regular tetrahedra that are as large. Shared, since meshes go on being measured by it.
     std::shared_ptr<const MetricField> metric = nullptr;
+    // The voxel that `h` begins with. A part of a large field holds whole planes across the last axis.
+    int64_t first = 0;
 
     // Of a point in the local frame; past the outermost centres as at the nearest of them.
     double at(const Vec3& x) const;
     // Of the values at the voxels; interpolation stays between them.
     double least() const;
     double greatest() const;
+    SizeRange range() const { return {least(), greatest()}; }
 };
 
 // In the header because particles ask for it a hundred times each.
 inline double SizingField::at(const Vec3& x) const
 {
-    CLEFT_ASSERT(h.count() == grid.size());
-    const float* corner = h.data();
+    int64_t corner = -first;
     double t[3];
     int64_t step[3];
     int64_t stride = 1;
@@ -49,9 +55,11 @@ inline double SizingField::at(const Vec3& x) const
         corner += low * stride;
         stride *= n;
     }
+    CLEFT_ASSERT(corner >= 0 && corner + step[0] + step[1] + step[2] < h.count());
+    const float* const low = h.data() + corner;
     const auto along_x = [&](const float* p) { return mix(double{p[0]}, double{p[step[0]]}, t[0]); };
     const auto in_plane = [&](const float* p) { return mix(along_x(p), along_x(p + step[1]), t[1]); };
-    return mix(in_plane(corner), in_plane(corner + step[2]), t[2]);
+    return mix(in_plane(low), in_plane(low + step[2]), t[2]);
 }
 
 // Throws for a size that is no size (is_size() in volume/limits.hpp).

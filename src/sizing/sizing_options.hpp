@@ -28,6 +28,7 @@ struct SizingOptions {
     bool keep_thin = false;  // half the least spacing where a material is one voxel thick
     double max_tets = 0;     // where size_min is 0, sizes from features are at least as large as keeps the expected
                              // number of background tetrahedra to about this; 0: no limit
+    double raised = 1;       // features may ask for so many times less at least than the least size
     // The number that max_tets limits, of the background that will be made. It need be exact near the limit only.
     // Empty: of particles.
     std::function<double(const SizingField& field, double limit, const Run& run)> expected_tets;

@@ -10,6 +10,14 @@
 namespace cleft
 {
 
+// Planes of voxels across the last axis: first .. first + count - 1.
+struct Planes {
+    int32_t first = 0, count = 0;
+
+    int32_t end() const { return first + count; }
+    bool has(int32_t k) const { return k >= first && k < end(); }
+};
+
 struct Grid {
     FixedArray<int32_t, 3> dims{0, 0, 0};
     Vec3 spacing{1, 1, 1};
@@ -25,6 +33,7 @@ struct Grid {
         return i + int64_t{dims[0]} * (j + int64_t{dims[1]} * k);
     }
     Vec3 centre(int32_t i, int32_t j, int32_t k) const { return Vec3(i + 0.5, j + 0.5, k + 0.5).cwiseProduct(spacing); }
+    int64_t plane_size() const { return int64_t{dims[0]} * dims[1]; }
     // From a voxel to the next one along each axis.
     FixedArray<int64_t, 3> strides() const { return {1, dims[0], int64_t{dims[0]} * dims[1]}; }
     // The box is [0, extent]: it ends where the voxels end, not where their centres end.

@@ -82,7 +82,7 @@ private:
     void copy_rows(const LabelMap<Label>& map, const FixedArray<int32_t, 3>& first)
     {
         const int64_t row = map.grid.dims[0], slice = row * map.grid.dims[1];
-        const int64_t start = map.grid.index(first[0], first[1], first[2]);
+        const int64_t start = map.index(first[0], first[1], first[2]);
         const Label* material = map.material.data() + start;
         const uint8_t* weight = map.weight.data() + start;
         int at = 0;
@@ -103,7 +103,7 @@ private:
         int at = 0;
         for (int z = 0; z < width_; ++z)
             for (int y = 0; y < width_; ++y) {
-                const int64_t start = map.grid.index(0, index[1][y], index[2][z]);
+                const int64_t start = map.index(0, index[1][y], index[2][z]);
                 for (int x = 0; x < width_; ++x, ++at) {
                     material_[at] = map.material[start + index[0][x]];
                     weight_[at] = map.weight[start + index[0][x]];

@@ -46,6 +46,9 @@ template <class Label>
 struct LabelMap {
     Grid grid;
     Hann kernel{5};
+    // The planes that may be sampled. A part of a large map holds these and some around them.
+    Planes planes;
+    int64_t first = 0;  // the voxel that the arrays begin with
     // Each padded by kLanes entries, so that whole lanes can be read at any voxel.
     Array<Label> material;
     Array<uint8_t> weight;  // A
@@ -53,6 +56,8 @@ struct LabelMap {
 
     // A point sees no voxel farther than this from its nearest one.
     int reach() const { return kernel.width() / 2; }
+    // Where the arrays have a voxel.
+    int64_t index(int32_t i, int32_t j, int32_t k) const { return grid.index(i, j, k) - first; }
 };
 
 // i, or the index of the voxel of which the voxel i outside 0 .. n-1 is a mirror image.

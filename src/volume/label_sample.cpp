@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace cleft
 {
@@ -25,11 +26,14 @@ struct Shares {
     double gradient[kGreatestShares][3];  // by voxel index
 };
 
-// The voxel whose centre is nearest to a point.
-int64_t voxel_at(const Grid& grid, const FixedArray<double, 3>& u)
+// Where the map has the voxel whose centre is nearest to a point.
+template <class Label>
+int64_t voxel_at(const LabelMap<Label>& map, const FixedArray<int32_t, 3>& nearest)
 {
-    const auto [i, j, k] = nearest_voxel(grid, u);
-    return grid.index(i, j, k);
+    // Stages ask for the planes around what they work on. If one went further, another part of memory would be read.
+    if (!map.planes.has(nearest[2]))
+        throw std::logic_error("a place outside the planes of voxels that are held was sampled");
+    return map.index(nearest[0], nearest[1], nearest[2]);
 }
 
 // The kernel for every voxel of a block, and its derivatives by x, y and z.
@@ -79,8 +83,10 @@ struct Corners {
     int64_t voxel[8];
     double offset[3];  // from the first of them
 
-    Corners(const Grid& grid, const FixedArray<double, 3>& u)
+    template <class Label>
+    Corners(const LabelMap<Label>& map, const FixedArray<double, 3>& u)
     {
+        const Grid& grid = map.grid;
         int64_t step[3][2];
         const int64_t stride[3] = {1, grid.dims[0], int64_t{grid.dims[0]} * grid.dims[1]};
         for (int a = 0; a < 3; ++a) {
@@ -92,14 +98,14 @@ struct Corners {
             step[a][1] = stride[a] * std::min(low + 1, grid.dims[a] - 1);
         }
         for (int c = 0; c < 8; ++c)
-            voxel[c] = step[0][c & 1] + step[1][c >> 1 & 1] + step[2][c >> 2];
+            voxel[c] = step[0][c & 1] + step[1][c >> 1 & 1] + step[2][c >> 2] - map.first;
     }
 };
 
 template <bool WithGradient, class Label>
 void add_bumps(const LabelMap<Label>& map, const FixedArray<double, 3>& u, Shares& out)
 {
-    const Corners corners(map.grid, u);
+    const Corners corners(map, u);
     // Most points have no bump around: only parts that are thin, and centres that lost their label, have one.
     int any = 0;
     for (const int64_t v : corners.voxel)
@@ -171,7 +177,7 @@ template <bool WithGradient, class Label>
 void sample_shares(const LabelMap<Label>& map, const Vec3& x, Samples& out)
 {
     const auto u = voxel_position(map.grid, x);
-    const auto nearest = voxel_at(map.grid, u);
+    const auto nearest = voxel_at(map, nearest_voxel(map.grid, u));
     if (depth_of(map.code[nearest]) >= map.reach())
         // No voxel of another material is within reach of the kernel, so the share is exactly 1 and its gradient 0.
         return single(map.material[nearest], WithGradient, out);
@@ -224,7 +230,7 @@ template <class Label>
 Material material_at(const LabelMap<Label>& map, const Vec3& x)
 {
     const auto u = voxel_position(map.grid, x);
-    const auto nearest = voxel_at(map.grid, u);
+    const auto nearest = voxel_at(map, nearest_voxel(map.grid, u));
     if (depth_of(map.code[nearest]) >= map.reach())
         return map.material[nearest];
     Shares shares;
@@ -241,7 +247,7 @@ bool single_material_near(const LabelMap<Label>& map, const Vec3& x, double reac
 {
     const auto u = voxel_position(map.grid, x);
     const auto nearest = nearest_voxel(map.grid, u);
-    const int depth = depth_of(map.code[map.grid.index(nearest[0], nearest[1], nearest[2])]);
+    const int depth = depth_of(map.code[voxel_at(map, nearest)]);
     // A point within `reach` sees the voxels less than half a kernel farther; the block of one material around the
     // nearest voxel ends before the centres at depth + 1.
     for (int a = 0; a < 3; ++a) {

@@ -11,7 +11,7 @@ namespace cleft
 template <class Label>
 Material voxel_material(const LabelMap<Label>& map, int64_t voxel)
 {
-    return map.material[voxel];
+    return map.material[voxel - map.first];
 }
 template <class Label>
 void sample(const LabelMap<Label>& map, const Vec3& x, Samples& out);

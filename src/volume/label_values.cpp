@@ -85,12 +85,12 @@ private:
     std::unordered_map<Value, Label> hashed_;
 };
 
-[[noreturn]] void refuse_count()
+}  // namespace
+
+void refuse_label_count()
 {
     throw Error(CLEFT_ERROR_ARGUMENT, "the volume has more than 65535 different labels; is it a grey-scale image?");
 }
-
-}  // namespace
 
 template <class Value>
 Array<UserLabel> distinct_labels(const Value* voxels, int64_t n, const Run& run)
@@ -108,7 +108,7 @@ Array<UserLabel> distinct_labels(const Value* voxels, int64_t n, const Run& run)
                 set.insert(last);
             }
         if (set.values().size() > kGreatestLabelCount)
-            refuse_count();
+            refuse_label_count();
     }
     const Array<Value>& values = set.values();
     if constexpr (std::is_same_v<Value, uint32_t>)

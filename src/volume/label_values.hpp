@@ -13,6 +13,8 @@ namespace cleft
 // Materials are stored in 16 bits at most, and material_set.hpp keeps one number free.
 constexpr size_t kGreatestLabelCount = 65535;
 
+[[noreturn]] void refuse_label_count();
+
 // The different values among n voxels in the order in which they come there: materials are numbered so, and another
 // choice of values gives the same mesh. Refuses values past INT32_MAX and more than 65,535 different ones.
 template <class Value>

@@ -8,6 +8,7 @@
 #include "base/stage.hpp"
 #include "volume/indicator_field.hpp"
 #include "volume/label_depth.hpp"
+#include "volume/label_planes.hpp"
 #include "volume/label_sample.hpp"
 #include "volume/label_values.hpp"
 #include "volume/label_weights.hpp"
@@ -18,6 +19,7 @@
 #include <mutex>
 #include <new>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <variant>
 
@@ -30,6 +32,18 @@ struct Volume::Data {
     // Several steps ask for them, each of which would pass over all voxels.
     std::mutex counting;
     Array<int64_t> counts;
+
+    // body(map) with the label map.
+    template <class Body>
+    void visit_map(const Body& body)
+    {
+        if (auto* narrow = std::get_if<LabelMap<uint8_t>>(&field))
+            body(*narrow);
+        else if (auto* wide = std::get_if<LabelMap<uint16_t>>(&field))
+            body(*wide);
+        else
+            throw std::logic_error("a part of indicator functions was asked for");
+    }
 };
 
 namespace
@@ -60,6 +74,7 @@ LabelMap<Label> make_label_map(const Value* voxels, const Grid& grid, int kernel
     LabelMap<Label> map;
     map.grid = grid;
     map.kernel = Hann(kernel);
+    map.planes = {0, grid.dims[2]};
     // The surplus lets a sample read whole lanes at the last voxel too.
     map.material.resize(grid.size() + kLanes);
     Steps steps(run, {{nullptr, 2}, {nullptr, 10}, {nullptr, 80}});
@@ -69,19 +84,43 @@ LabelMap<Label> make_label_map(const Value* voxels, const Grid& grid, int kernel
     return map;
 }
 
+// The map of voxels whose labels are in data.labels.
 template <class Value>
-void store_labels(const void* voxels, const Grid& grid, int kernel, Volume::Data& data, const Run& run)
+void store_map(const Value* voxels, const Grid& grid, int kernel, Volume::Data& data, const Run& run)
 {
-    const auto* values = static_cast<const Value*>(voxels);
-    Stage stage(run, "volume", {{"volume: labels", 10}, {"volume: smoothing", 90}});
-    data.labels = distinct_labels(values, grid.size(), stage.next());
     // Most volumes have few labels. One byte per voxel halves the memory of the map, which is worth a second
     // instantiation.
     if (data.labels.size() <= 256)
-        data.field = make_label_map<uint8_t>(values, grid, kernel, data.labels, stage.next());
+        data.field = make_label_map<uint8_t>(voxels, grid, kernel, data.labels, run);
     else
-        data.field = make_label_map<uint16_t>(values, grid, kernel, data.labels, stage.next());
-    run.report(1);
+        data.field = make_label_map<uint16_t>(voxels, grid, kernel, data.labels, run);
+}
+
+// Calls body(values) with the voxels as what they are.
+template <class Body>
+void with_type(VoxelType type, const void* voxels, const Body& body)
+{
+    if (!voxels)
+        throw Error(CLEFT_ERROR_NULL, "the voxels are NULL");
+    switch (type) {
+        case VoxelType::uint8:
+            return body(static_cast<const uint8_t*>(voxels));
+        case VoxelType::uint16:
+            return body(static_cast<const uint16_t*>(voxels));
+        case VoxelType::int16:
+            return body(static_cast<const int16_t*>(voxels));
+        case VoxelType::uint32:
+            return body(static_cast<const uint32_t*>(voxels));
+        case VoxelType::int32:
+            return body(static_cast<const int32_t*>(voxels));
+    }
+    throw Error(CLEFT_ERROR_ARGUMENT, "the voxel type is unknown");
+}
+
+void check_kernel(int kernel)
+{
+    if (kernel < 2 || kernel > 6)
+        throw Error(CLEFT_ERROR_ARGUMENT, "the kernel width is " + std::to_string(kernel) + ", not within 2 .. 6");
 }
 
 // The names of the materials of K fields.
@@ -165,30 +204,52 @@ Array<int64_t> counts_of(const IndicatorField& field, size_t materials)
 Volume Volume::from_labels(VoxelType type, const void* voxels, const Grid& grid, int kernel, const Run& run)
 {
     check_grid(grid);
-    if (!voxels)
-        throw Error(CLEFT_ERROR_NULL, "the voxels are NULL");
-    if (kernel < 2 || kernel > 6)
-        throw Error(CLEFT_ERROR_ARGUMENT, "the kernel width is " + std::to_string(kernel) + ", not within 2 .. 6");
+    check_kernel(kernel);
     auto data = std::make_unique<Data>();
-    switch (type) {
-        case VoxelType::uint8:
-            store_labels<uint8_t>(voxels, grid, kernel, *data, run);
-            break;
-        case VoxelType::uint16:
-            store_labels<uint16_t>(voxels, grid, kernel, *data, run);
-            break;
-        case VoxelType::int16:
-            store_labels<int16_t>(voxels, grid, kernel, *data, run);
-            break;
-        case VoxelType::uint32:
-            store_labels<uint32_t>(voxels, grid, kernel, *data, run);
-            break;
-        case VoxelType::int32:
-            store_labels<int32_t>(voxels, grid, kernel, *data, run);
-            break;
-        default:
-            throw Error(CLEFT_ERROR_ARGUMENT, "the voxel type is unknown");
-    }
+    with_type(type, voxels, [&](const auto* values) {
+        Stage stage(run, "volume", {{"volume: labels", 10}, {"volume: smoothing", 90}});
+        data->labels = distinct_labels(values, grid.size(), stage.next());
+        store_map(values, grid, kernel, *data, stage.next());
+        run.report(1);
+    });
+    return Volume(std::move(data));
+}
+
+LabelCounts Volume::count_labels(VoxelType type, const void* voxels, int64_t count, const Run& run)
+{
+    LabelCounts out;
+    with_type(type, voxels, [&](const auto* values) {
+        out.labels = distinct_labels(values, count, run);
+        Array<uint16_t> materials(to_size(count));
+        dense_materials(values, count, out.labels, materials.data(), run);
+        out.voxels.assign(out.labels.size(), 0);
+        for (const uint16_t m : materials)
+            ++out.voxels[m];
+    });
+    return out;
+}
+
+Volume Volume::from_planes(VoxelType type, const void* voxels, const Grid& whole, Planes read,
+                           const LabelCounts& of_whole, int kernel, const Run& run)
+{
+    check_grid(whole);
+    check_kernel(kernel);
+    CLEFT_ASSERT(read.first >= 0 && read.count > 0 && read.end() <= whole.dims[2]);
+    Grid grid = whole;
+    grid.dims[2] = read.count;
+    auto data = std::make_unique<Data>();
+    data->labels = of_whole.labels;
+    data->counts = of_whole.voxels;
+    with_type(type, voxels, [&](const auto* values) { store_map(values, grid, kernel, *data, run); });
+    data->visit_map([&](auto& map) { place_in_whole(map, whole, read.first); });
+    return Volume(std::move(data));
+}
+
+Volume Volume::cropped(Planes planes) const
+{
+    auto data = std::make_unique<Data>();
+    data->labels = data_->labels;
+    data_->visit_map([&](const auto& map) { data->field = cleft::cropped(map, planes); });
     return Volume(std::move(data));
 }
 
@@ -265,9 +326,15 @@ void Volume::voxel_materials(int64_t first, int64_t count, Material* out) const
                 for (int64_t i = 0; i < count; ++i)
                     out[i] = cleft::voxel_material(field, first + i);
             else
-                std::copy_n(field.material.data() + first, count, out);
+                std::copy_n(field.material.data() + (first - field.first), count, out);
         },
         data_->field);
+}
+
+LabelCounts Volume::label_counts() const
+{
+    const Array<int64_t>& voxels = voxel_counts();
+    return {Array<UserLabel>(labels().begin(), labels().end()), Array<int64_t>(voxels.begin(), voxels.end())};
 }
 
 const Array<int64_t>& Volume::voxel_counts() const

@@ -52,6 +52,12 @@ struct Samples {
 
 enum class VoxelType { uint8, uint16, int16, uint32, int32 };
 
+// The labels of some voxels in the order in which they come there, and how many voxels have each.
+struct LabelCounts {
+    Array<UserLabel> labels;
+    Array<int64_t> voxels;
+};
+
 class Volume
 {
 public:
@@ -63,6 +69,14 @@ public:
                                   const Run& run);
     static Volume from_indicators(const Array<const double*>& fields, const Grid& grid, const Array<UserLabel>& labels,
                                   const Run& run);
+
+    // A part of a label map, sampled at the places of the whole. `read`: the planes that `voxels` are; those that may
+    // be sampled are fewer (planes_around() in label_planes.hpp). `of_whole` says what the whole map has.
+    static Volume from_planes(VoxelType type, const void* voxels, const Grid& whole, Planes read,
+                              const LabelCounts& of_whole, int kernel, const Run& run);
+    static LabelCounts count_labels(VoxelType type, const void* voxels, int64_t count, const Run& run);
+    // Planes of a label map as a volume of their own, in which its materials keep their numbers.
+    Volume cropped(Planes planes) const;
 
     Volume(Volume&&) noexcept;
     Volume& operator=(Volume&&) noexcept;
@@ -86,6 +100,7 @@ public:
     void voxel_materials(int64_t first, int64_t count, Material* out) const;
     // Number of voxels of each material. Counted when asked for first, by one of the threads that ask.
     const Array<int64_t>& voxel_counts() const;
+    LabelCounts label_counts() const;
 
     // The material of the greatest indicator, as Samples::best() has it.
     Material material_at(const Vec3& x) const;

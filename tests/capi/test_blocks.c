@@ -12,6 +12,8 @@ static cleft_options* options_of(const char* background, const char* block)
     assert_int_equal(cleft_options_create(&options), CLEFT_OK);
     assert_int_equal(cleft_options_set_text(options, "background", background), CLEFT_OK);
     assert_int_equal(cleft_options_set_text(options, "block", block), CLEFT_OK);
+    /* What the thinnest of the blocks below allow: sizes are at most a quarter of a block. */
+    assert_int_equal(cleft_options_set_text(options, "size_max", "1.5"), CLEFT_OK);
     return options;
 }
 

@@ -68,14 +68,14 @@ static const double kPlain[12] = {1, 0, 0, 0.5, 0, 1, 0, 0.5, 0, 0, 1, 0.5};
 static const double kFlipped[12] = {-1, 0.1, 0, 20, 0, 1.5, 0, -3, 0, 0, 1, 8};
 
 /* By rank: all of the same volume. */
-static void set_jobs(job* jobs, int32_t ranks, const int32_t* voxels, int n, const double* affine,
+static void set_jobs(job* jobs, int32_t ranks, const int32_t* voxels, const int64_t dims[3], const double* affine,
                      const cleft_options* options, int32_t ghosts)
 {
     memset(jobs, 0, sizeof(job) * (size_t)ranks);
     for (int32_t r = 0; r < ranks; ++r) {
         jobs[r].voxels.voxels = voxels;
         for (int a = 0; a < 3; ++a)
-            jobs[r].voxels.dims[a] = n;
+            jobs[r].voxels.dims[a] = dims[a];
         jobs[r].affine = affine;
         jobs[r].options = options;
         jobs[r].ghosts = ghosts;
@@ -209,68 +209,168 @@ static void assert_ghosts(const job* jobs, int32_t ranks, const cleft_mesh* whol
     }
 }
 
-static void compare_with_whole(int n, const double* affine, const char* background, const char* improve,
-                               const int32_t* strip)
+/* Makes the mesh in one call, and in parts by several numbers of ranks. */
+static void compare_with_whole(const int32_t* voxels, const int64_t dims[3], const double* affine,
+                               const cleft_options* options)
 {
     static const int32_t kRanks[] = {1, 2, 3, 4, 7, 8};
     cleft_context* context = new_context();
-    cleft_options* options = NULL;
     cleft_volume* volume = NULL;
     cleft_mesh* whole = NULL;
-    int32_t* voxels = ball_labels(n);
-    const int64_t dims[3] = {n, n, n};
+    assert_ok(context, cleft_volume_create_labels(context, CLEFT_TYPE_INT32, voxels, dims, affine, options, &volume));
+    assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, options, &whole));
+    for (size_t i = 0; i < sizeof kRanks / sizeof *kRanks; ++i) {
+        const int32_t ghosts = (int32_t)(i % 2);
+        job jobs[MOST_RANKS];
+        set_jobs(jobs, kRanks[i], voxels, dims, affine, options, ghosts);
+        ranks_run(kRanks[i], make_part, jobs, sizeof *jobs);
+        for (int32_t r = 0; r < kRanks[i]; ++r)
+            if (jobs[r].status != CLEFT_OK)
+                fail_msg("rank %d of %d: %s", (int)r, (int)kRanks[i], jobs[r].sentence);
+        assert_same_mesh(jobs, kRanks[i], whole);
+        assert_same_triangles(context, jobs, kRanks[i], whole);
+        if (ghosts)
+            assert_ghosts(jobs, kRanks[i], whole);
+        destroy_parts(jobs, kRanks[i]);
+    }
+    cleft_mesh_destroy(whole);
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
+static cleft_options* options_of(const char* background, const char* improve, const char* block)
+{
+    cleft_options* options = NULL;
     assert_int_equal(cleft_options_create(&options), CLEFT_OK);
     assert_int_equal(cleft_options_set_text(options, "background", background), CLEFT_OK);
     assert_int_equal(cleft_options_set_text(options, "improve", improve), CLEFT_OK);
+    assert_int_equal(cleft_options_set_text(options, "block", block), CLEFT_OK);
+    return options;
+}
+
+static void compare_ball(int n, const double* affine, const char* background, const char* improve, const int32_t* strip)
+{
+    const int64_t dims[3] = {n, n, n};
+    int32_t* voxels = ball_labels(n);
+    cleft_options* options = options_of(background, improve, "0");
     if (strip)
         assert_int_equal(cleft_options_set_strip(options, strip, 1), CLEFT_OK);
-    assert_ok(context, cleft_volume_create_labels(context, CLEFT_TYPE_INT32, voxels, dims, affine, options, &volume));
-    assert_ok(context, cleft_mesh_volume(context, volume, NULL, NULL, options, &whole));
-    for (size_t i = 0; i < sizeof kRanks / sizeof *kRanks; ++i)
-        for (int32_t ghosts = 0; ghosts < 2; ++ghosts) {
-            job jobs[MOST_RANKS];
-            set_jobs(jobs, kRanks[i], voxels, n, affine, options, ghosts);
-            ranks_run(kRanks[i], make_part, jobs, sizeof *jobs);
-            for (int32_t r = 0; r < kRanks[i]; ++r)
-                if (jobs[r].status != CLEFT_OK)
-                    fail_msg("rank %d of %d: %s", (int)r, (int)kRanks[i], jobs[r].sentence);
-            assert_same_mesh(jobs, kRanks[i], whole);
-            assert_same_triangles(context, jobs, kRanks[i], whole);
-            if (ghosts)
-                assert_ghosts(jobs, kRanks[i], whole);
-            destroy_parts(jobs, kRanks[i]);
-        }
-    free(voxels);
-    cleft_mesh_destroy(whole);
-    cleft_volume_destroy(volume);
+    compare_with_whole(voxels, dims, affine, options);
     cleft_options_destroy(options);
-    cleft_context_destroy(context);
+    free(voxels);
 }
 
 static void parts_are_the_whole(void** state)
 {
     static const int32_t kOutside = 1000;
     (void)state;
-    compare_with_whole(12, kPlain, "particles", "fast", NULL);
-    compare_with_whole(12, kPlain, "octree", "off", NULL);
-    compare_with_whole(10, kFlipped, "lattice", "fast", NULL);
-    compare_with_whole(10, kPlain, "octree", "fast", &kOutside);
+    compare_ball(12, kPlain, "particles", "fast", NULL);
+    compare_ball(12, kPlain, "octree", "off", NULL);
+    compare_ball(10, kFlipped, "lattice", "fast", NULL);
+    compare_ball(10, kPlain, "octree", "fast", &kOutside);
 }
 
 static void more_ranks_than_points(void** state)
 {
     (void)state;
-    compare_with_whole(1, kPlain, "lattice", "fast", NULL);
+    compare_ball(1, kPlain, "lattice", "fast", NULL);
+}
+
+/* Volumes of blocks that several ranks make: each voxel from its place. */
+typedef int32_t (*labelling)(const int64_t at[3]);
+
+static uint32_t hash_of(int64_t i, int64_t j, int64_t k)
+{
+    uint32_t h = (uint32_t)(i * 73856093 ^ j * 19349663 ^ k * 83492791);
+    h = (h ^ h >> 15) * 2246822519u;
+    return (h ^ h >> 13) * 3266489917u >> 16;
+}
+static int32_t noise(const int64_t at[3]) { return (int32_t)(hash_of(at[0], at[1], at[2]) % 3); }
+static int32_t grains(const int64_t at[3])
+{
+    /* The nearest of some seeds, one in each cube of six voxels. */
+    int64_t least = INT64_MAX;
+    int32_t label = 0;
+    for (int c = 0; c < 27; ++c) {
+        const int64_t cell[3] = {at[0] / 6 + c % 3 - 1, at[1] / 6 + c / 3 % 3 - 1, at[2] / 6 + c / 9 - 1};
+        int64_t square = 0;
+        for (int a = 0; a < 3; ++a) {
+            const int64_t d = 6 * cell[a] + hash_of(cell[0], cell[1] + a, cell[2]) % 6 - at[a];
+            square += d * d;
+        }
+        if (square < least) {
+            least = square;
+            label = (int32_t)hash_of(cell[0], cell[1], cell[2]) % 40 - 7;
+        }
+    }
+    return label;
+}
+static int32_t upright_sheet(const int64_t at[3]) { return at[0] + (at[2] > 20) == 5 ? 3 : at[0] > 5 ? 5 : 4; }
+static int32_t sheet_on_a_seam(const int64_t at[3]) { return at[2] == 11 || at[2] == 24 ? 9 : at[2] > 24 ? 2 : 1; }
+static int32_t slanted_sheet(const int64_t at[3]) { return (at[0] + at[1] + at[2]) % 13 < 2 ? 1 : 0; }
+static int32_t scattered(const int64_t at[3])
+{
+    return at[0] % 5 < 2 && at[1] % 6 < 2 && at[2] % 7 < 3 ? 2 : at[1] < 8 ? 1 : 0;
+}
+static int32_t single_voxels(const int64_t at[3])
+{
+    return at[0] % 8 == 4 && at[1] % 8 == 4 && (at[2] == 11 || at[2] == 12 || at[2] == 25) ? (int32_t)at[2] : 0;
+}
+static int32_t one_label(const int64_t at[3]) { return at[0] < 0 ? 1 : 70000; }
+static int32_t new_label_a_plane(const int64_t at[3]) { return (int32_t)(at[2] / 2) * (at[0] > 7 ? -1 : 1); }
+static int32_t ball(const int64_t at[3])
+{
+    int64_t square = 0;
+    for (int a = 0; a < 3; ++a)
+        square += (2 * at[a] - 15 * (a == 2 ? 3 : 1)) * (2 * at[a] - 15 * (a == 2 ? 3 : 1));
+    return square < 14 * 14;
+}
+
+static void compare_blocks(labelling label, const int64_t dims[3], const double* affine, const char* block,
+                           const char* improve)
+{
+    int32_t* voxels = (int32_t*)malloc(sizeof(int32_t) * (size_t)(dims[0] * dims[1] * dims[2]));
+    cleft_options* options = options_of("octree", improve, block);
+    int64_t at[3], v = 0;
+    assert_non_null(voxels);
+    for (at[2] = 0; at[2] < dims[2]; ++at[2])
+        for (at[1] = 0; at[1] < dims[1]; ++at[1])
+            for (at[0] = 0; at[0] < dims[0]; ++at[0])
+                voxels[v++] = label(at);
+    compare_with_whole(voxels, dims, affine, options);
+    cleft_options_destroy(options);
+    free(voxels);
+}
+
+static void ranks_share_blocks(void** state)
+{
+    /* A spacing without a short binary number: places that are computed from another plane would differ. */
+    static const double kThirds[12] = {0.7, 0, 0, 0.5, 0, 0.9, 0, -4, 0, 0, 0.3333, 17};
+    static const int64_t kTall[3] = {16, 16, 48}, kThin[3] = {9, 10, 48}, kFlat[3] = {8, 7, 9}, kLong[3] = {3, 2, 130};
+    (void)state;
+    compare_blocks(ball, kTall, kPlain, "12", "fast");
+    compare_blocks(noise, kFlat, kThirds, "3", "fast");
+    compare_blocks(noise, kLong, kPlain, "40", "fast");
+    compare_blocks(grains, kThin, kThirds, "9", "fast");
+    compare_blocks(ball, kTall, kFlipped, "13", "fast");
+    compare_blocks(upright_sheet, kThin, kThirds, "12", "fast");
+    compare_blocks(sheet_on_a_seam, kTall, kPlain, "12", "fast");
+    compare_blocks(slanted_sheet, kTall, kPlain, "12", "fast");
+    compare_blocks(scattered, kThin, kThirds, "7", "fast");
+    compare_blocks(single_voxels, kTall, kPlain, "12", "fast");
+    compare_blocks(one_label, kTall, kThirds, "12", "fast");
+    compare_blocks(new_label_a_plane, kTall, kPlain, "12", "off");
 }
 
 /* Whoever fails, all get the status and the sentence, and the number of the rank. */
 static void one_fails_all_fail(void** state)
 {
+    static const int64_t kDims[3] = {8, 8, 8};
     int32_t* voxels = ball_labels(8);
     cleft_options* other = NULL;
     job jobs[4];
     (void)state;
-    set_jobs(jobs, 4, voxels, 8, kPlain, NULL, 0);
+    set_jobs(jobs, 4, voxels, kDims, kPlain, NULL, 0);
     jobs[0].voxels.fails = 1;
     ranks_run(4, make_part, jobs, sizeof *jobs);
     for (int r = 0; r < 4; ++r) {
@@ -278,7 +378,7 @@ static void one_fails_all_fail(void** state)
         assert_string_equal(jobs[r].sentence, "rank 0: the tape is worn at plane 0");
         assert_null(jobs[r].part);
     }
-    set_jobs(jobs, 4, voxels, 8, kPlain, NULL, 0);
+    set_jobs(jobs, 4, voxels, kDims, kPlain, NULL, 0);
     jobs[2].cancels = 1;
     ranks_run(4, make_part, jobs, sizeof *jobs);
     for (int r = 0; r < 4; ++r) {
@@ -287,7 +387,7 @@ static void one_fails_all_fail(void** state)
     }
     assert_int_equal(cleft_options_create(&other), CLEFT_OK);
     assert_int_equal(cleft_options_set_text(other, "size", "3"), CLEFT_OK);
-    set_jobs(jobs, 4, voxels, 8, kPlain, NULL, 0);
+    set_jobs(jobs, 4, voxels, kDims, kPlain, NULL, 0);
     jobs[3].options = other;
     ranks_run(4, make_part, jobs, sizeof *jobs);
     for (int r = 0; r < 4; ++r) {
@@ -313,12 +413,13 @@ static int send_no_bytes(const void* send, const int64_t* send_sizes, void* rece
 
 static void an_exchange_can_break(void** state)
 {
+    static const int64_t kDims[3] = {4, 4, 4};
     int32_t* voxels = ball_labels(4);
     const cleft_exchange broken = {sizeof broken, 0, 2, NULL, send_nothing, send_no_bytes};
     const cleft_exchange outside = {sizeof outside, 2, 2, NULL, send_nothing, send_no_bytes};
     job one;
     (void)state;
-    set_jobs(&one, 1, voxels, 4, kPlain, NULL, 0);
+    set_jobs(&one, 1, voxels, kDims, kPlain, NULL, 0);
     make_part(&broken, &one);
     assert_int_equal(one.status, CLEFT_ERROR_EXCHANGE);
     make_part(&outside, &one);
@@ -333,9 +434,8 @@ static void an_exchange_can_break(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(parts_are_the_whole),
-        cmocka_unit_test(more_ranks_than_points),
-        cmocka_unit_test(one_fails_all_fail),
+        cmocka_unit_test(parts_are_the_whole),   cmocka_unit_test(more_ranks_than_points),
+        cmocka_unit_test(ranks_share_blocks),    cmocka_unit_test(one_fails_all_fail),
         cmocka_unit_test(an_exchange_can_break),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -221,8 +221,9 @@ namespace Cleft
         }
 
         /// <summary>
-        /// Thickness, in voxels, of the slabs that are meshed one by one and then joined. The mesh differs a little
-        /// from that of the whole volume. 0: the whole volume at once (0 to 1000000; default 0).
+        /// Thickness, in voxels, of the slabs that are meshed one by one and then joined. No size is more than a
+        /// quarter of it, and the mesh differs a little from that of the whole volume. 0: the whole volume at once (0
+        /// to 1000000; default 0).
         /// </summary>
         public long Block
         {

@@ -446,8 +446,9 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * Sets {@code block}: thickness, in voxels, of the slabs that are meshed one by one and then joined. The mesh
-     * differs a little from that of the whole volume. 0: the whole volume at once (0 to 1000000; default 0).
+     * Sets {@code block}: thickness, in voxels, of the slabs that are meshed one by one and then joined. No size is
+     * more than a quarter of it, and the mesh differs a little from that of the whole volume. 0: the whole volume at
+     * once (0 to 1000000; default 0).
      *
      * @param value the new value
      * @return these options
@@ -457,8 +458,9 @@ public final class Options extends NativeObject {
     }
 
     /**
-     * {@code block}: thickness, in voxels, of the slabs that are meshed one by one and then joined. The mesh differs a
-     * little from that of the whole volume. 0: the whole volume at once (0 to 1000000; default 0).
+     * {@code block}: thickness, in voxels, of the slabs that are meshed one by one and then joined. No size is more
+     * than a quarter of it, and the mesh differs a little from that of the whole volume. 0: the whole volume at once (0
+     * to 1000000; default 0).
      *
      * @return the value
      */

@@ -1,0 +1,163 @@
+// Reads planes as the work asks for them, and does the last steps with sums over all ranks.
+#include "parts/rank_mesh.hpp"
+
+#include "background/octree.hpp"
+#include "base/stage.hpp"
+#include "mesh/materials.hpp"
+#include "mesh/strip.hpp"
+#include "pipeline/block_seams.hpp"
+#include "pipeline/block_sizes.hpp"
+#include "pipeline/finish.hpp"
+#include "pipeline/mesh_blocks.hpp"
+#include "pipeline/quiet_run.hpp"
+#include "volume/label_planes.hpp"
+#include "volume/label_values.hpp"
+
+#include <unordered_map>
+
+namespace cleft
+{
+
+namespace
+{
+
+Window window_of(const Grid& grid, Planes planes)
+{
+    return {{0, 0, planes.first}, {grid.dims[0], grid.dims[1], planes.count}};
+}
+
+// Labels in the order in which they come first, and the sums of their voxels.
+class LabelSums
+{
+public:
+    void add(UserLabel label, int64_t voxels)
+    {
+        const auto [place, is_new] = place_.emplace(number_of(label), sums_.labels.size());
+        if (is_new) {
+            sums_.labels.push_back(label);
+            sums_.voxels.push_back(0);
+            if (sums_.labels.size() > kGreatestLabelCount)
+                refuse_label_count();
+        }
+        sums_.voxels[place->second] += voxels;
+    }
+    LabelCounts take() { return std::move(sums_); }
+
+private:
+    std::unordered_map<int32_t, size_t> place_;
+    LabelCounts sums_;
+};
+
+// The last planes that were read are kept: work on a block asks for much the same ones again.
+VolumeParts read_as_asked(const SharedVoxels& voxels, const LabelCounts& labels, int smooth, const Run& run)
+{
+    struct Held {
+        std::shared_ptr<const Volume> volume;
+        Planes planes;
+    };
+    const auto held = std::make_shared<Held>();
+    return {voxels.grid, [=, &voxels, &labels](Planes wanted) {
+                if (held->volume && held->planes.first <= wanted.first && wanted.end() <= held->planes.end())
+                    return held->volume;
+                held->volume = nullptr;  // its memory is free before more is taken
+                const Planes read = planes_around(voxels.grid, wanted);
+                const Array<unsigned char> bytes = read_window(voxels.source, window_of(voxels.grid, read));
+                held->volume = std::make_shared<const Volume>(Volume::from_planes(
+                    voxels.source.type, bytes.data(), voxels.grid, read, labels, smooth, uncounted(run)));
+                held->planes = wanted;
+                return held->volume;
+            }};
+}
+
+TetMesh background_of_rank(const SizingField& sizes, const BlockLayout& layout, const OwnBlocks& own,
+                           Exchange& exchange, const Run& run)
+{
+    const SizeRange range = range_of_all(sizes, exchange);
+    const double low = layout.start(own.first), high = layout.start(own.end());
+    const Planes planes = own.count > 0 ? octree_slab_planes(layout.grid, range, low, high) : Planes{};
+    const SizingField around = swapped_planes(sizes, planes, exchange);
+    return own.count > 0 ? octree_slab(around, range, low, high, run) : TetMesh();
+}
+
+Array<double> sums_of_ranks(const Array<double>& own, Exchange& exchange)
+{
+    const Array<double> all = exchange.all_gather(own);
+    Array<double> sums(own.size(), 0.0);
+    for (size_t i = 0; i < all.size(); ++i)
+        sums[i % own.size()] += all[i];
+    return sums;
+}
+
+int64_t sum_of_ranks(int64_t own, Exchange& exchange)
+{
+    const Array<int64_t> all = exchange.all_gather(own);
+    return std::accumulate(all.begin(), all.end(), int64_t{0});
+}
+
+void finish(LabelledMesh& mesh, const SharedVoxels& voxels, const LabelCounts& labels, const PipelineOptions& options,
+            Exchange& exchange, const Run& run)
+{
+    require_kept(sum_of_ranks(kept_tets(mesh, options.kept), exchange));
+    const Array<double> volumes =
+        sums_of_ranks(material_volumes(mesh, static_cast<Material>(labels.labels.size()), run), exchange);
+    if (exchange.rank() == 0)
+        warn_of_volume_differences(voxels.grid, labels, volumes, options.kept, run);
+    warn_of_missed_goal(voxels.grid, mesh, options, exchange, run);
+    if (!options.kept.all())
+        strip(mesh.points, mesh.tets, mesh.material, [&](Material m) { return options.kept.has(m); });
+}
+
+}  // namespace
+
+std::string needs_whole_mesh(const PipelineOptions& options, const Grid& grid)
+{
+    if (BlockLayout::of(grid, options.block).count == 1)
+        return "block is 0, or leaves one block";
+    if (options.background.kind != BackgroundKind::octree)
+        return "the background is not octree";
+    if (options.tets > 0)
+        return "tets asks for a number";
+    if (options.strict)
+        return "strict is on";
+    return options.sizing.anisotropy > 1 ? "anisotropy is above 1" : "";
+}
+
+LabelCounts labels_of_all(const SharedVoxels& voxels, int32_t block, Exchange& exchange, const Run& run)
+{
+    const BlockLayout layout = BlockLayout::of(voxels.grid, block);
+    const OwnBlocks own = own_blocks(layout.count, exchange);
+    LabelSums of_rank;
+    for (int32_t b = own.first; b < own.end(); ++b) {
+        const Window window = window_of(voxels.grid, layout.planes(b));
+        const Array<unsigned char> bytes = read_window(voxels.source, window);
+        const LabelCounts found = Volume::count_labels(voxels.source.type, bytes.data(), window.size(), uncounted(run));
+        for (size_t i = 0; i < found.labels.size(); ++i)
+            of_rank.add(found.labels[i], found.voxels[i]);
+    }
+    const LabelCounts mine = of_rank.take();
+    const Array<UserLabel> labels = exchange.all_gather(mine.labels);
+    const Array<int64_t> counts = exchange.all_gather(mine.voxels);
+    LabelSums of_all;
+    for (size_t i = 0; i < labels.size(); ++i)
+        of_all.add(labels[i], counts[i]);
+    return of_all.take();
+}
+
+LabelledMesh mesh_of_rank(const SharedVoxels& voxels, const LabelCounts& labels, int smooth,
+                          const PipelineOptions& options, Exchange& exchange, const Run& run)
+{
+    Steps steps(run, {{nullptr, 15}, {nullptr, 5}, {nullptr, 78}, {nullptr, 2}});
+    const BlockLayout layout = BlockLayout::of(voxels.grid, options.block);
+    const OwnBlocks own = own_blocks(layout.count, exchange);
+    const VolumeParts volume = read_as_asked(voxels, labels, smooth, run);
+    TetMesh background;
+    {
+        const SizingField sizes = sizes_of_own_blocks(volume, layout, options, exchange, steps.next());
+        background = background_of_rank(sizes, layout, own, exchange, steps.next());
+    }
+    LabelledMesh mesh = mesh_own_blocks(volume, layout, background, options, exchange, steps.next());
+    finish(mesh, voxels, labels, options, exchange, steps.next());
+    return mesh;
+}
+
+}  // namespace cleft
