@@ -65,9 +65,13 @@ typedef struct cleft_part cleft_part; /**< the part of a mesh that a rank has; i
 /** Makes the mesh of a volume, and gives each rank a part.
  *
  *  Points are numbered along a Hilbert curve, and the curve is cut into as many pieces as there are ranks: each owns
- *  equally many points, the neighbours in space. A tetrahedron belongs to the owner of its point of least number. So
- *  does a triangle. A part also has the points of its tetrahedra that others own. If `ghosts` is not 0, it has the
- *  tetrahedra of others at the points that it owns as well: all that there are around these points.
+ *  equally many points, the neighbours in space. A tetrahedron belongs to the owner of its point of least number. A
+ *  part also has the points of its tetrahedra that others own. If `ghosts` is not 0, it has the tetrahedra of others at
+ *  the points that it owns as well: all that there are around these points.
+ *
+ *  A triangle of the hull is in the part that owns its tetrahedron. A triangle of an interface is in the part that owns
+ *  one of its two tetrahedra: that of lower number in the whole mesh. So each triangle bounds a tetrahedron that its
+ *  part owns, with ghosts and without. The other tetrahedron of an interface can be in another part.
  *
  *  `options` may be NULL. Options read: all.
  *  The caller owns *out. \since 0.1 */
@@ -109,6 +113,11 @@ CLEFT_API const int32_t* cleft_part_point_owners(const cleft_part* part) CLEFT_N
 CLEFT_API const int32_t* cleft_part_tets(const cleft_part* part) CLEFT_NOEXCEPT;
 /** Returns the label of each tetrahedron. Borrowed. \since 0.1 */
 CLEFT_API const int32_t* cleft_part_tet_labels(const cleft_part* part) CLEFT_NOEXCEPT;
+/** Returns the number of each tetrahedron in the whole mesh, ascending among a part's own and among the ghosts.
+ * Borrowed. \since 0.1 */
+CLEFT_API const int64_t* cleft_part_tet_numbers(const cleft_part* part) CLEFT_NOEXCEPT;
+/** Returns the rank that owns each tetrahedron. Borrowed. \since 0.1 */
+CLEFT_API const int32_t* cleft_part_tet_owners(const cleft_part* part) CLEFT_NOEXCEPT;
 /** Returns the triangles: 3 * triangles local point numbers. The normal of a triangle of an interface points from its
  *  first label to its second, that of the hull points outward. Borrowed. \since 0.1 */
 CLEFT_API const int32_t* cleft_part_triangles(const cleft_part* part) CLEFT_NOEXCEPT;

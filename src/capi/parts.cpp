@@ -257,6 +257,18 @@ const int32_t* cleft_part_tet_labels(const cleft_part* part) noexcept
         part, [](const cleft_part& p) -> auto& { return p.part.material; });
 }
 
+const int64_t* cleft_part_tet_numbers(const cleft_part* part) noexcept
+{
+    return borrowed<int64_t>(
+        part, [](const cleft_part& p) -> auto& { return p.part.tet_numbers; });
+}
+
+const int32_t* cleft_part_tet_owners(const cleft_part* part) noexcept
+{
+    return borrowed<int32_t>(
+        part, [](const cleft_part& p) -> auto& { return p.part.tet_owners; });
+}
+
 const int32_t* cleft_part_triangles(const cleft_part* part) noexcept
 {
     return borrowed<int32_t>(

@@ -19,6 +19,7 @@ namespace
 struct InterfaceFace {
     std::array<int32_t, 2> pair;
     Triangle corners;
+    std::array<int32_t, 2> tets;
     bool operator<(const InterfaceFace& o) const { return std::tie(pair, corners) < std::tie(o.pair, o.corners); }
 };
 
@@ -26,6 +27,7 @@ struct HullFace {
     Side side;
     int32_t region;
     Triangle corners;
+    int32_t tet;
     bool operator<(const HullFace& o) const
     {
         return std::tie(side, region, corners) < std::tie(o.side, o.region, o.corners);
@@ -67,12 +69,12 @@ void add_face(const RegionMesh& mesh, const HalfFace* face, size_t count, const 
                                                   ordinal(face[0].tet()) + " tetrahedron: interfaces are not defined");
     if (count == 1) {
         const Triangle corners = outward(mesh, face[0]);
-        out.hull.push_back({side_of(mesh, corners, box), region(face[0]), corners});
+        out.hull.push_back({side_of(mesh, corners, box), region(face[0]), corners, face[0].tet()});
     } else if (region(face[0]) != region(face[1])) {
         const bool in_order = region(face[0]) < region(face[1]);
         const HalfFace& first = face[in_order ? 0 : 1];
         const HalfFace& second = face[in_order ? 1 : 0];
-        out.interfaces.push_back({{region(first), region(second)}, outward(mesh, first)});
+        out.interfaces.push_back({{region(first), region(second)}, outward(mesh, first), {first.tet(), second.tet()}});
     }
 }
 
@@ -119,18 +121,22 @@ Interfaces extract_interfaces(const RegionMesh& mesh, const Vec3& lo, const Vec3
     const Array<InterfaceFace> interfaces = sorted_union(parts, &Faces::interfaces);
     out.triangles.reserve(interfaces.size());
     out.pairs.reserve(interfaces.size());
+    out.tets.reserve(interfaces.size());
     for (const InterfaceFace& face : interfaces) {
         out.triangles.push_back(face.corners);
         out.pairs.push_back(face.pair);
+        out.tets.push_back(face.tets);
     }
     const Array<HullFace> hull = sorted_union(parts, &Faces::hull);
     out.hull.reserve(hull.size());
     out.hull_region.reserve(hull.size());
     out.hull_side.reserve(hull.size());
+    out.hull_tet.reserve(hull.size());
     for (const HullFace& face : hull) {
         out.hull.push_back(face.corners);
         out.hull_region.push_back(face.region);
         out.hull_side.push_back(face.side);
+        out.hull_tet.push_back(face.tet);
     }
     return out;
 }

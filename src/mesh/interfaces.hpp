@@ -18,10 +18,12 @@ struct Interfaces {
     // second. Sorted by pair, then by corners.
     Array<Triangle> triangles;
     Array<std::array<int32_t, 2>> pairs;
+    Array<std::array<int32_t, 2>> tets;  // of the two regions
     // Hull: wound outward, with the region inside. Sorted by side, then region, then corners.
     Array<Triangle> hull;
     Array<int32_t> hull_region;
     Array<Side> hull_side;
+    Array<int32_t> hull_tet;
 };
 
 // lo, hi: the box against which sides are decided, by exact coordinates.

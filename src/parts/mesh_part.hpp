@@ -29,8 +29,12 @@ struct MeshPart {
     Share of_points;
     Array<Tet> tets;
     Array<Material> material;
+    Array<int64_t> tet_numbers;  // in the whole mesh
+    Array<int32_t> tet_owners;
     Share of_tets;
-    Array<PartTriangle> triangles;  // sorted by regions, side and corners
+    // Each in the part of one rank: the owner of its tetrahedron, or of the one of lower number. Sorted by side,
+    // regions and corners.
+    Array<PartTriangle> triangles;
     Share of_triangles;
 };
 

@@ -28,19 +28,29 @@ struct SentPoint {
     bool operator<(const SentPoint& o) const { return number < o.number; }
 };
 
+struct SentTriangle {
+    int32_t side;
+    std::array<int32_t, 2> regions;
+    FixedArray<int64_t, 3> corners;  // numbers in the whole mesh
+    bool operator<(const SentTriangle& o) const
+    {
+        return std::tie(side, regions, corners) < std::tie(o.side, o.regions, o.corners);
+    }
+};
+
 // What arrives at this rank.
 struct Arrived {
     Array<SentTet> tets;
     Array<SentPoint> points;
 };
 
-// The ranks that own a corner, each once.
-template <class Visit>
-void for_each_owner(const WideTet& corners, const OwnedNumbers& owned, const Visit& visit)
+// The owners of the corners of a tetrahedron, each once.
+template <class Owner, class Visit>
+void for_each_owner(const Owner& owner, const Visit& visit)
 {
     FixedArray<int32_t, 4> owners{};
     for (size_t i = 0; i < 4; ++i) {
-        owners[i] = owned.owner(corners[i]);
+        owners[i] = owner(i);
         if (std::find(owners.begin(), owners.begin() + i, owners[i]) == owners.begin() + i)
             visit(owners[i]);
     }
@@ -66,10 +76,11 @@ Arrived send(const LabelledMesh& piece, const NumberedPoints& numbers, Exchange&
         for (size_t i = 0; i < 4; ++i)
             corners[i] = numbers.of_points[local[i]];
         const SentTet sent{least_corners_first(corners), piece.material[t]};
-        for_each_owner(corners, owned, [&](int32_t rank) {
-            tets[rank].push_back(sent);
-            needed[rank].insert(needed[rank].end(), local.begin(), local.end());
-        });
+        for_each_owner([&](size_t i) { return owned.owner(corners[i]); },
+                       [&](int32_t rank) {
+                           tets[rank].push_back(sent);
+                           needed[rank].insert(needed[rank].end(), local.begin(), local.end());
+                       });
     }
     for (int32_t r = 0; r < exchange.ranks(); ++r) {
         sort_and_drop_repeated(needed[r]);
@@ -142,13 +153,15 @@ void take_tets(const Array<SentTet>& arrived, const LocalNumbers& local, const O
         throw Error(CLEFT_ERROR_TOO_LARGE, "a part has more than 2147483647 tetrahedra: more ranks would share them");
     for (const bool own : {true, false})
         for (const SentTet& t : arrived) {
-            if ((owned.owner(t.corners[0]) == rank) != own)
+            const int32_t owner = owned.owner(t.corners[0]);
+            if ((owner == rank) != own)
                 continue;
             Tet tet{};
             for (size_t i = 0; i < 4; ++i)
                 tet[i] = local.of(t.corners[i]);
             part.tets.push_back(tet);
             part.material.push_back(t.material);
+            part.tet_owners.push_back(owner);
             part.of_tets.owned += own;
         }
 }
@@ -163,38 +176,75 @@ Triangle least_first(const MeshPart& part, Triangle corners)
     return corners;
 }
 
-// Those whose corner of the least number is owned: all tetrahedra there have arrived, so both sides are known.
-void find_triangles(const BoundingBox& box, int32_t rank, MeshPart& part, const Run& run)
+// The owner of a tetrahedron is that of its first corner, and so is the order of the numbers: the lower of two has the
+// first corner of lower number.
+int32_t owner_of_lower(const MeshPart& part, int32_t a, int32_t b)
 {
-    const Interfaces all = extract_interfaces({part.points, part.tets, part.material}, box.lo, box.hi, run);
-    const auto add = [&](const Triangle& corners, const std::array<int32_t, 2>& regions, int32_t side) {
-        const Triangle t = least_first(part, corners);
-        if (part.owners[t[0]] == rank)
-            part.triangles.push_back({t, regions, side});
-    };
-    for (int64_t i = 0; i < all.triangles.count(); ++i)
-        add(all.triangles[i], all.pairs[i], -1);
-    for (int64_t i = 0; i < all.hull.count(); ++i)
-        add(all.hull[i], {all.hull_region[i], all.hull_region[i]}, static_cast<int32_t>(all.hull_side[i]));
-    const auto key = [&](const PartTriangle& t) {
-        return std::tuple(t.side, t.regions, part.numbers[t.corners[0]], part.numbers[t.corners[1]],
-                          part.numbers[t.corners[2]]);
-    };
-    std::sort(part.triangles.begin(), part.triangles.end(),
-              [&](const PartTriangle& a, const PartTriangle& b) { return key(a) < key(b); });
+    const int32_t first = part.tets[a][0], second = part.tets[b][0];
+    return part.owners[part.numbers[first] < part.numbers[second] ? first : second];
 }
 
-// Leaves the tetrahedra that are owned, and the points that are owned or at one of these.
+// By rank: the triangles whose corner of the least number is owned. All tetrahedra there have arrived, so both sides
+// are known.
+Array<Array<SentTriangle>> found_triangles(const BoundingBox& box, const MeshPart& part, const Exchange& exchange,
+                                           const Run& run)
+{
+    const Interfaces all = extract_interfaces({part.points, part.tets, part.material}, box.lo, box.hi, run);
+    Array<Array<SentTriangle>> out(to_size(exchange.ranks()));
+    const auto add = [&](const Triangle& corners, const std::array<int32_t, 2>& regions, int32_t side, int32_t owner) {
+        const Triangle t = least_first(part, corners);
+        if (part.owners[t[0]] == exchange.rank())
+            out[owner].push_back({side, regions, {part.numbers[t[0]], part.numbers[t[1]], part.numbers[t[2]]}});
+    };
+    for (int64_t i = 0; i < all.triangles.count(); ++i)
+        add(all.triangles[i], all.pairs[i], -1, owner_of_lower(part, all.tets[i][0], all.tets[i][1]));
+    for (int64_t i = 0; i < all.hull.count(); ++i)
+        add(all.hull[i], {all.hull_region[i], all.hull_region[i]}, static_cast<int32_t>(all.hull_side[i]),
+            part.tet_owners[all.hull_tet[i]]);
+    return out;
+}
+
+void take_triangles(const BoundingBox& box, MeshPart& part, Exchange& exchange, const Run& run)
+{
+    Array<SentTriangle> arrived = exchange.all_to_all(found_triangles(box, part, exchange, run)).items;
+    std::sort(arrived.begin(), arrived.end());
+    const LocalNumbers local(part);
+    part.triangles.reserve(arrived.size());
+    for (const SentTriangle& t : arrived)
+        part.triangles.push_back(
+            {{local.of(t.corners[0]), local.of(t.corners[1]), local.of(t.corners[2])}, t.regions, t.side});
+    part.of_triangles = share_of(part.triangles.count(), exchange);
+}
+
+// Of its own by counting; the others come from their owners, in the order in which this rank has them: by owners, and
+// by number for each of these.
+void take_tet_numbers(MeshPart& part, bool ghosts, Exchange& exchange)
+{
+    part.tet_numbers.resize(part.of_tets.owned);
+    std::iota(part.tet_numbers.begin(), part.tet_numbers.end(), part.of_tets.first);
+    if (!ghosts)
+        return;
+    Array<Array<int64_t>> seen(to_size(exchange.ranks()));
+    for (int64_t t = 0; t < part.of_tets.owned; ++t)
+        for_each_owner([&](size_t i) { return part.owners[part.tets[t][i]]; },
+                       [&](int32_t rank) {
+                           if (rank != exchange.rank())
+                               seen[rank].push_back(part.tet_numbers[t]);
+                       });
+    const Array<int64_t> others = exchange.all_to_all(seen).items;
+    CLEFT_ASSERT(part.of_tets.owned + others.count() == part.tets.count());
+    part.tet_numbers.insert(part.tet_numbers.end(), others.begin(), others.end());
+}
+
+// Leaves the tetrahedra that are owned, and the points that are owned or at one of these. All triangles bound these.
 void drop_ghosts(MeshPart& part)
 {
     part.tets.resize(part.of_tets.owned);
     part.material.resize(part.of_tets.owned);
+    part.tet_owners.resize(part.of_tets.owned);
     Array<int32_t> new_number(part.points.size(), -1);
     for (const Tet& tet : part.tets)
         for (const int32_t p : tet)
-            new_number[p] = 0;
-    for (const PartTriangle& t : part.triangles)
-        for (const int32_t p : t.corners)
             new_number[p] = 0;
     int32_t kept = 0;
     for (int64_t p = 0; p < part.points.count(); ++p) {
@@ -233,10 +283,10 @@ MeshPart share_mesh(LabelledMesh piece, const BoundingBox& box, bool ghosts, Exc
     part.of_points = {owned.first(rank + 1) - owned.first(rank), owned.first(rank), numbers.all};
     take_tets(arrived.tets, LocalNumbers(part), owned, rank, part);
     part.of_tets = share_of(part.of_tets.owned, exchange);
-    find_triangles(box, rank, part, stage.next());
-    part.of_triangles = share_of(part.triangles.count(), exchange);
+    take_triangles(box, part, exchange, stage.next());
     if (!ghosts)
         drop_ghosts(part);
+    take_tet_numbers(part, ghosts, exchange);
     return part;
 }
 

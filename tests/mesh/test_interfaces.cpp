@@ -52,6 +52,12 @@ std::map<Triangle, Array<Material>> materials_of_faces(const LabelledMesh& mesh)
     return faces;
 }
 
+bool has_corners(const Tet& tet, const Triangle& triangle)
+{
+    return std::all_of(triangle.begin(), triangle.end(),
+                       [&](int32_t p) { return std::find(tet.begin(), tet.end(), p) != tet.end(); });
+}
+
 void triangles_are_those_between_two_materials(void**)
 {
     const LabelledMesh mesh = good_mesh(4);
@@ -72,9 +78,15 @@ void triangles_are_those_between_two_materials(void**)
         const auto& materials = faces[sorted(found.triangles[i])];
         assert_true(found.pairs[i][0] < found.pairs[i][1]);
         assert_true(materials == Array<Material>({found.pairs[i][0], found.pairs[i][1]}));
+        for (size_t s = 0; s < 2; ++s) {
+            assert_int_equal(mesh.material[found.tets[i][s]], found.pairs[i][s]);
+            assert_true(has_corners(mesh.tets[found.tets[i][s]], found.triangles[i]));
+        }
     }
-    for (size_t i = 0; i < hull; ++i)
+    for (size_t i = 0; i < hull; ++i) {
         assert_true(faces[sorted(found.hull[i])] == Array<Material>({found.hull_region[i]}));
+        assert_true(has_corners(mesh.tets[found.hull_tet[i]], found.hull[i]));
+    }
 }
 
 // By the divergence theorem the triangles around a material, wound outward, give its volume.

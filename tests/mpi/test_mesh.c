@@ -75,8 +75,9 @@ static void assert_part_of(const cleft_part* part, const cleft_mesh* whole)
     assert_int_equal(n.all_tets, cleft_mesh_tet_count(whole));
     for (int64_t p = 0; p < n.points; ++p)
         assert_memory_equal(cleft_part_points(part) + 3 * p, cleft_mesh_points(whole) + 3 * numbers[p], 24);
-    for (int64_t t = 0; t < n.owned_tets; ++t) {
-        const int64_t number = n.first_tet + t;
+    for (int64_t t = 0; t < n.tets; ++t) {
+        const int64_t number = cleft_part_tet_numbers(part)[t];
+        assert_true(t < n.owned_tets ? number == n.first_tet + t : cleft_part_tet_owners(part)[t] != rank);
         assert_int_equal(cleft_part_tet_labels(part)[t], cleft_mesh_tet_labels(whole)[number]);
         for (int c = 0; c < 4; ++c)
             assert_int_equal(numbers[cleft_part_tets(part)[4 * t + c]], cleft_mesh_tets(whole)[4 * number + c]);

@@ -1,7 +1,5 @@
 /* Meshes in parts: put together, they are the mesh of one process, whatever the number of ranks. */
-#include "support/capi.h"
-#include "support/part_counts.h"
-
+#include "compare_parts.h"
 #include "ranks.h"
 
 #include <stdio.h>
@@ -88,127 +86,6 @@ static void destroy_parts(job* jobs, int32_t ranks)
         cleft_part_destroy(jobs[r].part);
 }
 
-/* What a rank owns is what the whole mesh has under the same numbers. */
-static void assert_same_mesh(const job* jobs, int32_t ranks, const cleft_mesh* whole)
-{
-    int64_t points = 0, tets = 0;
-    for (int32_t r = 0; r < ranks; ++r) {
-        const cleft_part* part = jobs[r].part;
-        const cleft_part_counts n = counts_of(part);
-        assert_int_equal(n.all_points, cleft_mesh_point_count(whole));
-        assert_int_equal(n.all_tets, cleft_mesh_tet_count(whole));
-        assert_int_equal(n.first_point, points);
-        assert_int_equal(n.first_tet, tets);
-        points += n.owned_points;
-        tets += n.owned_tets;
-        for (int64_t p = 0; p < n.points; ++p) {
-            const int64_t number = cleft_part_point_numbers(part)[p];
-            assert_memory_equal(cleft_part_points(part) + 3 * p, cleft_mesh_points(whole) + 3 * number,
-                                3 * sizeof(double));
-            assert_true(p >= n.owned_points ? cleft_part_point_owners(part)[p] != r : number == n.first_point + p);
-            if (p < n.owned_points)
-                assert_int_equal(cleft_part_point_owners(part)[p], r);
-        }
-        for (int64_t t = 0; t < n.owned_tets; ++t) {
-            assert_int_equal(cleft_part_tet_labels(part)[t], cleft_mesh_tet_labels(whole)[n.first_tet + t]);
-            for (int c = 0; c < 4; ++c)
-                assert_int_equal(cleft_part_point_numbers(part)[cleft_part_tets(part)[4 * t + c]],
-                                 cleft_mesh_tets(whole)[4 * (n.first_tet + t) + c]);
-        }
-    }
-    assert_int_equal(points, cleft_mesh_point_count(whole));
-    assert_int_equal(tets, cleft_mesh_tet_count(whole));
-}
-
-typedef struct {
-    int64_t corners[3];
-    int32_t labels[2], side;
-} triangle;
-
-static int compare_triangles(const void* a, const void* b)
-{
-    const triangle *x = (const triangle*)a, *y = (const triangle*)b;
-    for (int c = 0; c < 3; ++c)
-        if (x->corners[c] != y->corners[c])
-            return x->corners[c] < y->corners[c] ? -1 : 1;
-    return 0;
-}
-
-static void add_triangle(triangle* all, int64_t* count, const int64_t corners[3], int32_t first, int32_t second,
-                         int32_t side)
-{
-    triangle* out = &all[(*count)++];
-    int least = 0;
-    memset(out, 0, sizeof *out);
-    for (int c = 1; c < 3; ++c)
-        least = corners[c] < corners[least] ? c : least;
-    for (int c = 0; c < 3; ++c)
-        out->corners[c] = corners[(least + c) % 3];
-    out->labels[0] = first;
-    out->labels[1] = second;
-    out->side = side;
-}
-
-/* All triangles of the parts are those of the surface of the whole mesh, each once, wound alike. */
-static void assert_same_triangles(cleft_context* context, const job* jobs, int32_t ranks, const cleft_mesh* whole)
-{
-    cleft_surface* surface = NULL;
-    assert_ok(context, cleft_surface_create(context, whole, &surface));
-    const int64_t interfaces = cleft_surface_interface_count(surface), hull = cleft_surface_hull_count(surface);
-    triangle* expected = (triangle*)malloc(sizeof(triangle) * (size_t)(interfaces + hull));
-    triangle* found = (triangle*)malloc(sizeof(triangle) * (size_t)(interfaces + hull));
-    int64_t wanted = 0, count = 0;
-    for (int64_t i = 0; i < interfaces; ++i) {
-        const int32_t* c = cleft_surface_interface_triangles(surface) + 3 * i;
-        const int64_t corners[3] = {c[0], c[1], c[2]};
-        add_triangle(expected, &wanted, corners, cleft_surface_interface_labels(surface)[2 * i],
-                     cleft_surface_interface_labels(surface)[2 * i + 1], -1);
-    }
-    for (int64_t i = 0; i < hull; ++i) {
-        const int32_t* c = cleft_surface_hull_triangles(surface) + 3 * i;
-        const int64_t corners[3] = {c[0], c[1], c[2]};
-        const int32_t label = cleft_surface_hull_labels(surface)[i];
-        add_triangle(expected, &wanted, corners, label, label, cleft_surface_hull_sides(surface)[i]);
-    }
-    for (int32_t r = 0; r < ranks; ++r) {
-        const cleft_part_counts n = counts_of(jobs[r].part);
-        assert_int_equal(n.all_triangles, wanted);
-        assert_int_equal(n.first_triangle, count);
-        for (int64_t i = 0; i < n.triangles; ++i) {
-            int64_t corners[3];
-            for (int c = 0; c < 3; ++c)
-                corners[c] = cleft_part_point_numbers(jobs[r].part)[cleft_part_triangles(jobs[r].part)[3 * i + c]];
-            const int32_t* labels = cleft_part_triangle_labels(jobs[r].part) + 2 * i;
-            add_triangle(found, &count, corners, labels[0], labels[1], cleft_part_triangle_sides(jobs[r].part)[i]);
-        }
-    }
-    assert_int_equal(count, wanted);
-    qsort(expected, (size_t)wanted, sizeof *expected, compare_triangles);
-    qsort(found, (size_t)count, sizeof *found, compare_triangles);
-    assert_memory_equal(expected, found, sizeof(triangle) * (size_t)wanted);
-    free(expected);
-    free(found);
-    cleft_surface_destroy(surface);
-}
-
-/* With ghosts, a part has all tetrahedra at its own points. */
-static void assert_ghosts(const job* jobs, int32_t ranks, const cleft_mesh* whole)
-{
-    for (int32_t r = 0; r < ranks; ++r) {
-        const cleft_part_counts n = counts_of(jobs[r].part);
-        int64_t at_owned = 0;
-        for (int64_t t = 0; t < cleft_mesh_tet_count(whole); ++t) {
-            int touches = 0;
-            for (int c = 0; c < 4; ++c) {
-                const int64_t p = cleft_mesh_tets(whole)[4 * t + c];
-                touches |= p >= n.first_point && p < n.first_point + n.owned_points;
-            }
-            at_owned += touches;
-        }
-        assert_int_equal(n.tets, at_owned);
-    }
-}
-
 /* Makes the mesh in one call, and in parts by several numbers of ranks. */
 static void compare_with_whole(const int32_t* voxels, const int64_t dims[3], const double* affine,
                                const cleft_options* options)
@@ -227,10 +104,10 @@ static void compare_with_whole(const int32_t* voxels, const int64_t dims[3], con
         for (int32_t r = 0; r < kRanks[i]; ++r)
             if (jobs[r].status != CLEFT_OK)
                 fail_msg("rank %d of %d: %s", (int)r, (int)kRanks[i], jobs[r].sentence);
-        assert_same_mesh(jobs, kRanks[i], whole);
-        assert_same_triangles(context, jobs, kRanks[i], whole);
-        if (ghosts)
-            assert_ghosts(jobs, kRanks[i], whole);
+        const cleft_part* parts[MOST_RANKS];
+        for (int32_t r = 0; r < kRanks[i]; ++r)
+            parts[r] = jobs[r].part;
+        assert_parts_of(context, parts, kRanks[i], ghosts, whole);
         destroy_parts(jobs, kRanks[i]);
     }
     cleft_mesh_destroy(whole);
@@ -427,6 +304,8 @@ static void an_exchange_can_break(void** state)
     assert_string_equal(one.sentence, "the exchange has rank 2 of 2 ranks; ranks count from 0");
     assert_null(one.part);
     assert_null(cleft_part_points(NULL));
+    assert_null(cleft_part_tet_numbers(NULL));
+    assert_null(cleft_part_tet_owners(NULL));
     cleft_part_destroy(NULL);
     free(voxels);
 }

@@ -31,18 +31,10 @@ struct Cell {
 /* A rank that has tetrahedra at a point. */
 using PointAndRank = std::pair<std::int64_t, unsigned int>;
 
-/* The rank that a tetrahedron belongs to: the owner of its point of least number. */
-inline unsigned int rank_of(const cleft_part* part, std::int64_t tet)
+inline Cell cell_of(const cleft_part* part, std::int64_t tet)
 {
-    const std::int32_t* corners = cleft_part_tets(part) + 4 * tet;
-    const std::int64_t* numbers = cleft_part_point_numbers(part);
-    return cleft_part_point_owners(
-        part)[*std::min_element(corners, corners + 4, [&](int a, int b) { return numbers[a] < numbers[b]; })];
-}
-
-inline Cell cell_of(const cleft_part* part, const cleft_part_counts& n, std::int64_t tet)
-{
-    Cell cell{n.first_tet + tet, {}, {}, cleft_part_tet_labels(part)[tet], n.rank};
+    Cell cell{
+        cleft_part_tet_numbers(part)[tet], {}, {}, cleft_part_tet_labels(part)[tet], cleft_part_tet_owners(part)[tet]};
     for (int c = 0; c < 4; ++c) {
         const std::int32_t point = cleft_part_tets(part)[4 * tet + c];
         cell.points[c] = cleft_part_point_numbers(part)[point];
@@ -60,7 +52,7 @@ inline std::map<unsigned int, std::vector<PointAndRank>> meeting_ranks(const cle
     for (std::int64_t t = 0; t < n.tets; ++t)
         for (int c = 0; c < 4; ++c)
             if (const std::int32_t point = cleft_part_tets(part)[4 * t + c]; point < n.owned_points)
-                ranks_at[point].insert(rank_of(part, t));
+                ranks_at[point].insert(cleft_part_tet_owners(part)[t]);
     std::map<unsigned int, std::vector<PointAndRank>> out;
     for (const auto& [point, ranks] : ranks_at)
         for (const unsigned int to : ranks)
@@ -85,7 +77,7 @@ inline std::vector<Cell> relevant_cells(MPI_Comm comm, const cleft_part* part)
     std::vector<Cell> cells;
     std::map<unsigned int, std::vector<Cell>> sent;
     for (std::int64_t t = 0; t < n.owned_tets; ++t) {
-        cells.push_back(cell_of(part, n, t));
+        cells.push_back(cell_of(part, t));
         std::set<unsigned int> receivers;
         for (const std::int64_t point : cells.back().points)
             if (const auto found = others_at.find(point); found != others_at.end())
