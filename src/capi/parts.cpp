@@ -39,7 +39,7 @@ cleft::Messenger messenger(const cleft_exchange& e)
                                               std::to_string(e.ranks) + " ranks; ranks count from 0");
     required(reinterpret_cast<const void*>(e.numbers), "numbers of the exchange");
     required(reinterpret_cast<const void*>(e.bytes), "bytes of the exchange");
-    return {e.rank, e.ranks,
+    return {e.rank, e.ranks, e.scratch ? e.scratch : "",
             [e](const int64_t* send, int64_t* receive) { return e.numbers(send, receive, e.user) == 0; },
             [e](const void* send, const int64_t* send_sizes, void* receive, const int64_t* receive_sizes) {
                 return e.bytes(send, send_sizes, receive, receive_sizes, e.user) == 0;

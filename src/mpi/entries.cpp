@@ -41,7 +41,7 @@ int exchange_bytes(const void* send, const int64_t* send_sizes, void* receive, c
 
 cleft_exchange described(MpiExchange& mpi)
 {
-    return {sizeof(cleft_exchange), mpi.rank(), mpi.ranks(), &mpi, exchange_numbers, exchange_bytes};
+    return {sizeof(cleft_exchange), mpi.rank(), mpi.ranks(), &mpi, exchange_numbers, exchange_bytes, nullptr};
 }
 
 PartView view_of(const cleft_part* part, const Exchange& exchange, cleft_context* context)

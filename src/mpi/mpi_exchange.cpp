@@ -70,7 +70,7 @@ MpiExchange::~MpiExchange() { MPI_Comm_free(&comm_); }
 
 Messenger MpiExchange::messenger()
 {
-    return {rank_, ranks_, [this](const int64_t* send, int64_t* receive) { return numbers(send, receive); },
+    return {rank_, ranks_, "", [this](const int64_t* send, int64_t* receive) { return numbers(send, receive); },
             [this](const void* send, const int64_t* send_sizes, void* receive, const int64_t* receive_sizes) {
                 return bytes(send, send_sizes, receive, receive_sizes);
             }};

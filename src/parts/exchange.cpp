@@ -40,7 +40,7 @@ Exchange Exchange::alone()
             std::memcpy(receive, send, to_size(*send_size));
         return true;
     };
-    return Exchange({0, 1, numbers, bytes});
+    return Exchange({0, 1, "", numbers, bytes});
 }
 
 void Exchange::together(const std::function<void()>& body)

@@ -19,6 +19,7 @@ namespace cleft
 // How bytes go to other ranks: the functions of cleft_exchange. False: the ranks cannot reach each other.
 struct Messenger {
     int32_t rank = 0, ranks = 1;
+    std::string scratch;  // the folder where this rank keeps what it does not work on; empty: in memory
     std::function<bool(const int64_t* send, int64_t* receive)> numbers;
     std::function<bool(const void* send, const int64_t* send_sizes, void* receive, const int64_t* receive_sizes)> bytes;
 };
@@ -39,6 +40,7 @@ public:
 
     int32_t rank() const { return messenger_.rank; }
     int32_t ranks() const { return messenger_.ranks; }
+    const std::string& scratch() const { return messenger_.scratch; }
 
     // Runs `body` on all ranks. If that throws on some, it throws the failure of the first of them on all.
     void together(const std::function<void()>& body);

@@ -69,14 +69,16 @@ VolumeParts read_as_asked(const SharedVoxels& voxels, const LabelCounts& labels,
             }};
 }
 
-TetMesh background_of_rank(const SizingField& sizes, const BlockLayout& layout, const OwnBlocks& own,
-                           Exchange& exchange, const Run& run)
+// Of the octree, what is around a block.
+BackgroundOfBlock octree_of(const BlockField& sizes, const BlockLayout& layout, Exchange& exchange)
 {
-    const SizeRange range = range_of_all(sizes, exchange);
-    const double low = layout.start(own.first), high = layout.start(own.end());
-    const Planes planes = own.count > 0 ? octree_slab_planes(layout.grid, range, low, high) : Planes{};
-    const SizingField around = swapped_planes(sizes, planes, exchange);
-    return own.count > 0 ? octree_slab(around, range, low, high, run) : TetMesh();
+    const SizeRange range = range_of_all(sizes.range(), exchange);
+    return [&, range](int32_t block, const Run& run) {
+        const double low = layout.start(block), high = layout.start(block + 1);
+        const Planes planes = block < 0 ? Planes{} : octree_slab_planes(layout.grid, range, low, high);
+        const SizingField around = swapped_planes(sizes, planes, exchange);
+        return block < 0 ? TetMesh() : part_in_block(octree_slab(around, range, low, high, run), layout, block);
+    };
 }
 
 Array<double> sums_of_ranks(const Array<double>& own, Exchange& exchange)
@@ -146,16 +148,12 @@ LabelCounts labels_of_all(const SharedVoxels& voxels, int32_t block, Exchange& e
 LabelledMesh mesh_of_rank(const SharedVoxels& voxels, const LabelCounts& labels, int smooth,
                           const PipelineOptions& options, Exchange& exchange, const Run& run)
 {
-    Steps steps(run, {{nullptr, 15}, {nullptr, 5}, {nullptr, 78}, {nullptr, 2}});
+    Steps steps(run, {{nullptr, 15}, {nullptr, 83}, {nullptr, 2}});
     const BlockLayout layout = BlockLayout::of(voxels.grid, options.block);
-    const OwnBlocks own = own_blocks(layout.count, exchange);
     const VolumeParts volume = read_as_asked(voxels, labels, smooth, run);
-    TetMesh background;
-    {
-        const SizingField sizes = sizes_of_own_blocks(volume, layout, options, exchange, steps.next());
-        background = background_of_rank(sizes, layout, own, exchange, steps.next());
-    }
-    LabelledMesh mesh = mesh_own_blocks(volume, layout, background, options, exchange, steps.next());
+    const BlockField sizes = sizes_of_own_blocks(volume, layout, options, exchange, steps.next());
+    LabelledMesh mesh =
+        mesh_own_blocks(volume, layout, octree_of(sizes, layout, exchange), options, exchange, steps.next());
     finish(mesh, voxels, labels, options, exchange, steps.next());
     return mesh;
 }

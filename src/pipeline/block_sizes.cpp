@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numeric>
+#include <utility>
 
 namespace cleft
 {
@@ -70,24 +72,23 @@ double of_kind(BackgroundKind kind, double particle_tets)
 
 }  // namespace
 
-SizingField sizes_of_own_blocks(const VolumeParts& volume, const BlockLayout& layout, const PipelineOptions& options,
-                                Exchange& exchange, const Run& run)
+BlockField sizes_of_own_blocks(const VolumeParts& volume, const BlockLayout& layout, const PipelineOptions& options,
+                               Exchange& exchange, const Run& run)
 {
     Stage stage(run, "sizing", {{"sizing: blocks", 1}});
     const Run of_blocks = stage.next();
     const OwnBlocks own = own_blocks(layout.count, exchange);
     SizingOptions sizing = bounded(options.sizing, layout);
-    SizingField field{layout.grid, {}, sizing.gradation};
-    field.first = layout.planes(own.first).first * layout.grid.plane_size();
+    BlockField field(layout.grid, sizing.gradation, exchange.scratch());
     const auto expected_at = [&](double raised) {
         sizing.raised = raised;
-        field.h.clear();
+        field.clear();
         Array<double> tets;
         Steps steps(of_blocks, Array<Step>(std::max(own.count, 1), {nullptr, 1}));
         for (int32_t b = own.first; b < own.end(); ++b) {
-            const SizingField of_block = sizes_of_block(volume, layout.planes(b), sizing, steps.next());
+            SizingField of_block = sizes_of_block(volume, layout.planes(b), sizing, steps.next());
             tets.push_back(expected_particle_tets(of_block));
-            field.h.insert(field.h.end(), of_block.h.begin(), of_block.h.end());
+            field.add(layout.planes(b), std::move(of_block.h));
         }
         // In the order of the blocks, so that the sum is the same for any number of ranks.
         const Array<double> all = exchange.all_gather(tets);
@@ -100,37 +101,100 @@ SizingField sizes_of_own_blocks(const VolumeParts& volume, const BlockLayout& la
                             std::min(layout.grid.spacing.minCoeff(), sizing.size_max), layout.grid.extent().minCoeff()};
     keep_to_number(
         limit, number, [&] { return expected; }, exchange.rank() == 0 ? run : quiet(run));
-    const SizeRange range = range_of_all(field, exchange);
+    const SizeRange range = range_of_all(field.range(), exchange);
     run.note("sizing.least", range.least);
     run.note("sizing.greatest", range.greatest);
     return field;
 }
 
-SizingField swapped_planes(const SizingField& own, Planes wanted, Exchange& exchange)
+SizingField swapped_planes(const BlockField& own, Planes wanted, Exchange& exchange)
 {
-    const int64_t plane = own.grid.plane_size();
     const Array<int32_t> first = exchange.all_gather(Array<int32_t>{wanted.first}),
                          end = exchange.all_gather(Array<int32_t>{wanted.end()});
+    const Planes here = own.planes();
     Array<Array<float>> send(to_size(exchange.ranks()));
     for (int32_t r = 0; r < exchange.ranks(); ++r) {
-        const int64_t low = std::max(first[r] * plane, own.first),
-                      high = std::min(end[r] * plane, own.first + own.h.count());
+        const int32_t low = std::max(first[r], here.first), high = std::min(end[r], here.end());
         if (low < high)
-            send[r].assign(own.h.begin() + (low - own.first), own.h.begin() + (high - own.first));
+            send[r] = own.values({low, high - low});
     }
-    SizingField out{own.grid, std::move(exchange.all_to_all(send).items), own.gradation};
-    out.first = wanted.first * plane;
-    CLEFT_ASSERT(out.h.count() == wanted.count * plane);
+    SizingField out{own.grid(), std::move(exchange.all_to_all(send).items), own.gradation()};
+    out.first = wanted.first * own.grid().plane_size();
+    CLEFT_ASSERT(out.h.count() == wanted.count * own.grid().plane_size());
     return out;
 }
 
-SizeRange range_of_all(const SizingField& own, Exchange& exchange)
+SizeRange range_of_all(const SizeRange& own, Exchange& exchange)
 {
-    // A rank without blocks has no sizes.
-    const bool has_sizes = !own.h.empty();
-    const Array<double> least = exchange.all_gather(Array<double>{has_sizes ? own.least() : INFINITY}),
-                        greatest = exchange.all_gather(Array<double>{has_sizes ? own.greatest() : -INFINITY});
+    const Array<double> least = exchange.all_gather(Array<double>{own.least}),
+                        greatest = exchange.all_gather(Array<double>{own.greatest});
     return {*std::min_element(least.begin(), least.end()), *std::max_element(greatest.begin(), greatest.end())};
+}
+
+namespace
+{
+
+Array<unsigned char> bytes_of(const Array<float>& values)
+{
+    const auto* first = reinterpret_cast<const unsigned char*>(values.data());
+    return Array<unsigned char>(first, first + values.size() * sizeof(float));
+}
+
+}  // namespace
+
+BlockField::BlockField(const Grid& whole, double gradation, const std::string& scratch)
+    : grid_(whole), gradation_(gradation), range_{INFINITY, -INFINITY}
+{
+    if (!scratch.empty())
+        file_ = std::make_unique<ScratchFile>(scratch);
+}
+
+void BlockField::clear()
+{
+    slabs_.clear();
+    range_ = {INFINITY, -INFINITY};
+}
+
+void BlockField::add(Planes planes, Array<float>&& h)
+{
+    const auto [least, greatest] = std::minmax_element(h.begin(), h.end());
+    range_ = {std::min<double>(range_.least, *least), std::max<double>(range_.greatest, *greatest)};
+    Slab slab{planes, std::move(h), {}};
+    if (file_)
+        file_->write(slab.record, bytes_of(std::exchange(slab.h, Array<float>())));
+    slabs_.push_back(std::move(slab));
+}
+
+Array<float> BlockField::values(Planes planes) const
+{
+    Array<float> out;
+    out.reserve(to_size(planes.count * grid_.plane_size()));
+    for (const Slab& slab : slabs_) {
+        const int32_t low = std::max(planes.first, slab.planes.first), high = std::min(planes.end(), slab.planes.end());
+        if (low >= high)
+            continue;
+        const int64_t begin = (low - slab.planes.first) * grid_.plane_size(), count = (high - low) * grid_.plane_size();
+        if (!file_) {
+            out.insert(out.end(), slab.h.begin() + begin, slab.h.begin() + begin + count);
+            continue;
+        }
+        ScratchFile::Record part = slab.record;
+        part.at += begin * int64_t{sizeof(float)};
+        part.size = count * int64_t{sizeof(float)};
+        const Array<unsigned char> bytes = file_->read(part);
+        const size_t done = out.size();
+        out.resize(done + to_size(count));
+        std::memcpy(out.data() + done, bytes.data(), bytes.size());
+    }
+    return out;
+}
+
+Planes BlockField::planes() const
+{
+    if (slabs_.empty())
+        return {};
+    const int32_t first = slabs_.front().planes.first;
+    return {first, slabs_.back().planes.end() - first};
 }
 
 }  // namespace cleft

@@ -2,21 +2,54 @@
 #pragma once
 
 #include "parts/exchange.hpp"
+#include "parts/scratch_file.hpp"
 #include "pipeline/block_layout.hpp"
 #include "pipeline/pipeline.hpp"
 
 namespace cleft
 {
 
+// The sizes of planes, block after block, in memory or on disk.
+class BlockField
+{
+public:
+    // `scratch`: the folder; empty: in memory.
+    BlockField(const Grid& whole, double gradation, const std::string& scratch);
+
+    void clear();
+    // The next planes of the whole.
+    void add(Planes planes, Array<float>&& h);
+    // Of the planes that are here.
+    SizeRange range() const { return range_; }
+    Array<float> values(Planes planes) const;
+    Planes planes() const;
+
+    const Grid& grid() const { return grid_; }
+    double gradation() const { return gradation_; }
+
+private:
+    struct Slab {
+        Planes planes;
+        Array<float> h;  // empty: in the file
+        ScratchFile::Record record;
+    };
+
+    Grid grid_;
+    double gradation_;
+    SizeRange range_;
+    Array<Slab> slabs_;
+    std::unique_ptr<ScratchFile> file_;
+};
+
 // Of this rank's blocks. A size is at most a quarter of the thickness of a block: tetrahedra are small beside it then,
 // and nothing that is farther away than the thickness has a say. max_tets is kept to by all ranks together.
-SizingField sizes_of_own_blocks(const VolumeParts& volume, const BlockLayout& layout, const PipelineOptions& options,
-                                Exchange& exchange, const Run& run);
+BlockField sizes_of_own_blocks(const VolumeParts& volume, const BlockLayout& layout, const PipelineOptions& options,
+                               Exchange& exchange, const Run& run);
 
 // The planes that each rank wants, from those that each has.
-SizingField swapped_planes(const SizingField& own, Planes wanted, Exchange& exchange);
+SizingField swapped_planes(const BlockField& own, Planes wanted, Exchange& exchange);
 
 // Of the whole field.
-SizeRange range_of_all(const SizingField& own, Exchange& exchange);
+SizeRange range_of_all(const SizeRange& own, Exchange& exchange);
 
 }  // namespace cleft

@@ -3,53 +3,15 @@
 
 #include "base/stage.hpp"
 #include "mesh/piece.hpp"
+#include "pipeline/block_parcels.hpp"
 #include "pipeline/block_seams.hpp"
+#include "pipeline/block_store.hpp"
 
 namespace cleft
 {
 
 namespace
 {
-
-void pack(const Snapped& snapped, Parcel& parcel)
-{
-    parcel.put(snapped.vertices);
-    parcel.put(snapped.kept);
-}
-
-void unpack(Parcel& parcel, Snapped& snapped)
-{
-    parcel.take(snapped.vertices);
-    parcel.take(snapped.kept);
-}
-
-void pack(const NearSnapped& near, Parcel& parcel)
-{
-    parcel.put(near.side.background.points);
-    parcel.put(near.side.background.tets);
-    pack(near.side.snapped, parcel);
-}
-
-void unpack(Parcel& parcel, NearSnapped& near)
-{
-    parcel.take(near.side.background.points);
-    parcel.take(near.side.background.tets);
-    unpack(parcel, near.side.snapped);
-}
-
-void pack(const LabelledMesh& mesh, Parcel& parcel)
-{
-    parcel.put(mesh.points);
-    parcel.put(mesh.tets);
-    parcel.put(mesh.material);
-}
-
-void unpack(Parcel& parcel, LabelledMesh& mesh)
-{
-    parcel.take(mesh.points);
-    parcel.take(mesh.tets);
-    parcel.take(mesh.material);
-}
 
 // The blocks of a rank, and what is done with them.
 class BlockRun
@@ -60,31 +22,35 @@ public:
           layout_(layout),
           options_(options),
           exchange_(exchange),
-          own_(own_blocks(layout.count, exchange))
+          own_(own_blocks(layout.count, exchange)),
+          blocks_(own_.first, own_.count, exchange.scratch())
     {
     }
 
-    void cut_out(const TetMesh& background, const Run& run)
+    void cut_out(const BackgroundOfBlock& background, const Run& run)
     {
-        Array<int32_t> block(background.tets.size());
-        for (int64_t t = 0; t < background.tets.count(); ++t)
-            block[t] = layout_.block_at(middle_of(background.points, background.tets[t]));
-        for (int32_t b = own_.first; b < own_.end(); ++b)
-            blocks_.push_back(
-                block_of(piece_of(background, [&](int64_t t) { return block[t] == b; }), layout_.box(), run));
+        // Ranks make backgrounds together, those with fewer blocks too.
+        const int32_t most = (layout_.count + exchange_.ranks() - 1) / exchange_.ranks();
+        Steps steps(run, Array<Step>(most, {nullptr, 1}));
+        for (int32_t i = 0; i < most; ++i) {
+            const bool is_own = i < own_.count;
+            const TetMesh mine = background(is_own ? own_.first + i : -1, steps.next());
+            if (is_own)
+                block(own_.first + i) = block_of(mine, layout_.box(), run);
+        }
     }
 
     void snap(const Run& run)
     {
         Steps steps = steps_of_blocks(run);
-        for (Block& block : blocks_)
-            snap_block(volume_, block, options_, steps.next());
+        for (int32_t b = own_.first; b < own_.end(); ++b)
+            snap_block(volume_, block(b), options_, steps.next());
     }
 
     void snap_seams(const Run& run)
     {
         // What a block gave to a seam, until it gets it back.
-        Array<NearSnapped> given(blocks_.size());
+        Array<NearSnapped> given(own_.count);
         const auto cut_out = [&](int32_t b, const Array<Vec3>& places) {
             NearSnapped near = near_snapped(block(b), places);
             NearSnapped& kept = given[b - own_.first];
@@ -107,8 +73,8 @@ public:
     void mesh(const Run& run)
     {
         Steps steps = steps_of_blocks(run);
-        for (Block& block : blocks_)
-            mesh_block(volume_, block, options_, steps.next());
+        for (int32_t b = own_.first; b < own_.end(); ++b)
+            mesh_block(volume_, block(b), options_, steps.next());
     }
 
     void improve_seams(const Run& run)
@@ -130,15 +96,13 @@ public:
     LabelledMesh joined_blocks(const Run& run)
     {
         LabelledMesh whole;
-        for (Block& block : blocks_) {
-            whole = joined(std::move(whole), block.mesh, run);
-            block.mesh = LabelledMesh();
-        }
+        for (int32_t b = own_.first; b < own_.end(); ++b)
+            whole = joined(std::move(whole), std::exchange(block(b).mesh, LabelledMesh()), run);
         return whole;
     }
 
 private:
-    Block& block(int32_t b) { return blocks_[b - own_.first]; }
+    Block& block(int32_t b) { return blocks_.at(b); }
     // A rank works at no more seams than it has blocks.
     Steps steps_of_blocks(const Run& run) const
     {
@@ -150,15 +114,15 @@ private:
     const PipelineOptions& options_;
     Exchange& exchange_;
     OwnBlocks own_;
-    Array<Block> blocks_;
+    BlockStore blocks_;
 };
 
 }  // namespace
 
-LabelledMesh mesh_own_blocks(const VolumeParts& volume, const BlockLayout& layout, const TetMesh& background,
+LabelledMesh mesh_own_blocks(const VolumeParts& volume, const BlockLayout& layout, const BackgroundOfBlock& background,
                              const PipelineOptions& options, Exchange& exchange, const Run& run)
 {
-    Stage stage(run, "blocks", {{nullptr, 1}, {nullptr, 20}, {nullptr, 4}, {nullptr, 60}, {nullptr, 15}});
+    Stage stage(run, "blocks", {{nullptr, 5}, {nullptr, 20}, {nullptr, 4}, {nullptr, 60}, {nullptr, 15}});
     BlockRun blocks(volume, layout, options, exchange);
     blocks.cut_out(background, stage.next());
     blocks.snap(stage.next());
@@ -173,8 +137,16 @@ LabelledMesh mesh_in_blocks(const Volume& volume, const TetMesh& background, con
                             const Run& run)
 {
     Exchange alone = Exchange::alone();
-    return mesh_own_blocks(parts_of(volume), BlockLayout::of(volume.grid(), options.block), background, options, alone,
-                           run);
+    const BlockLayout layout = BlockLayout::of(volume.grid(), options.block);
+    const auto of_block = [&](int32_t block, const Run&) { return part_in_block(background, layout, block); };
+    return mesh_own_blocks(parts_of(volume), layout, of_block, options, alone, run);
+}
+
+TetMesh part_in_block(const TetMesh& background, const BlockLayout& layout, int32_t block)
+{
+    return piece_of(background, [&](int64_t t) {
+        return layout.block_at(middle_of(background.points, background.tets[t])) == block;
+    });
 }
 
 VolumeParts parts_of(const Volume& whole)

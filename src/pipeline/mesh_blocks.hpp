@@ -16,9 +16,14 @@
 namespace cleft
 {
 
-// The mesh of this rank's blocks (own_blocks() in block_seams.hpp). `background` has at least the tetrahedra
-// whose middles are in these.
-LabelledMesh mesh_own_blocks(const VolumeParts& volume, const BlockLayout& layout, const TetMesh& background,
+// The tetrahedra of a background whose middles are in a block.
+TetMesh part_in_block(const TetMesh& background, const BlockLayout& layout, int32_t block);
+// Makes them. All ranks call it together and equally often; -1 stands for no block.
+using BackgroundOfBlock = std::function<TetMesh(int32_t block, const Run& run)>;
+
+// The mesh of this rank's blocks (own_blocks() in block_seams.hpp). With a scratch folder, two of them are in memory at
+// a time, until the last are done.
+LabelledMesh mesh_own_blocks(const VolumeParts& volume, const BlockLayout& layout, const BackgroundOfBlock& background,
                              const PipelineOptions& options, Exchange& exchange, const Run& run);
 
 // Cleaving, improving and fitting of a whole background, block by block, in one process.

@@ -209,7 +209,8 @@ SizingField sizes_of(const Volume& volume, const PipelineOptions& options, const
     const BlockLayout layout = BlockLayout::of(volume.grid(), options.block);
     if (layout.count > 1 && volume.is_label_map()) {
         Exchange alone = Exchange::alone();
-        return sizes_of_own_blocks(parts_of(volume), layout, options, alone, run);
+        const BlockField field = sizes_of_own_blocks(parts_of(volume), layout, options, alone, run);
+        return {volume.grid(), field.values(field.planes()), field.gradation()};
     }
     return compute_sizing(volume, sizing, run);
 }

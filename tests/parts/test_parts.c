@@ -34,6 +34,7 @@ typedef struct {
     const cleft_options* options;
     int32_t ghosts;
     int32_t cancels;
+    const char* scratch; /* in the place of what the exchange says */
     cleft_status status;
     char sentence[1000];
     cleft_part* part;
@@ -50,6 +51,9 @@ static void make_part(const cleft_exchange* exchange, void* user)
     job* mine = (job*)user;
     cleft_voxels voxels = {sizeof(cleft_voxels), CLEFT_TYPE_INT32, {0, 0, 0}, {0}, NULL, read_memory};
     cleft_context* context = NULL;
+    cleft_exchange with_scratch = *exchange;
+    if (mine->scratch)
+        with_scratch.scratch = mine->scratch;
     memcpy(voxels.dims, mine->voxels.dims, sizeof voxels.dims);
     memcpy(voxels.affine, mine->affine, sizeof voxels.affine);
     voxels.user = &mine->voxels;
@@ -57,7 +61,7 @@ static void make_part(const cleft_exchange* exchange, void* user)
         return;
     if (mine->cancels && cleft_context_set_progress(context, cancel_at_once, NULL) != CLEFT_OK)
         return;
-    mine->status = cleft_part_create(context, &voxels, mine->options, exchange, mine->ghosts, &mine->part);
+    mine->status = cleft_part_create(context, &voxels, mine->options, &with_scratch, mine->ghosts, &mine->part);
     snprintf(mine->sentence, sizeof mine->sentence, "%s", cleft_context_last_error(context));
     cleft_context_destroy(context);
 }
@@ -275,6 +279,27 @@ static void one_fails_all_fail(void** state)
     free(voxels);
 }
 
+static void scratch_needs_a_folder(void** state)
+{
+    static const int64_t kDims[3] = {8, 8, 8};
+    int32_t* voxels = ball_labels(8);
+    cleft_options* options = options_of("octree", "fast", "2");
+    job jobs[3];
+    (void)state;
+    set_jobs(jobs, 3, voxels, kDims, kPlain, options, 0);
+    jobs[1].scratch = "no/such/folder";
+    ranks_run(3, make_part, jobs, sizeof *jobs);
+    for (int r = 0; r < 3; ++r) {
+        assert_int_equal(jobs[r].status, CLEFT_ERROR_FILE);
+        assert_string_equal(jobs[r].sentence,
+                            "rank 1: cannot make a scratch file in 'no/such/folder': No such file or "
+                            "directory");
+        assert_null(jobs[r].part);
+    }
+    cleft_options_destroy(options);
+    free(voxels);
+}
+
 static int send_nothing(const int64_t* send, int64_t* receive, void* user)
 {
     (void)send, (void)receive, (void)user;
@@ -292,8 +317,8 @@ static void an_exchange_can_break(void** state)
 {
     static const int64_t kDims[3] = {4, 4, 4};
     int32_t* voxels = ball_labels(4);
-    const cleft_exchange broken = {sizeof broken, 0, 2, NULL, send_nothing, send_no_bytes};
-    const cleft_exchange outside = {sizeof outside, 2, 2, NULL, send_nothing, send_no_bytes};
+    const cleft_exchange broken = {sizeof broken, 0, 2, NULL, send_nothing, send_no_bytes, NULL};
+    const cleft_exchange outside = {sizeof outside, 2, 2, NULL, send_nothing, send_no_bytes, NULL};
     job one;
     (void)state;
     set_jobs(&one, 1, voxels, kDims, kPlain, NULL, 0);
@@ -313,9 +338,9 @@ static void an_exchange_can_break(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(parts_are_the_whole),   cmocka_unit_test(more_ranks_than_points),
-        cmocka_unit_test(ranks_share_blocks),    cmocka_unit_test(one_fails_all_fail),
-        cmocka_unit_test(an_exchange_can_break),
+        cmocka_unit_test(parts_are_the_whole),    cmocka_unit_test(more_ranks_than_points),
+        cmocka_unit_test(ranks_share_blocks),     cmocka_unit_test(one_fails_all_fail),
+        cmocka_unit_test(scratch_needs_a_folder), cmocka_unit_test(an_exchange_can_break),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -54,6 +54,12 @@ void PartsArguments::add_to(CLI::App& parser)
         ->required()
         ->allow_extra_args(false)
         ->type_name("OUTPUT");
+    parser
+        .add_option(
+            "--scratch", scratch,
+            "Folder for a file without a name, where a rank keeps the slabs of --block that\nit does not work on: "
+            "it holds two at a time then")
+        ->type_name("FOLDER");
     parser.add_flag("--ghosts", ghosts,
                     "Pieces of .pvtu also have the tetrahedra of others at their own\npoints, marked as ghosts");
     options.add_to(parser, {"volume", "mesh"});

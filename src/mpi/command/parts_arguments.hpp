@@ -18,6 +18,7 @@ struct PartsArguments {
     cleft_cli::RunArguments run;
     std::vector<std::string> outputs;
     std::string dataset;
+    std::string scratch;
     bool ghosts = false;
 
     void add_to(CLI::App& parser);

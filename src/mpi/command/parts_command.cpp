@@ -107,8 +107,13 @@ void make_and_write(const Ranks& ranks, const PartsArguments& arguments)
     ranks.together([&] {
         session->timed("mesh", "meshing", [&] {
             cleft_part* made = nullptr;
-            const cleft_status status = cleft_mpi_mesh(session->context(), MPI_COMM_WORLD, voxels.get(), options.get(),
-                                                       arguments.ghosts ? 1 : 0, &made);
+            cleft_exchange exchange{};
+            exchange.struct_size = sizeof exchange;
+            session->check(cleft_mpi_exchange_open(MPI_COMM_WORLD, &exchange), cleft_cli::EXIT_MESHING_FAILED);
+            exchange.scratch = arguments.scratch.empty() ? nullptr : arguments.scratch.c_str();
+            const cleft_status status = cleft_part_create(session->context(), voxels.get(), options.get(), &exchange,
+                                                          arguments.ghosts ? 1 : 0, &made);
+            cleft_mpi_exchange_close(&exchange);
             part.reset(made);
             session->check(status, status == CLEFT_ERROR_FILE || status == CLEFT_ERROR_FORMAT
                                        ? cleft_cli::EXIT_CANNOT_READ

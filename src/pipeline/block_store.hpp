@@ -1,0 +1,33 @@
+// The blocks of a rank, in memory or on disk.
+#pragma once
+
+#include "parts/parcel.hpp"
+#include "parts/scratch_file.hpp"
+#include "pipeline/block_job.hpp"
+
+#include <memory>
+
+namespace cleft
+{
+
+class BlockStore
+{
+public:
+    // Blocks from `first` on. `scratch`: the folder where they are kept; empty: they are in memory.
+    BlockStore(int32_t first, int32_t count, const std::string& scratch);
+
+    // Two blocks can be worked on at a time: a reference holds until a third block is asked for.
+    Block& at(int32_t block);
+
+private:
+    void load(int32_t slot);
+    void save(int32_t slot);
+
+    int32_t first_;
+    Array<Block> blocks_;
+    std::unique_ptr<ScratchFile> file_;
+    Array<ScratchFile::Record> records_;
+    Array<int32_t> held_;  // the last two, the older one first
+};
+
+}  // namespace cleft
