@@ -55,6 +55,20 @@ public:
         return std::move(made_);
     }
 
+    Case make_for_parts()
+    {
+        set_dims();
+        // So long that there are several blocks.
+        made_.dims[2] = one_in(2) ? pick(12, 60) : pick(1, 20);
+        describe("or rather " + std::to_string(made_.dims[2]) + " planes");
+        set_affine();
+        set_labels();
+        set_options();
+        set_block_options();
+        set_ranks();
+        return std::move(made_);
+    }
+
 private:
     bool one_in(uint64_t n) { return random_.below(n) == 0; }
     int64_t pick(int64_t least, int64_t greatest)
@@ -288,6 +302,44 @@ private:
         }
     }
 
+    // After the others, of which it takes back those that blocks are not shared with.
+    void set_block_options()
+    {
+        option("block", std::to_string(pick(1, 20)));
+        if (!one_in(30)) {
+            option("background", "octree");
+            option("tets", "0");
+            option("strict", "0");
+        }
+        if (one_in(2))
+            option("improve", "off");  // which takes by far the most time
+        if (one_in(6))
+            option("size_max", number(least_spacing_ * random_.between(3, 20)));
+        if (one_in(6))
+            option("surface_error", number(one_in(3) ? 0 : least_spacing_ * random_.between(0.1, 1)));
+        if (one_in(6))
+            option("min_angle", number(random_.between(5, 30)));
+        if (made_.strip.empty() && one_in(8))
+            made_.only.push_back(made_.labels[random_.below(made_.labels.size())]);
+    }
+
+    void set_ranks()
+    {
+        made_.way = Way::parts;
+        made_.threads = static_cast<int32_t>(pick(1, 2));
+        made_.ranks = static_cast<int32_t>(pick(1, 8));
+        made_.has_ghosts = one_in(2);
+        made_.upset_rank = static_cast<int32_t>(pick(0, made_.ranks - 1));
+        describe(std::to_string(made_.ranks) + " ranks");
+        if (one_in(20)) {
+            made_.cancel_at = pick(1, 60);
+            describe("cancel at " + std::to_string(made_.cancel_at));
+        } else if (one_in(20)) {
+            made_.fail_at = pick(1, 12);
+            describe("fail at " + std::to_string(made_.fail_at));
+        }
+    }
+
     void option(const std::string& name, const std::string& value)
     {
         made_.options.emplace_back(name, value);
@@ -307,5 +359,8 @@ private:
 }  // namespace
 
 Case random_case(uint64_t seed) { return Maker(seed).make(); }
+
+// The seed is mixed, since the numbers of neighbouring seeds are the same ones but for the first.
+Case random_parts_case(uint64_t seed) { return Maker(Random(seed).bits()).make_for_parts(); }
 
 }  // namespace storm

@@ -19,6 +19,7 @@ enum class Way {
     background,  // one call with a user-supplied background, poor and tampered with at times
     metric,      // a user-supplied metric, in one call or several
     stages,      // background, cleaving, improving and stripping, a call each
+    parts,       // one call, and then again by several ranks
 };
 
 struct Case {
@@ -36,15 +37,22 @@ struct Case {
     double constant_size = 0;  // of the background, for Way::stages and Way::background
     int64_t cancel_at = 0;     // the call of the progress callback that asks to cancel; 0: none
     int32_t threads = 1;
+    // For Way::parts: how many there are, the one that cancels, and its reading of voxels that fails; 0: none.
+    int32_t ranks = 1, upset_rank = 0;
+    int64_t fail_at = 0;
+    bool has_ghosts = false;
     // Options by name.
     std::vector<std::pair<std::string, std::string>> options;
     std::vector<std::pair<int32_t, double>> label_sizes;
-    std::vector<int32_t> strip;
+    std::vector<int32_t> strip, only;
     std::string text;  // what it is, in a line
 
     int64_t voxel_count() const { return dims[0] * dims[1] * dims[2]; }
 };
 
 Case random_case(uint64_t seed);
+
+// A label map that is meshed block by block, in one process and on several ranks.
+Case random_parts_case(uint64_t seed);
 
 }  // namespace storm

@@ -2,6 +2,7 @@
 #include "storm/trial.hpp"
 
 #include "storm/mesh_checker.hpp"
+#include "storm/parts_checker.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -119,7 +120,7 @@ private:
     cleft_status status_of_all()
     {
         cleft_status status = cleft_context_set_threads(context_, case_.threads);
-        if (status == CLEFT_OK && case_.cancel_at > 0)
+        if (status == CLEFT_OK && case_.cancel_at > 0 && case_.way != Way::parts)
             status = cleft_context_set_progress(context_, cancel_in_time, this);
         if (status == CLEFT_OK)
             status = set_options();
@@ -136,6 +137,8 @@ private:
                 return mesh_by_own_metric();
             case Way::stages:
                 return mesh_by_stages();
+            case Way::parts:
+                return mesh_by_parts();
             default:
                 return mesh_whole();
         }
@@ -155,6 +158,9 @@ private:
         for (const auto& [label, size] : case_.label_sizes)
             if (const cleft_status status = cleft_options_set_label_size(options_, label, size))
                 return status;
+        if (const cleft_status status =
+                cleft_options_set_only(options_, case_.only.data(), static_cast<int64_t>(case_.only.size())))
+            return status;
         return cleft_options_set_strip(options_, case_.strip.data(), static_cast<int64_t>(case_.strip.size()));
     }
 
@@ -197,6 +203,26 @@ private:
         if ((has_sizes || !case_.label_sizes.empty()) && asks_for_too_much())
             return left_out();
         return checked(cleft_mesh_volume(context_, volume_, nullptr, nullptr, options_, next()), kept_box());
+    }
+
+    cleft_status mesh_by_parts()
+    {
+        const cleft_status status = mesh_whole();
+        const std::string sentence = cleft_context_last_error(context_);
+        if (status == CLEFT_OK && fault_.empty())
+            fault_ = validated(meshes_.back());
+        if (!left_out_ && fault_.empty())
+            fault_ = fault_of_parts(case_, options_, {status, sentence, meshes_.back()});
+        return status;
+    }
+
+    // By the library; that it fills the box was judged already.
+    std::string validated(const cleft_mesh* mesh)
+    {
+        cleft_validation found{};
+        found.struct_size = sizeof found;
+        const cleft_status status = cleft_mesh_validate(context_, mesh, 0, &found);
+        return status == CLEFT_OK && found.valid == 1 ? "" : cleft_context_last_error(context_);
     }
 
     cleft_status mesh_by_own_sizes()
@@ -334,7 +360,7 @@ private:
     Expectation kept_box() const
     {
         Expectation expected = whole_box();
-        expected.fills_box = case_.strip.empty();
+        expected.fills_box = case_.strip.empty() && case_.only.empty();
         return expected;
     }
 
