@@ -64,7 +64,7 @@ void snap_block(const VolumeParts& volume, Block& block, const PipelineOptions& 
 {
     if (block.background.tets.empty())
         return;
-    const auto around = volume.around(box_of(block.background.points));
+    const auto around = volume.around(block.background.points, block.background.tets);
     block.snapped = snap_background(*around, block.background, cleaving_of(block, options), {}, quiet(run));
 }
 
@@ -72,7 +72,7 @@ void mesh_block(const VolumeParts& volume, Block& block, const PipelineOptions& 
 {
     if (block.background.tets.empty())
         return;
-    const auto around = volume.around(box_of(block.background.points));
+    const auto around = volume.around(block.background.points, block.background.tets);
     const Run of_part = quiet(run);
     const CleaveOptions cutting = cleaving_of(block, options);
     const auto cut = [&](const Run& part) {
@@ -109,15 +109,13 @@ std::pair<LabelledMesh, LabelledMesh> improve_seam(const VolumeParts& volume, La
 {
     if (lower.tets.empty() || upper.tets.empty())
         return {std::move(lower), copy_of(upper)};
-    BoundingBox reach = box_of(lower.points);
-    reach.add(upper.points);
-    const auto around = volume.around(reach);
     const Run of_part = quiet(run);
-    const BoundingBox box = box_of(*around);
+    const BoundingBox box{Vec3::Zero(), volume.grid.extent()};
     const Array<int32_t> on_seam =
         points_at(lower.points, points_of_cut(lower, box, of_part), places_of_cut(upper, box, of_part));
     LabelledMesh both = joined(std::move(lower), upper, of_part);  // the points of `lower` keep their numbers
     mend_interfaces(both, on_seam, of_part);
+    const auto around = volume.around(both.points, both.tets);
     const Cleaved as_it_is = [&](const Run&) { return copy_of(both); };
     // Together the blocks have the volumes that they are to have. Where they meet, labels keep those of both.
     const LabelledMesh better = worked_on(

@@ -45,17 +45,8 @@ struct VolumeParts {
     // At least these planes can be sampled.
     std::function<std::shared_ptr<const Volume>(Planes wanted)> planes;
 
-    // All that work on tetrahedra in a box looks at.
-    std::shared_ptr<const Volume> around(const BoundingBox& box) const
-    {
-        // Steps along a gradient may leave the tetrahedra by a part of a voxel. The rest is to spare.
-        constexpr int32_t kSparePlanes = 8;
-        const auto plane = [&](double z) {
-            return std::clamp(static_cast<int32_t>(std::floor(z / grid.spacing[2])), 0, grid.dims[2] - 1);
-        };
-        const int32_t first = std::max(0, plane(box.lo[2]) - kSparePlanes);
-        return planes({first, std::min(grid.dims[2], plane(box.hi[2]) + 1 + kSparePlanes) - first});
-    }
+    // All that work on tetrahedra looks at.
+    std::shared_ptr<const Volume> around(const Array<Vec3>& points, const Array<Tet>& tets) const;
 };
 
 // The middle of a tetrahedron along the last axis.

@@ -148,7 +148,7 @@ std::pair<Snapped, Snapped> snap_seam(const VolumeParts& volume, const SnapSide&
     add_renumbered(lower.snapped, both.lower, before);
     add_renumbered(upper.snapped, both.upper, before);
     sort(before);
-    const auto around = volume.around(box_of(both.background.points));
+    const auto around = volume.around(both.background.points, both.background.tets);
     CleaveOptions snapping = options.cleave;
     snapping.held = points_of_cut(both.background, {Vec3::Zero(), volume.grid.extent()}, of_part);
     const Snapped after = snap_background(*around, both.background, snapping, before, of_part);

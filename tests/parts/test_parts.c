@@ -207,11 +207,9 @@ static int32_t ball(const int64_t at[3])
     return square < 14 * 14;
 }
 
-static void compare_blocks(labelling label, const int64_t dims[3], const double* affine, const char* block,
-                           const char* improve)
+static void compare_labelling(labelling label, const int64_t dims[3], const double* affine, cleft_options* options)
 {
     int32_t* voxels = (int32_t*)malloc(sizeof(int32_t) * (size_t)(dims[0] * dims[1] * dims[2]));
-    cleft_options* options = options_of("octree", improve, block);
     int64_t at[3], v = 0;
     assert_non_null(voxels);
     for (at[2] = 0; at[2] < dims[2]; ++at[2])
@@ -219,8 +217,15 @@ static void compare_blocks(labelling label, const int64_t dims[3], const double*
             for (at[0] = 0; at[0] < dims[0]; ++at[0])
                 voxels[v++] = label(at);
     compare_with_whole(voxels, dims, affine, options);
-    cleft_options_destroy(options);
     free(voxels);
+}
+
+static void compare_blocks(labelling label, const int64_t dims[3], const double* affine, const char* block,
+                           const char* improve)
+{
+    cleft_options* options = options_of("octree", improve, block);
+    compare_labelling(label, dims, affine, options);
+    cleft_options_destroy(options);
 }
 
 static void ranks_share_blocks(void** state)
@@ -241,6 +246,20 @@ static void ranks_share_blocks(void** state)
     compare_blocks(single_voxels, kTall, kPlain, "12", "fast");
     compare_blocks(one_label, kTall, kThirds, "12", "fast");
     compare_blocks(new_label_a_plane, kTall, kPlain, "12", "off");
+}
+
+static int32_t flat_interface(const int64_t at[3]) { return at[2] < 218; }
+
+/* Vertices snap by planes of voxels, beyond the tetrahedra of their block. */
+static void long_edges_leave_a_block(void** state)
+{
+    static const double kPlates[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0.2, 0};
+    static const int64_t kDims[3] = {20, 20, 400};
+    cleft_options* options = options_of("octree", "fast", "200");
+    (void)state;
+    assert_int_equal(cleft_options_set_text(options, "size", "9"), CLEFT_OK);
+    compare_labelling(flat_interface, kDims, kPlates, options);
+    cleft_options_destroy(options);
 }
 
 /* Whoever fails, all get the status and the sentence, and the number of the rank. */
@@ -338,9 +357,10 @@ static void an_exchange_can_break(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(parts_are_the_whole),    cmocka_unit_test(more_ranks_than_points),
-        cmocka_unit_test(ranks_share_blocks),     cmocka_unit_test(one_fails_all_fail),
-        cmocka_unit_test(scratch_needs_a_folder), cmocka_unit_test(an_exchange_can_break),
+        cmocka_unit_test(parts_are_the_whole),   cmocka_unit_test(more_ranks_than_points),
+        cmocka_unit_test(ranks_share_blocks),    cmocka_unit_test(long_edges_leave_a_block),
+        cmocka_unit_test(one_fails_all_fail),    cmocka_unit_test(scratch_needs_a_folder),
+        cmocka_unit_test(an_exchange_can_break),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
