@@ -65,8 +65,11 @@ void make_part(const cleft_exchange* exchange, void* user)
     if (cleft_context_create(&context) != CLEFT_OK || cleft_context_set_threads(context, drawn.threads) != CLEFT_OK ||
         cleft_context_set_progress(context, cancel_in_time, user) != CLEFT_OK)
         std::abort();
+    cleft_exchange with_scratch = *exchange;
+    if (drawn.has_scratch)
+        with_scratch.scratch = ".";
     cleft_part* part = nullptr;
-    rank.status = cleft_part_create(context, &voxels, rank.options, exchange, drawn.has_ghosts, &part);
+    rank.status = cleft_part_create(context, &voxels, rank.options, &with_scratch, drawn.has_ghosts, &part);
     rank.part.reset(part);
     rank.sentence = cleft_context_last_error(context);
     cleft_context_destroy(context);

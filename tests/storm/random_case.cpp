@@ -329,6 +329,7 @@ private:
         made_.threads = static_cast<int32_t>(pick(1, 2));
         made_.ranks = static_cast<int32_t>(pick(1, 8));
         made_.has_ghosts = one_in(2);
+        made_.has_scratch = one_in(3);
         made_.upset_rank = static_cast<int32_t>(pick(0, made_.ranks - 1));
         describe(std::to_string(made_.ranks) + " ranks");
         if (one_in(20)) {

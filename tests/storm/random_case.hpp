@@ -40,7 +40,7 @@ struct Case {
     // For Way::parts: how many there are, the one that cancels, and its reading of voxels that fails; 0: none.
     int32_t ranks = 1, upset_rank = 0;
     int64_t fail_at = 0;
-    bool has_ghosts = false;
+    bool has_ghosts = false, has_scratch = false;
     // Options by name.
     std::vector<std::pair<std::string, std::string>> options;
     std::vector<std::pair<int32_t, double>> label_sizes;
