@@ -187,12 +187,17 @@ int32_t Octree::find(const Int3& at, int32_t level) const
     return cell;
 }
 
-double rough_octree_tets(const SizingField& field)
+double rough_octree_tets(const Vec3& extent, const SizeRange& sizes, double particle_tets)
 {
     constexpr double kTetsACell = 12;  // of body-centred cubic cells
-    const Int3 roots = octree_roots(field.grid.extent(), field.range());
+    const Int3 roots = octree_roots(extent, sizes);
     const double least = kTetsACell * double(roots[0]) * double(roots[1]) * double(roots[2]);
-    return std::max(least, kTetsOverParticles * expected_particle_tets(field));
+    return std::max(least, kTetsOverParticles * particle_tets);
+}
+
+double rough_octree_tets(const SizingField& field)
+{
+    return rough_octree_tets(field.grid.extent(), field.range(), expected_particle_tets(field));
 }
 
 Octree build_octree(const SizingField& field, const Run& run)

@@ -38,8 +38,10 @@ struct Octree {
 // there are more: there the number of cells is the bound.
 constexpr double kTetsOverParticles = 1.5;
 
-// The tetrahedra that an octree mostly has, without building it.
+// The tetrahedra that an octree mostly has, without building it. The same from the range of the sizes, and from the
+// number that particles would need for them.
 double rough_octree_tets(const SizingField& field);
+double rough_octree_tets(const Vec3& extent, const SizeRange& sizes, double particle_tets);
 
 // The roots of a box for sizes of that range.
 Int3 octree_roots(const Vec3& extent, const SizeRange& sizes);

@@ -64,12 +64,6 @@ SizingField sizes_of_block(const VolumeParts& volume, Planes block, SizingOption
     return own;
 }
 
-// What the kind of the background has, for sizes that particles would need so many tetrahedra for.
-double of_kind(BackgroundKind kind, double particle_tets)
-{
-    return kind == BackgroundKind::octree ? kTetsOverParticles * particle_tets : particle_tets;
-}
-
 }  // namespace
 
 BlockField sizes_of_own_blocks(const VolumeParts& volume, const BlockLayout& layout, const PipelineOptions& options,
@@ -80,6 +74,7 @@ BlockField sizes_of_own_blocks(const VolumeParts& volume, const BlockLayout& lay
     const OwnBlocks own = own_blocks(layout.count, exchange);
     SizingOptions sizing = bounded(options.sizing, layout);
     BlockField field(layout.grid, sizing.gradation, exchange.scratch());
+    double of_particles = 0;
     const auto expected_at = [&](double raised) {
         sizing.raised = raised;
         field.clear();
@@ -92,15 +87,16 @@ BlockField sizes_of_own_blocks(const VolumeParts& volume, const BlockLayout& lay
         }
         // In the order of the blocks, so that the sum is the same for any number of ranks.
         const Array<double> all = exchange.all_gather(tets);
-        return of_kind(options.background.kind, std::accumulate(all.begin(), all.end(), 0.0));
+        of_particles = std::accumulate(all.begin(), all.end(), 0.0);
+        if (options.background.kind != BackgroundKind::octree)
+            return of_particles;
+        return rough_octree_tets(layout.grid.extent(), range_of_all(field.range(), exchange), of_particles);
     };
-    double expected = 0;
-    const auto number = [&](double raised) { return expected = expected_at(raised); };
     const bool is_limited = limits_number(options.sizing) && row_of(options.background.kind).tets_near_limit;
     const NumberLimit limit{is_limited ? options.sizing.max_tets : INFINITY,
                             std::min(layout.grid.spacing.minCoeff(), sizing.size_max), layout.grid.extent().minCoeff()};
     keep_to_number(
-        limit, number, [&] { return expected; }, exchange.rank() == 0 ? run : quiet(run));
+        limit, expected_at, [&] { return of_particles; }, exchange.rank() == 0 ? run : quiet(run));
     const SizeRange range = range_of_all(field.range(), exchange);
     run.note("sizing.least", range.least);
     run.note("sizing.greatest", range.greatest);

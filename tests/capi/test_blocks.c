@@ -133,13 +133,40 @@ static void thin_blocks_are_valid(void** state)
     cleft_context_destroy(context);
 }
 
+/* A tree has its roots whatever the sizes are: blocks must not hide how many a thin box needs. */
+static void blocks_keep_to_max_tets(void** state)
+{
+    enum { LONG = 4, PLANES = 40 };
+    static const int64_t kDims[3] = {LONG, 1, PLANES};
+    static const double kStretched[12] = {400, 0, 0, 0, 0, 1, 0, 0, 0, 0, 100, 0};
+    int32_t labels[LONG * PLANES];
+    cleft_context* context = new_context();
+    cleft_volume* volume = NULL;
+    cleft_options* options = NULL;
+    (void)state;
+    for (int v = 0; v < LONG * PLANES; ++v)
+        labels[v] = v / LONG / 10;
+    assert_int_equal(cleft_options_create(&options), CLEFT_OK);
+    assert_int_equal(cleft_options_set_text(options, "background", "octree"), CLEFT_OK);
+    assert_int_equal(cleft_options_set_text(options, "max_tets", "20000"), CLEFT_OK);
+    assert_ok(context, cleft_volume_create_labels(context, CLEFT_TYPE_INT32, labels, kDims, kStretched, NULL, &volume));
+    for (int blocks = 0; blocks < 2; ++blocks) {
+        cleft_mesh* mesh = NULL;
+        assert_int_equal(cleft_options_set_text(options, "block", blocks ? "10" : "0"), CLEFT_OK);
+        assert_fails(context, CLEFT_ERROR_TOO_LARGE, cleft_mesh_volume(context, volume, NULL, NULL, options, &mesh));
+        assert_non_null(strstr(cleft_context_last_error(context), "the box is so thin"));
+    }
+    cleft_options_destroy(options);
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(blocks_are_as_good_as_the_whole),
-        cmocka_unit_test(one_block_is_the_whole),
-        cmocka_unit_test(any_threads_make_the_same_blocks),
-        cmocka_unit_test(thin_blocks_are_valid),
+        cmocka_unit_test(blocks_are_as_good_as_the_whole),  cmocka_unit_test(one_block_is_the_whole),
+        cmocka_unit_test(any_threads_make_the_same_blocks), cmocka_unit_test(thin_blocks_are_valid),
+        cmocka_unit_test(blocks_keep_to_max_tets),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
