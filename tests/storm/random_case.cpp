@@ -58,9 +58,7 @@ public:
     Case make_for_parts()
     {
         set_dims();
-        // So long that there are several blocks.
-        made_.dims[2] = one_in(2) ? pick(12, 60) : pick(1, 20);
-        describe("or rather " + std::to_string(made_.dims[2]) + " planes");
+        make_long();
         set_affine();
         set_labels();
         set_options();
@@ -83,6 +81,18 @@ private:
             n = one_in(4) ? pick(1, 3) : one_in(4) ? pick(1, 20) : pick(1, 9);  // small ones, for the storm to be long
         describe(std::to_string(made_.dims[0]) + " x " + std::to_string(made_.dims[1]) + " x " +
                  std::to_string(made_.dims[2]));
+    }
+
+    // So long that there are several blocks, and at times so long that no rank needs all planes.
+    void make_long()
+    {
+        auto& [x, y, z] = made_.dims;
+        z = one_in(2) ? pick(12, 60) : one_in(2) ? pick(100, 250) : pick(1, 20);
+        if (z >= 100) {
+            x = std::min<int64_t>(x, 4);
+            y = std::min<int64_t>(y, 4);
+        }
+        describe("or rather " + std::to_string(x) + " x " + std::to_string(y) + " x " + std::to_string(z));
     }
 
     void set_affine()
@@ -305,7 +315,7 @@ private:
     // After the others, of which it takes back those that blocks are not shared with.
     void set_block_options()
     {
-        option("block", std::to_string(pick(1, 20)));
+        option("block", std::to_string(made_.dims[2] >= 100 && one_in(2) ? pick(20, 60) : pick(1, 20)));
         if (!one_in(30)) {
             option("background", "octree");
             option("tets", "0");
