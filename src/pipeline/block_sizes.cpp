@@ -31,8 +31,10 @@ SizingOptions bounded(const SizingOptions& options, const BlockLayout& layout)
     out.max_tets = 0;
     out.expected_tets = nullptr;
     const double of_volume = options.size_max > 0 ? options.size_max : default_size_max(layout.grid);
-    const double of_block = std::max(kSizeOfBlock * layout.thickness(), layout.grid.spacing.maxCoeff());
+    const double of_block =
+        std::max({kSizeOfBlock * layout.thickness(), layout.grid.spacing.maxCoeff(), options.size_min});
     out.size_max = std::max(std::min(of_volume, of_block), options.size_min);
+    out.size = std::min(options.size, of_block);  // 0: it is not given
     return out;
 }
 

@@ -133,6 +133,28 @@ static void thin_blocks_are_valid(void** state)
     cleft_context_destroy(context);
 }
 
+/* One of the user, too: tetrahedra that are as long as their block is thick could not be improved. */
+static void no_size_is_above_a_quarter_of_a_block(void** state)
+{
+    (void)state;
+    cleft_context* context = new_context();
+    cleft_volume* volume = ball_volume(context, SIDE);
+    static const char* const kNames[] = {"size", "size_max"};
+    for (size_t i = 0; i < sizeof kNames / sizeof *kNames; ++i) {
+        cleft_options* options = options_of("octree", "8");
+        cleft_sizing* sizing = NULL;
+        assert_int_equal(cleft_options_set_text(options, "size_max", "0"), CLEFT_OK);
+        assert_int_equal(cleft_options_set_text(options, kNames[i], "6"), CLEFT_OK);
+        assert_ok(context, cleft_sizing_create(context, volume, options, &sizing));
+        for (int v = 0; v < SIDE * SIDE * SIDE; ++v)
+            assert_true(cleft_sizing_values(sizing)[v] <= 2);
+        cleft_sizing_destroy(sizing);
+        cleft_options_destroy(options);
+    }
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
 /* A tree has its roots whatever the sizes are: blocks must not hide how many a thin box needs. */
 static void blocks_keep_to_max_tets(void** state)
 {
@@ -164,9 +186,9 @@ static void blocks_keep_to_max_tets(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(blocks_are_as_good_as_the_whole),  cmocka_unit_test(one_block_is_the_whole),
-        cmocka_unit_test(any_threads_make_the_same_blocks), cmocka_unit_test(thin_blocks_are_valid),
-        cmocka_unit_test(blocks_keep_to_max_tets),
+        cmocka_unit_test(blocks_are_as_good_as_the_whole),       cmocka_unit_test(one_block_is_the_whole),
+        cmocka_unit_test(any_threads_make_the_same_blocks),      cmocka_unit_test(thin_blocks_are_valid),
+        cmocka_unit_test(no_size_is_above_a_quarter_of_a_block), cmocka_unit_test(blocks_keep_to_max_tets),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
