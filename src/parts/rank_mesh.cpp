@@ -5,6 +5,7 @@
 #include "base/stage.hpp"
 #include "mesh/materials.hpp"
 #include "mesh/strip.hpp"
+#include "parts/held_planes.hpp"
 #include "pipeline/block_seams.hpp"
 #include "pipeline/block_sizes.hpp"
 #include "pipeline/finish.hpp"
@@ -48,24 +49,31 @@ private:
     LabelCounts sums_;
 };
 
-// The last planes that were read are kept: work on a block asks for much the same ones again.
-VolumeParts read_as_asked(const SharedVoxels& voxels, const LabelCounts& labels, int smooth, const Run& run)
+// The volume around what is worked on. Weights cost more than anything else here, so planes keep them.
+VolumeParts read_as_asked(const SharedVoxels& voxels, const LabelCounts& labels, int smooth, const std::string& scratch,
+                          const Run& run)
 {
-    struct Held {
+    struct Last {
+        Planes sampled;
         std::shared_ptr<const Volume> volume;
-        Planes planes;
     };
-    const auto held = std::make_shared<Held>();
-    return {voxels.grid, [=, &voxels, &labels](Planes wanted) {
-                if (held->volume && held->planes.first <= wanted.first && wanted.end() <= held->planes.end())
-                    return held->volume;
-                held->volume = nullptr;  // its memory is free before more is taken
-                const Planes read = planes_around(voxels.grid, wanted);
-                const Array<unsigned char> bytes = read_window(voxels.source, window_of(voxels.grid, read));
-                held->volume = std::make_shared<const Volume>(Volume::from_planes(
-                    voxels.source.type, bytes.data(), voxels.grid, read, labels, smooth, uncounted(run)));
-                held->planes = wanted;
-                return held->volume;
+    const auto last = std::make_shared<Last>();
+    const auto held = std::make_shared<HeldPlanes>(scratch);
+    const Grid& whole = voxels.grid;
+    const auto make = [=, &voxels, &labels, &whole](Planes planes) {
+        const Planes read = planes_around(whole, planes, kPlanesOfWeight + kPlanesOfSample);
+        const Array<unsigned char> bytes = read_window(voxels.source, window_of(whole, read));
+        return Volume::from_planes(voxels.source.type, bytes.data(), whole, read, labels, smooth, uncounted(run));
+    };
+    return {whole, [=, &labels, &whole](Planes wanted) {
+                if (last->volume && last->sampled.first <= wanted.first && wanted.end() <= last->sampled.end())
+                    return last->volume;
+                last->volume = nullptr;  // its memory is free before more is taken
+                held->fill(planes_around(whole, wanted, kPlanesOfSample), make);
+                last->volume = std::make_shared<const Volume>(Volume::from_stored_planes(
+                    whole, wanted, labels, smooth, [&](int32_t k) { return held->plane(k); }));
+                last->sampled = wanted;
+                return last->volume;
             }};
 }
 
@@ -150,7 +158,7 @@ LabelledMesh mesh_of_rank(const SharedVoxels& voxels, const LabelCounts& labels,
 {
     Steps steps(run, {{nullptr, 15}, {nullptr, 83}, {nullptr, 2}});
     const BlockLayout layout = BlockLayout::of(voxels.grid, options.block);
-    const VolumeParts volume = read_as_asked(voxels, labels, smooth, run);
+    const VolumeParts volume = read_as_asked(voxels, labels, smooth, exchange.scratch(), run);
     const BlockField sizes = sizes_of_own_blocks(volume, layout, options, exchange, steps.next());
     LabelledMesh mesh =
         mesh_own_blocks(volume, layout, octree_of(sizes, layout, exchange), options, exchange, steps.next());

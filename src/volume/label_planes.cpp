@@ -2,6 +2,7 @@
 #include "volume/label_planes.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <type_traits>
 
 namespace cleft
@@ -20,18 +21,64 @@ void bound_depths(uint8_t* code, int64_t count, int32_t planes_to_cut)
 
 }  // namespace
 
-Planes planes_around(const Grid& whole, Planes wanted)
+Planes planes_around(const Grid& whole, Planes planes, int32_t around)
 {
-    const int32_t first = std::max(0, wanted.first - kPlanesAround);
-    return {first, std::min(whole.dims[2], wanted.end() + kPlanesAround) - first};
+    const int32_t first = std::max(0, planes.first - around);
+    return {first, std::min(whole.dims[2], planes.end() + around) - first};
+}
+
+template <class Label>
+Array<unsigned char> stored_plane(const LabelMap<Label>& map, int32_t k)
+{
+    const int64_t begin = map.index(0, 0, k), count = map.grid.plane_size();
+    Array<unsigned char> bytes;
+    bytes.reserve(to_size(count) * (sizeof(Label) + 2));
+    const auto add = [&](const auto& values) {
+        const auto* first = reinterpret_cast<const unsigned char*>(values.data() + begin);
+        bytes.insert(bytes.end(), first, first + to_size(count) * sizeof(values.front()));
+    };
+    add(map.material);
+    add(map.weight);
+    add(map.code);
+    return bytes;
+}
+
+template <class Label>
+LabelMap<Label> restored(const Grid& whole, Planes sampled, int kernel, const StoredPlane& plane)
+{
+    const Planes held = planes_around(whole, sampled, kPlanesOfSample);
+    const int64_t count = whole.plane_size(), all = held.count * count + kLanes;
+    LabelMap<Label> map;
+    map.grid = whole;
+    map.kernel = Hann(kernel);
+    map.planes = sampled;
+    map.first = held.first * count;
+    map.material.resize(to_size(all));
+    map.weight.resize(to_size(all));
+    map.code.resize(to_size(all));
+    for (int32_t k = held.first; k < held.end(); ++k) {
+        const Array<unsigned char> bytes = plane(k);
+        CLEFT_ASSERT(bytes.count() == count * int64_t{sizeof(Label) + 2});
+        const unsigned char* from = bytes.data();
+        const auto take = [&](auto& values) {
+            const size_t size = to_size(count) * sizeof(values.front());
+            std::memcpy(values.data() + map.index(0, 0, k), from, size);
+            from += size;
+        };
+        take(map.material);
+        take(map.weight);
+        take(map.code);
+    }
+    return map;
 }
 
 template <class Label>
 void place_in_whole(LabelMap<Label>& map, const Grid& whole, int32_t first)
 {
     const int32_t end = first + map.grid.dims[2];
-    const int32_t low = first > 0 ? first + kPlanesAround : 0;
-    const int32_t high = end < whole.dims[2] ? end - kPlanesAround : whole.dims[2];
+    constexpr int32_t kAround = kPlanesOfWeight + kPlanesOfSample;
+    const int32_t low = first > 0 ? first + kAround : 0;
+    const int32_t high = end < whole.dims[2] ? end - kAround : whole.dims[2];
     CLEFT_ASSERT(low < high);
     for (int32_t k = first; k < end; ++k) {
         const int32_t below = first > 0 ? k - first : kDepthGreatest;
@@ -63,6 +110,10 @@ LabelMap<Label> cropped(const LabelMap<Label>& map, Planes planes)
     return out;
 }
 
+template Array<unsigned char> stored_plane(const LabelMap<uint8_t>&, int32_t);
+template Array<unsigned char> stored_plane(const LabelMap<uint16_t>&, int32_t);
+template LabelMap<uint8_t> restored(const Grid&, Planes, int, const StoredPlane&);
+template LabelMap<uint16_t> restored(const Grid&, Planes, int, const StoredPlane&);
 template void place_in_whole(LabelMap<uint8_t>&, const Grid&, int32_t);
 template void place_in_whole(LabelMap<uint16_t>&, const Grid&, int32_t);
 template LabelMap<uint8_t> cropped(const LabelMap<uint8_t>&, Planes);

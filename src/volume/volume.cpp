@@ -84,13 +84,14 @@ LabelMap<Label> make_label_map(const Value* voxels, const Grid& grid, int kernel
     return map;
 }
 
+// Most volumes have few labels. One byte per voxel halves the memory of the map, which is worth a second instantiation.
+constexpr size_t kNarrowLabels = 256;
+
 // The map of voxels whose labels are in data.labels.
 template <class Value>
 void store_map(const Value* voxels, const Grid& grid, int kernel, Volume::Data& data, const Run& run)
 {
-    // Most volumes have few labels. One byte per voxel halves the memory of the map, which is worth a second
-    // instantiation.
-    if (data.labels.size() <= 256)
+    if (data.labels.size() <= kNarrowLabels)
         data.field = make_label_map<uint8_t>(voxels, grid, kernel, data.labels, run);
     else
         data.field = make_label_map<uint16_t>(voxels, grid, kernel, data.labels, run);
@@ -243,6 +244,26 @@ Volume Volume::from_planes(VoxelType type, const void* voxels, const Grid& whole
     with_type(type, voxels, [&](const auto* values) { store_map(values, grid, kernel, *data, run); });
     data->visit_map([&](auto& map) { place_in_whole(map, whole, read.first); });
     return Volume(std::move(data));
+}
+
+Volume Volume::from_stored_planes(const Grid& whole, Planes sampled, const LabelCounts& of_whole, int kernel,
+                                  const std::function<Array<unsigned char>(int32_t k)>& plane)
+{
+    auto data = std::make_unique<Data>();
+    data->labels = of_whole.labels;
+    data->counts = of_whole.voxels;
+    if (data->labels.size() <= kNarrowLabels)
+        data->field = restored<uint8_t>(whole, sampled, kernel, plane);
+    else
+        data->field = restored<uint16_t>(whole, sampled, kernel, plane);
+    return Volume(std::move(data));
+}
+
+Array<unsigned char> Volume::stored_plane(int32_t k) const
+{
+    Array<unsigned char> bytes;
+    data_->visit_map([&](const auto& map) { bytes = cleft::stored_plane(map, k); });
+    return bytes;
 }
 
 Volume Volume::cropped(Planes planes) const

@@ -10,6 +10,7 @@
 #include "mesh/user_label.hpp"
 #include "volume/grid.hpp"
 
+#include <functional>
 #include <memory>
 
 namespace cleft
@@ -74,6 +75,10 @@ public:
     // be sampled are fewer (planes_around() in label_planes.hpp). `of_whole` says what the whole map has.
     static Volume from_planes(VoxelType type, const void* voxels, const Grid& whole, Planes read,
                               const LabelCounts& of_whole, int kernel, const Run& run);
+    // The same from planes that such a part has stored. `plane(k)` is asked for `sampled` and those that samples see.
+    static Volume from_stored_planes(const Grid& whole, Planes sampled, const LabelCounts& of_whole, int kernel,
+                                     const std::function<Array<unsigned char>(int32_t k)>& plane);
+    Array<unsigned char> stored_plane(int32_t k) const;
     static LabelCounts count_labels(VoxelType type, const void* voxels, int64_t count, const Run& run);
     // Planes of a label map as a volume of their own, in which its materials keep their numbers.
     Volume cropped(Planes planes) const;
