@@ -41,7 +41,7 @@ typedef struct cleft_exchange {
     void* user;                     /**< given to the functions */
     cleft_exchange_numbers numbers; /**< sends a number to each rank */
     cleft_exchange_bytes bytes;     /**< sends bytes to each rank */
-    const char* scratch;            /**< a folder for a file without a name, or NULL: see cleft_part_create() */
+    const char* scratch;            /**< a folder for files without names, or NULL: see cleft_part_create() */
 } cleft_exchange;
 
 /** Reads the voxels first[i] to first[i] + count[i] - 1 along each axis i into `voxels`, x fastest, and returns 0. If
@@ -74,11 +74,11 @@ typedef struct cleft_part cleft_part; /**< the part of a mesh that a rank has; i
  *  one of its two tetrahedra: that of lower number in the whole mesh. So each triangle bounds a tetrahedron that its
  *  part owns, with ghosts and without. The other tetrahedron of an interface can be in another part.
  *
- *  With an octree and the option `block`, all ranks make the mesh, and none holds the whole volume. Otherwise the first
- *  rank makes it; a warning says why. If ranks make it and `scratch` of the exchange is not NULL, a rank holds two of
- *  its blocks at a time, until it joins them. It keeps the others, and sizes, in a file in that folder, which needs
- *  about as much room as the rank's voxels in floats and five times its mesh. The mesh is the same. Ranks may have
- *  folders of their own. A file that cannot be written is CLEFT_ERROR_FILE.
+ *  With an octree or a lattice and the option `block`, all ranks make the mesh, and none holds the whole volume.
+ * Otherwise the first rank makes it; a warning says why. If ranks make it and `scratch` of the exchange is not NULL, a
+ * rank holds two of its blocks at a time, until it joins them. It keeps the others, sizes and weights of voxels in
+ * files of that folder without names, which take about eight bytes a voxel and five times its mesh. The mesh is the
+ * same. Ranks may have folders of their own. A file that cannot be written is CLEFT_ERROR_FILE.
  *
  *  `options` may be NULL. Options read: all.
  *  The caller owns *out. \since 0.1 */

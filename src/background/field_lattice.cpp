@@ -25,9 +25,8 @@ void refuse_flat_lattice(const Grid& grid, double size, double most)
                                                ": set a greater max_tets or another background");
 }
 
-void warn_of_raised_size(const SizingField& field, double size, double most, const Run& run)
+void warn_of_raised_size(double least, double size, double most, const Run& run)
 {
-    const double least = field.least();
     if (size <= least)
         return;
     const double asked = most * std::pow(size / least, 3);
@@ -37,21 +36,25 @@ void warn_of_raised_size(const SizingField& field, double size, double most, con
 
 }  // namespace
 
-double field_lattice_size(const SizingField& field, const LatticeOptions& options)
+double field_lattice_size(const Grid& grid, const SizeRange& sizes, const LatticeOptions& options)
 {
-    const double least = field.least();
-    const bool is_asked_for = options.is_size_given || least == field.greatest();
+    const bool is_asked_for = options.is_size_given || sizes.least == sizes.greatest;
     if (options.max_tets <= 0 || is_asked_for)
-        return least;
-    return std::max(least, lattice_size_for(field.grid, options.max_tets));
+        return sizes.least;
+    return std::max(sizes.least, lattice_size_for(grid, options.max_tets));
+}
+
+void check_lattice(const Grid& grid, const SizeRange& sizes, const LatticeOptions& options, const Run& run)
+{
+    const double size = field_lattice_size(grid, sizes, options);
+    warn_of_raised_size(sizes.least, size, options.max_tets, run);
+    refuse_flat_lattice(grid, size, options.max_tets);
 }
 
 TetMesh field_lattice(const SizingField& field, const LatticeOptions& options, const Run& run)
 {
-    const double size = field_lattice_size(field, options);
-    warn_of_raised_size(field, size, options.max_tets, run);
-    refuse_flat_lattice(field.grid, size, options.max_tets);
-    return lattice_background(field.grid, size, run);
+    check_lattice(field.grid, field.range(), options, run);
+    return lattice_background(field.grid, field_lattice_size(field.grid, field.range(), options), run);
 }
 
 // Scaled for a wanted number of tetrahedra, the one size of a lattice can come out coarser than the thinnest parts ask

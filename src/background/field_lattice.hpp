@@ -13,11 +13,12 @@ struct LatticeOptions {
     bool is_size_given = false;  // the user asks for the least size, not features
 };
 
-// The size that the lattice gets.
-double field_lattice_size(const SizingField& field, const LatticeOptions& options);
+// The size that the lattice gets for sizes of that range.
+double field_lattice_size(const Grid& grid, const SizeRange& sizes, const LatticeOptions& options);
 
 // Warns where the size is raised. Refuses the lattice of a plate that has more tetrahedra than max_tets although its
 // size asks for no more: cells are no longer than the box is thin.
+void check_lattice(const Grid& grid, const SizeRange& sizes, const LatticeOptions& options, const Run& run);
 TetMesh field_lattice(const SizingField& field, const LatticeOptions& options, const Run& run);
 
 // Warns if the one size of a lattice is coarser than the thinnest parts ask for, where the field was scaled.

@@ -34,10 +34,10 @@ constexpr BackgroundRow kRows[] = {
          return field_lattice(field, options.lattice, run);
      },
      [](const SizingField& field, const BackgroundOptions& options, const Run&) {
-         return lattice_tets(field.grid, field_lattice_size(field, options.lattice));
+         return lattice_tets(field.grid, field_lattice_size(field.grid, field.range(), options.lattice));
      },
      [](const SizingField& field, const BackgroundOptions& options) {
-         return field_lattice_size(field, options.lattice);
+         return field_lattice_size(field.grid, field.range(), options.lattice);
      },
      nullptr, 5, 112},
     {BackgroundKind::octree,

@@ -17,21 +17,25 @@ namespace
 class Lattice
 {
 public:
-    Lattice(const Vec3& extent, const FixedArray<int32_t, 3>& cells) : extent_(extent), n_(cells)
+    // `layers`: those of the cells across the last axis that are there.
+    Lattice(const Vec3& extent, const FixedArray<int32_t, 3>& cells, Planes layers)
+        : extent_(extent), n_(cells), layers_(layers)
     {
         CLEFT_ASSERT(corner_count() + cell_count() <= INT32_MAX);
     }
 
-    int64_t corner_count() const { return int64_t{n_[0] + 1} * (n_[1] + 1) * (n_[2] + 1); }
-    int64_t cell_count() const { return int64_t{n_[0]} * n_[1] * n_[2]; }
+    int64_t corner_count() const { return int64_t{n_[0] + 1} * (n_[1] + 1) * (layers_.count + 1); }
+    int64_t cell_count() const { return int64_t{n_[0]} * n_[1] * layers_.count; }
 
     int32_t corner(const FixedArray<int32_t, 3>& at) const
     {
-        return static_cast<int32_t>(at[0] + int64_t{n_[0] + 1} * (at[1] + int64_t{n_[1] + 1} * at[2]));
+        return static_cast<int32_t>(at[0] +
+                                    int64_t{n_[0] + 1} * (at[1] + int64_t{n_[1] + 1} * (at[2] - layers_.first)));
     }
     int32_t centre(const FixedArray<int32_t, 3>& at) const
     {
-        return static_cast<int32_t>(corner_count() + at[0] + int64_t{n_[0]} * (at[1] + int64_t{n_[1]} * at[2]));
+        return static_cast<int32_t>(corner_count() + at[0] +
+                                    int64_t{n_[0]} * (at[1] + int64_t{n_[1]} * (at[2] - layers_.first)));
     }
 
     Array<Vec3> points() const
@@ -39,7 +43,7 @@ public:
         Array<Vec3> out;
         out.reserve(corner_count() + cell_count());
         for (int half = 0; half < 2; ++half)  // corners, then centres
-            for (int32_t k = 0; k < n_[2] + 1 - half; ++k)
+            for (int32_t k = layers_.first; k < layers_.end() + 1 - half; ++k)
                 for (int32_t j = 0; j < n_[1] + 1 - half; ++j)
                     for (int32_t i = 0; i < n_[0] + 1 - half; ++i)
                         out.emplace_back(coordinate(0, i, half), coordinate(1, j, half), coordinate(2, k, half));
@@ -72,6 +76,7 @@ private:
 
     Vec3 extent_;
     FixedArray<int32_t, 3> n_;
+    Planes layers_;
 };
 
 // Between two cells: the four tetrahedra around the line from the lower centre to the upper one.
@@ -126,17 +131,18 @@ double lattice_tets(const Grid& grid, double size)
     return tets;
 }
 
-TetMesh lattice_background(const Grid& grid, double size, const Run& run)
+namespace
 {
-    const Vec3 extent = grid.extent();
-    const FixedArray<int32_t, 3> n = cell_counts(extent, size);
-    const Lattice lattice(extent, n);
+
+TetMesh mesh_of_layers(const Vec3& extent, const FixedArray<int32_t, 3>& n, Planes layers, const Run& run)
+{
+    const Lattice lattice(extent, n, layers);
     TetMesh mesh;
     mesh.points = lattice.points();
     mesh.tets.reserve(12 * lattice.cell_count());
     FixedArray<int32_t, 3> at{};
-    for (at[2] = 0; at[2] < n[2]; ++at[2]) {
-        run.report(at[2] / static_cast<double>(n[2]), "background: lattice");
+    for (at[2] = layers.first; at[2] < layers.end(); ++at[2]) {
+        run.report((at[2] - layers.first) / static_cast<double>(layers.count), "background: lattice");
         for (at[1] = 0; at[1] < n[1]; ++at[1])
             for (at[0] = 0; at[0] < n[0]; ++at[0]) {
                 const int32_t centre = lattice.centre(at);
@@ -151,12 +157,33 @@ TetMesh lattice_background(const Grid& grid, double size, const Run& run)
                     ++next[axis];
                     if (next[axis] == n[axis])
                         emit_pyramid(centre, lattice.face(at, axis, 1), odd, mesh.tets);
-                    else
+                    else if (axis < 2 || layers.has(next[2]))
                         emit_octahedron(centre, lattice.centre(next), lattice.face(at, axis, 1), mesh.tets);
                 }
             }
     }
     return mesh;
+}
+
+}  // namespace
+
+TetMesh lattice_background(const Grid& grid, double size, const Run& run)
+{
+    const Vec3 extent = grid.extent();
+    const FixedArray<int32_t, 3> n = cell_counts(extent, size);
+    return mesh_of_layers(extent, n, {0, n[2]}, run);
+}
+
+TetMesh lattice_slab(const Grid& grid, double size, double low, double high, const Run& run)
+{
+    const Vec3 extent = grid.extent();
+    const FixedArray<int32_t, 3> n = cell_counts(extent, size);
+    // A tetrahedron is in two layers at most. One more is for the rounding.
+    constexpr int32_t kLayersBeside = 2;
+    const double side = extent[2] / n[2];
+    const auto layer_of = [&](double z) { return std::clamp(static_cast<int32_t>(z / side), 0, n[2] - 1); };
+    const int32_t first = std::max(0, layer_of(low) - kLayersBeside);
+    return mesh_of_layers(extent, n, {first, std::min(n[2], layer_of(high) + 1 + kLayersBeside) - first}, run);
 }
 
 }  // namespace cleft

@@ -14,6 +14,9 @@ namespace cleft
 // Needs no Delaunay engine. Dihedral angles of cubic cells: 60 and 90 degrees inside, 45 and more at the walls.
 TetMesh lattice_background(const Grid& grid, double size, const Run& run);
 
+// The same of a part of the box: all tetrahedra whose middle is between two places along the last axis, among others.
+TetMesh lattice_slab(const Grid& grid, double size, double low, double high, const Run& run);
+
 // The size that gives about so many tetrahedra, and the other way round.
 double lattice_size_for(const Grid& grid, double tets);
 double lattice_tets_for(const Grid& grid, double size);

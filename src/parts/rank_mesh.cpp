@@ -1,6 +1,7 @@
 // Reads planes as the work asks for them, and does the last steps with sums over all ranks.
 #include "parts/rank_mesh.hpp"
 
+#include "background/lattice.hpp"
 #include "background/octree.hpp"
 #include "base/stage.hpp"
 #include "mesh/materials.hpp"
@@ -89,6 +90,21 @@ BackgroundOfBlock octree_of(const BlockField& sizes, const BlockLayout& layout, 
     };
 }
 
+// A lattice needs the range of all sizes alone.
+BackgroundOfBlock lattice_of(const BlockField& sizes, const BlockLayout& layout, const LatticeOptions& options,
+                             Exchange& exchange, const Run& run)
+{
+    const SizeRange range = range_of_all(sizes.range(), exchange);
+    check_lattice(layout.grid, range, options, exchange.rank() == 0 ? run : quiet(run));
+    const double size = field_lattice_size(layout.grid, range, options);
+    return [&, size](int32_t block, const Run& of_block) {
+        if (block < 0)
+            return TetMesh();
+        const TetMesh slab = lattice_slab(layout.grid, size, layout.start(block), layout.start(block + 1), of_block);
+        return part_in_block(slab, layout, block);
+    };
+}
+
 Array<double> sums_of_ranks(const Array<double>& own, Exchange& exchange)
 {
     const Array<double> all = exchange.all_gather(own);
@@ -123,8 +139,8 @@ std::string needs_whole_mesh(const PipelineOptions& options, const Grid& grid)
 {
     if (BlockLayout::of(grid, options.block).count == 1)
         return "block is 0, or leaves one block";
-    if (options.background.kind != BackgroundKind::octree)
-        return "the background is not octree";
+    if (options.background.kind == BackgroundKind::particles)
+        return "the background is of particles";
     if (options.tets > 0)
         return "tets asks for a number";
     if (options.strict)
@@ -160,8 +176,10 @@ LabelledMesh mesh_of_rank(const SharedVoxels& voxels, const LabelCounts& labels,
     const BlockLayout layout = BlockLayout::of(voxels.grid, options.block);
     const VolumeParts volume = read_as_asked(voxels, labels, smooth, exchange.scratch(), run);
     const BlockField sizes = sizes_of_own_blocks(volume, layout, options, exchange, steps.next());
-    LabelledMesh mesh =
-        mesh_own_blocks(volume, layout, octree_of(sizes, layout, exchange), options, exchange, steps.next());
+    const BackgroundOfBlock background = options.background.kind == BackgroundKind::lattice
+                                             ? lattice_of(sizes, layout, options.background.lattice, exchange, run)
+                                             : octree_of(sizes, layout, exchange);
+    LabelledMesh mesh = mesh_own_blocks(volume, layout, background, options, exchange, steps.next());
     finish(mesh, voxels, labels, options, exchange, steps.next());
     return mesh;
 }

@@ -221,9 +221,9 @@ static void compare_labelling(labelling label, const int64_t dims[3], const doub
 }
 
 static void compare_blocks(labelling label, const int64_t dims[3], const double* affine, const char* block,
-                           const char* improve)
+                           const char* background)
 {
-    cleft_options* options = options_of("octree", improve, block);
+    cleft_options* options = options_of(background, "fast", block);
     compare_labelling(label, dims, affine, options);
     cleft_options_destroy(options);
 }
@@ -234,18 +234,20 @@ static void ranks_share_blocks(void** state)
     static const double kThirds[12] = {0.7, 0, 0, 0.5, 0, 0.9, 0, -4, 0, 0, 0.3333, 17};
     static const int64_t kTall[3] = {16, 16, 48}, kThin[3] = {9, 10, 48}, kFlat[3] = {8, 7, 9}, kLong[3] = {3, 2, 130};
     (void)state;
-    compare_blocks(ball, kTall, kPlain, "12", "fast");
-    compare_blocks(noise, kFlat, kThirds, "3", "fast");
-    compare_blocks(noise, kLong, kPlain, "40", "fast");
-    compare_blocks(grains, kThin, kThirds, "9", "fast");
-    compare_blocks(ball, kTall, kFlipped, "13", "fast");
-    compare_blocks(upright_sheet, kThin, kThirds, "12", "fast");
-    compare_blocks(sheet_on_a_seam, kTall, kPlain, "12", "fast");
-    compare_blocks(slanted_sheet, kTall, kPlain, "12", "fast");
-    compare_blocks(scattered, kThin, kThirds, "7", "fast");
-    compare_blocks(single_voxels, kTall, kPlain, "12", "fast");
-    compare_blocks(one_label, kTall, kThirds, "12", "fast");
-    compare_blocks(new_label_a_plane, kTall, kPlain, "12", "off");
+    compare_blocks(ball, kTall, kPlain, "12", "octree");
+    compare_blocks(noise, kFlat, kThirds, "3", "octree");
+    compare_blocks(noise, kLong, kPlain, "40", "octree");
+    compare_blocks(grains, kThin, kThirds, "9", "octree");
+    compare_blocks(ball, kTall, kFlipped, "13", "octree");
+    compare_blocks(upright_sheet, kThin, kThirds, "12", "octree");
+    compare_blocks(sheet_on_a_seam, kTall, kPlain, "12", "octree");
+    compare_blocks(slanted_sheet, kTall, kPlain, "12", "octree");
+    compare_blocks(scattered, kThin, kThirds, "7", "octree");
+    compare_blocks(single_voxels, kTall, kPlain, "12", "octree");
+    compare_blocks(one_label, kTall, kThirds, "12", "octree");
+    compare_blocks(ball, kTall, kFlipped, "12", "lattice");
+    compare_blocks(slanted_sheet, kThin, kThirds, "7", "lattice");
+    compare_blocks(new_label_a_plane, kTall, kPlain, "12", "octree");
 }
 
 static int32_t flat_interface(const int64_t at[3]) { return at[2] < 218; }

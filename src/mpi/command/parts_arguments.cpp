@@ -57,7 +57,7 @@ void PartsArguments::add_to(CLI::App& parser)
     parser
         .add_option(
             "--scratch", scratch,
-            "Folder for a file without a name, where a rank keeps the slabs of --block that\nit does not work on: "
+            "Folder for files without names, where a rank keeps the slabs of --block that it\ndoes not work on: "
             "it holds two at a time then")
         ->type_name("FOLDER");
     parser.add_flag("--ghosts", ghosts,
