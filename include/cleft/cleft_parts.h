@@ -55,7 +55,7 @@ typedef int (*cleft_voxels_read)(const int64_t first[3], const int64_t count[3],
 typedef struct cleft_voxels {
     uint32_t struct_size;
     cleft_type type;        /**< one of the five integer types */
-    int64_t dims[3];        /**< the number of voxels along each axis */
+    int64_t dims[3];        /**< the number of voxels along each axis, each less than 2^29; see cleft_part_create() */
     double affine[12];      /**< as in cleft_volume_create_labels() */
     void* user;             /**< given to the function */
     cleft_voxels_read read; /**< reads a box of voxels */
@@ -79,6 +79,9 @@ typedef struct cleft_part cleft_part; /**< the part of a mesh that a rank has; i
  * rank holds two of its blocks at a time, until it joins them. It keeps the others, sizes and weights of voxels in
  * files of that folder without names, which take about eight bytes a voxel and five times its mesh. The mesh is the
  * same. Ranks may have folders of their own. A file that cannot be written is CLEFT_ERROR_FILE.
+ *
+ *  A volume that ranks share may have more than 2^31 voxels. A rank holds the planes of a block and those around it
+ * that have a say. If these are more than 2^31 voxels, the error is CLEFT_ERROR_TOO_LARGE; a smaller `block` helps.
  *
  *  `options` may be NULL. Options read: all.
  *  The caller owns *out. \since 0.1 */

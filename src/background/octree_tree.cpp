@@ -26,7 +26,7 @@ constexpr double kThin = 1.2, kThinSlack = 1.25;
 constexpr int32_t kMostLevels = 20;
 // What 32-bit numbers and memory hold with a margin: some twelve tetrahedra a leaf.
 constexpr double kMostTets = 600e6;
-constexpr size_t kMostCells = 60'000'000;
+constexpr double kMostCells = 60e6;
 
 void refuse_too_many(const SizingField& field)
 {
@@ -37,13 +37,20 @@ void refuse_too_many(const SizingField& field)
                                                "greater size or size_min, or a number of tetrahedra by tets");
 }
 
-void split(Octree& tree, int32_t cell)
+void require_few(double cells)
 {
-    const auto first = static_cast<int32_t>(tree.cells.size());
-    if (tree.cells.size() > kMostCells)
+    if (cells > kMostCells)
         throw Error(CLEFT_ERROR_TOO_LARGE,
                     "the sizes ask for more than 60 million octree cells: set a greater size or "
                     "size_min");
+}
+
+double roots_in(const Int3& roots, int32_t layers) { return double(roots[0]) * double(roots[1]) * double(layers); }
+
+void split(Octree& tree, int32_t cell)
+{
+    const auto first = static_cast<int32_t>(tree.cells.size());
+    require_few(static_cast<double>(tree.cells.size()));
     const OctreeCell parent = tree.cells[cell];
     CLEFT_ASSERT(parent.first_child < 0);
     tree.cells[cell].first_child = first;
@@ -79,16 +86,8 @@ Int3 octree_roots(const Vec3& extent, const SizeRange& sizes)
     const double side =
         most > finest ? std::ldexp(finest, std::ilogb(most / finest)) : std::min(finest, extent.minCoeff());
     Int3 roots{};
-    double count = 1;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double n = std::max(1.0, std::round(extent[axis] / side));
-        count *= n;
-        roots[axis] = static_cast<int32_t>(std::min(n, 1e9));
-    }
-    if (count > static_cast<double>(kMostCells))
-        throw Error(CLEFT_ERROR_TOO_LARGE,
-                    "the sizes ask for more than 60 million octree cells: set a greater size or "
-                    "size_min");
+    for (int axis = 0; axis < 3; ++axis)
+        roots[axis] = static_cast<int32_t>(std::clamp(std::round(extent[axis] / side), 1.0, 1e9));
     return roots;
 }
 
@@ -191,13 +190,16 @@ double rough_octree_tets(const Vec3& extent, const SizeRange& sizes, double part
 {
     constexpr double kTetsACell = 12;  // of body-centred cubic cells
     const Int3 roots = octree_roots(extent, sizes);
-    const double least = kTetsACell * double(roots[0]) * double(roots[1]) * double(roots[2]);
-    return std::max(least, kTetsOverParticles * particle_tets);
+    return std::max(kTetsACell * roots_in(roots, roots[2]), kTetsOverParticles * particle_tets);
 }
 
 double rough_octree_tets(const SizingField& field)
 {
-    return rough_octree_tets(field.grid.extent(), field.range(), expected_particle_tets(field));
+    const Vec3 extent = field.grid.extent();
+    const SizeRange sizes = field.range();
+    const Int3 roots = octree_roots(extent, sizes);
+    require_few(roots_in(roots, roots[2]));
+    return rough_octree_tets(extent, sizes, expected_particle_tets(field));
 }
 
 Octree build_octree(const SizingField& field, const Run& run)
@@ -213,6 +215,7 @@ Octree build_octree_part(const SizingField& field, const SizeRange& sizes, Plane
     Octree tree;
     tree.roots = octree_roots(extent, sizes);
     tree.layers = layers;
+    require_few(roots_in(tree.roots, layers.count));
     for (int32_t k = layers.first; k < layers.end(); ++k)
         for (int32_t j = 0; j < tree.roots[1]; ++j)
             for (int32_t i = 0; i < tree.roots[0]; ++i)

@@ -136,6 +136,11 @@ LabelledMesh piece_of_rank(const cleft::SharedVoxels& voxels, const cleft::Frame
     const std::string reason = needs_whole_mesh(p, voxels.grid);
     if (reason.empty())
         return mesh_of_own_blocks(voxels, options, exchange, run);
+    if (!fits_in_one_piece(voxels.grid))
+        throw Error(
+            CLEFT_ERROR_TOO_LARGE,
+            "the volume has more than 2147483647 voxels, too many to mesh in one piece, which is needed since " +
+                reason);
     if (exchange.rank() > 0)
         return {};
     if (exchange.ranks() > 1)
@@ -187,7 +192,7 @@ cleft_part part_of(const cleft_voxels* given, const cleft_options* options, bool
         const auto held_options = held_if_any(options, "options");
         const cleft_voxels voxels = cleft::copy_in(*required(given, "voxels"), "cleft_voxels");
         require_alike(fingerprint(voxels, options, ghosts), exchange);
-        const cleft::Frame frame = cleft::make_frame(voxels.dims, voxels.affine);
+        const cleft::Frame frame = cleft::make_frame_of_parts(voxels.dims, voxels.affine);
         const cleft::VoxelSource source = source_of(voxels);
         cleft::Steps steps(run, {{"mesh", 9}, {nullptr, 1}});
         const Run of_mesh = steps.next();

@@ -31,8 +31,6 @@ Grid checked_grid(const int64_t dims[3])
                         voxels_along(axis) + std::to_string(dims[axis]) + ", too many for 32-bit numbering");
         grid.dims[axis] = static_cast<int32_t>(dims[axis]);
     }
-    if (static_cast<double>(dims[0]) * static_cast<double>(dims[1]) * static_cast<double>(dims[2]) > INT32_MAX)
-        throw Error(CLEFT_ERROR_TOO_LARGE, "the volume has more than 2147483647 voxels");
     return grid;
 }
 
@@ -64,7 +62,19 @@ Vec3 Frame::to_local(const Vec3& world) const
     return local;
 }
 
+bool fits_in_one_piece(const Grid& grid)
+{
+    return double(grid.dims[0]) * double(grid.dims[1]) * double(grid.dims[2]) <= INT32_MAX;
+}
+
 Frame make_frame(const int64_t dims[3], const double* affine)
+{
+    if (!fits_in_one_piece(checked_grid(dims)))
+        throw Error(CLEFT_ERROR_TOO_LARGE, "the volume has more than 2147483647 voxels");
+    return make_frame_of_parts(dims, affine);
+}
+
+Frame make_frame_of_parts(const int64_t dims[3], const double* affine)
 {
     static const double unit[12] = {1, 0, 0, 0.5, 0, 1, 0, 0.5, 0, 0, 1, 0.5};
     const double* a = affine ? affine : unit;

@@ -20,7 +20,12 @@ struct Frame : Placement {
     bool is_that_of(const Frame& other) const { return grid.dims == other.grid.dims && affine == other.affine; }
 };
 
+// Do 32 bits number the voxels?
+bool fits_in_one_piece(const Grid& grid);
+
 // Throws an Error naming the entry at fault. `affine` may be null: spacing 1, the corner of the box at the origin.
 Frame make_frame(const int64_t dims[3], const double* affine);
+// Of a volume that nobody holds in one piece: it may have any number of voxels.
+Frame make_frame_of_parts(const int64_t dims[3], const double* affine);
 
 }  // namespace cleft
