@@ -183,24 +183,20 @@ cleft_part made_part(cleft::MeshPart&& part, const Exchange& exchange)
     return out;
 }
 
-// All but the exchange is looked at in here: of a mistake of one rank, all hear.
 cleft_part part_of(const cleft_voxels* given, const cleft_options* options, bool ghosts, Exchange& exchange,
                    const Run& run)
 {
-    cleft::MeshPart part;
-    exchange.together([&] {
-        const auto held_options = held_if_any(options, "options");
-        const cleft_voxels voxels = cleft::copy_in(*required(given, "voxels"), "cleft_voxels");
-        require_alike(fingerprint(voxels, options, ghosts), exchange);
-        const cleft::Frame frame = cleft::make_frame_of_parts(voxels.dims, voxels.affine);
-        const cleft::VoxelSource source = source_of(voxels);
-        cleft::Steps steps(run, {{"mesh", 9}, {nullptr, 1}});
-        const Run of_mesh = steps.next();
-        LabelledMesh piece = piece_of_rank({frame.grid, source}, frame, options, exchange, of_mesh);
-        const cleft::BoundingBox box{cleft::Vec3::Zero(), frame.grid.extent()};
-        part = share_mesh(std::move(piece), box, ghosts, exchange, steps.next());
-        to_world(frame, part, run);
-    });
+    const auto held_options = held_if_any(options, "options");
+    const cleft_voxels voxels = cleft::copy_in(*required(given, "voxels"), "cleft_voxels");
+    require_alike(fingerprint(voxels, options, ghosts), exchange);
+    const cleft::Frame frame = cleft::make_frame_of_parts(voxels.dims, voxels.affine);
+    const cleft::VoxelSource source = source_of(voxels);
+    cleft::Steps steps(run, {{"mesh", 9}, {nullptr, 1}});
+    const Run of_mesh = steps.next();
+    LabelledMesh piece = piece_of_rank({frame.grid, source}, frame, options, exchange, of_mesh);
+    const cleft::BoundingBox box{cleft::Vec3::Zero(), frame.grid.extent()};
+    cleft::MeshPart part = share_mesh(std::move(piece), box, ghosts, exchange, steps.next());
+    to_world(frame, part, run);
     return made_part(std::move(part), exchange);
 }
 
@@ -215,10 +211,19 @@ const T* borrowed(const cleft_part* part, const Get& get)
 cleft_status cleft_part_create(cleft_context* context, const cleft_voxels* voxels, const cleft_options* options,
                                const cleft_exchange* exchange, int32_t ghosts, cleft_part** out) noexcept
 {
-    return guarded_create(context, out, "mesh", [&](const Run& run) {
+    if (out)
+        *out = nullptr;
+    return guarded_run(context, "mesh", [&](const Run& run) {
         const cleft_exchange of_ranks = cleft::copy_in(*required(exchange, "exchange"), "cleft_exchange");
         Exchange messages(messenger(of_ranks));
-        return part_of(voxels, options, ghosts != 0, messages, run);
+        std::unique_ptr<cleft_part> made;
+        // All but the exchange is looked at in here: of a mistake of one rank, all hear. The last report may cancel.
+        messages.together([&] {
+            required(out, "out");
+            made = std::make_unique<cleft_part>(part_of(voxels, options, ghosts != 0, messages, run));
+            run.report(1);
+        });
+        *out = made.release();
     });
 }
 

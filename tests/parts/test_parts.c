@@ -33,7 +33,7 @@ typedef struct {
     const double* affine;
     const cleft_options* options;
     int32_t ghosts;
-    int32_t cancels;
+    int32_t cancels, cancels_late;
     const char* scratch; /* in the place of what the exchange says */
     cleft_status status;
     char sentence[1000];
@@ -44,6 +44,12 @@ static int cancel_at_once(double fraction, const char* stage, void* user)
 {
     (void)fraction, (void)stage, (void)user;
     return 1;
+}
+
+static int cancel_at_the_end(double fraction, const char* stage, void* user)
+{
+    (void)stage, (void)user;
+    return fraction >= 1;
 }
 
 static void make_part(const cleft_exchange* exchange, void* user)
@@ -60,6 +66,8 @@ static void make_part(const cleft_exchange* exchange, void* user)
     if (cleft_context_create(&context) != CLEFT_OK)
         return;
     if (mine->cancels && cleft_context_set_progress(context, cancel_at_once, NULL) != CLEFT_OK)
+        return;
+    if (mine->cancels_late && cleft_context_set_progress(context, cancel_at_the_end, NULL) != CLEFT_OK)
         return;
     mine->status = cleft_part_create(context, &voxels, mine->options, &with_scratch, mine->ghosts, &mine->part);
     snprintf(mine->sentence, sizeof mine->sentence, "%s", cleft_context_last_error(context));
@@ -286,6 +294,13 @@ static void one_fails_all_fail(void** state)
     for (int r = 0; r < 4; ++r) {
         assert_int_equal(jobs[r].status, CLEFT_ERROR_CANCELLED);
         assert_string_equal(jobs[r].sentence, "rank 2: the run was cancelled");
+    }
+    set_jobs(jobs, 4, voxels, kDims, kPlain, NULL, 0);
+    jobs[3].cancels_late = 1;
+    ranks_run(4, make_part, jobs, sizeof *jobs);
+    for (int r = 0; r < 4; ++r) {
+        assert_int_equal(jobs[r].status, CLEFT_ERROR_CANCELLED);
+        assert_null(jobs[r].part);
     }
     assert_int_equal(cleft_options_create(&other), CLEFT_OK);
     assert_int_equal(cleft_options_set_text(other, "size", "3"), CLEFT_OK);
