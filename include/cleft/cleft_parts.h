@@ -8,8 +8,8 @@
  * Conventions are those of cleft.h, and:
  *  - Calls. All ranks call a function that takes a cleft_exchange, with the same arguments but for what is said below.
  *  - Failures. If a rank fails, all ranks return its status, with a sentence that begins with its number: "rank 2:
- * ...". The rank of the least number speaks if several fail. A cancel on one rank cancels all. A rank that ends without
- * a word is for the exchange to notice; MPI ends the others then.
+ * ...". The rank of the least number speaks if several fail; what all say in the same words has no number. A cancel on
+ * one rank cancels all. A rank that ends without a word is for the exchange to notice; MPI ends the others then.
  *  - Numbers. Points and tetrahedra have two numbers: a local one of 32 bits, which counts those of this rank from 0,
  * and one of 64 bits in the whole mesh. The latter is that of cleft_mesh_points() and cleft_mesh_tets().
  */

@@ -75,11 +75,13 @@ void Exchange::throw_first_failure(const Failure& own)
     std::fill(said_.begin(), said_.end(), own);
     if (!messenger_.bytes(said_.data(), sizes_of_failures_.data(), told_.data(), sizes_of_failures_.data()))
         throw Error(CLEFT_ERROR_EXCHANGE, "a rank failed, and the ranks cannot reach each other");
+    // What all say in the same words is no matter of one rank.
+    const bool is_common = std::all_of(told_.begin(), told_.end(), [&](const Failure& f) {
+        return f.status == told_[0].status && std::strcmp(f.sentence, told_[0].sentence) == 0;
+    });
     for (int32_t r = 0; r < ranks(); ++r)
         if (told_[r].status != CLEFT_OK)
-            throw Error(told_[r].status, ranks() == 1
-                                             ? std::string(told_[r].sentence)
-                                             : "rank " + std::to_string(r) + ": " + std::string(told_[r].sentence));
+            throw Error(told_[r].status, (is_common ? "" : "rank " + std::to_string(r) + ": ") + told_[r].sentence);
     throw Error(CLEFT_ERROR_EXCHANGE, "the messages between ranks are not what they sent");
 }
 

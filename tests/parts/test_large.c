@@ -70,14 +70,14 @@ static void ranks_read_their_planes(void** state)
     run_jobs(jobs, kLong, "octree", "4000");
     for (int r = 0; r < RANKS; ++r) {
         assert_int_equal(jobs[r].status, CLEFT_ERROR_FILE);
-        assert_string_equal(jobs[r].sentence, "rank 0: that is enough");
+        assert_string_equal(jobs[r].sentence, "that is enough");
         assert_int_equal(jobs[r].windows, 1);
         assert_int_equal(jobs[r].first[2], 120000 * r);
         assert_int_equal(jobs[r].count[0], 64);
         assert_int_equal(jobs[r].count[2], 4000);
     }
     run_jobs(jobs, kCube, "octree", "10");
-    assert_string_equal(jobs[RANKS - 1].sentence, "rank 0: that is enough");
+    assert_string_equal(jobs[RANKS - 1].sentence, "that is enough");
     assert_int_equal(jobs[RANKS - 1].first[2], 1600);
     assert_int_equal(jobs[RANKS - 1].count[1], 2000);
 }
@@ -98,18 +98,18 @@ static void what_one_process_would_hold_is_refused(void** state)
     (void)state;
     run_jobs(jobs, kCube, "octree", "0");
     assert_refused(jobs,
-                   "rank 0: the volume has more than 2147483647 voxels, too many to mesh in one piece, which is needed "
+                   "the volume has more than 2147483647 voxels, too many to mesh in one piece, which is needed "
                    "since block is 0, or leaves one block");
     run_jobs(jobs, kCube, "particles", "100");
     assert_refused(jobs,
-                   "rank 0: the volume has more than 2147483647 voxels, too many to mesh in one piece, which is needed "
+                   "the volume has more than 2147483647 voxels, too many to mesh in one piece, which is needed "
                    "since the background is of particles");
     run_jobs(jobs, kWide, "octree", "8");
     assert_refused(jobs,
                    "rank 0: 7200000000 voxels are needed at once, from plane 0 to plane 7, more than 2147483647: "
                    "set a smaller block");
     run_jobs(jobs, kLong, "octree", "8");
-    assert_refused(jobs, "rank 0: the number of voxels along z is 600000000, too many for 32-bit numbering");
+    assert_refused(jobs, "the number of voxels along z is 600000000, too many for 32-bit numbering");
 }
 
 int main(void)
