@@ -107,12 +107,11 @@ BlockField sizes_of_own_blocks(const VolumeParts& volume, const BlockLayout& lay
 
 SizingField swapped_planes(const BlockField& own, Planes wanted, Exchange& exchange)
 {
-    const Array<int32_t> first = exchange.all_gather(Array<int32_t>{wanted.first}),
-                         end = exchange.all_gather(Array<int32_t>{wanted.end()});
+    const Array<Planes> wanted_by = exchange.all_gather(Array<Planes>{wanted});
     const Planes here = own.planes();
     Array<Array<float>> send(to_size(exchange.ranks()));
     for (int32_t r = 0; r < exchange.ranks(); ++r) {
-        const int32_t low = std::max(first[r], here.first), high = std::min(end[r], here.end());
+        const int32_t low = std::max(wanted_by[r].first, here.first), high = std::min(wanted_by[r].end(), here.end());
         if (low < high)
             send[r] = own.values({low, high - low});
     }
@@ -124,9 +123,10 @@ SizingField swapped_planes(const BlockField& own, Planes wanted, Exchange& excha
 
 SizeRange range_of_all(const SizeRange& own, Exchange& exchange)
 {
-    const Array<double> least = exchange.all_gather(Array<double>{own.least}),
-                        greatest = exchange.all_gather(Array<double>{own.greatest});
-    return {*std::min_element(least.begin(), least.end()), *std::max_element(greatest.begin(), greatest.end())};
+    SizeRange all = own;
+    for (const SizeRange& of_rank : exchange.all_gather(Array<SizeRange>{own}))
+        all = {std::min(all.least, of_rank.least), std::max(all.greatest, of_rank.greatest)};
+    return all;
 }
 
 namespace
