@@ -1,8 +1,11 @@
-// The tetrahedra and labels of a VTK file, text or XML.
+// The tetrahedra and labels of a VTK file, whatever its form.
 #include "io/cell_labels.hpp"
 
 #include "base/error.hpp"
 #include "base/ordinal.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace cleft::io
 {
@@ -54,6 +57,12 @@ bool is_lower_dimensional(int32_t type)
 }
 
 }  // namespace
+
+void check_finite(const std::vector<double>& points)
+{
+    if (!std::all_of(points.begin(), points.end(), [](double coordinate) { return std::isfinite(coordinate); }))
+        fail("a coordinate is not finite");
+}
 
 void take_tetrahedra(const CellLists& cells, const std::vector<CellArray>& arrays, MeshData& mesh)
 {

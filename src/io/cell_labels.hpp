@@ -24,6 +24,10 @@ struct CellArray {
     std::vector<double> values;
 };
 
+// Throws an Error where a coordinate is not finite. Readers of text check each number as they scan it; arrays of bytes
+// may hold NaN.
+void check_finite(const std::vector<double>& points);
+
 // Puts the tetrahedra and their labels into `mesh`, whose points are there. The labels are the array "material", else
 // the first array with one whole number a cell. Errors do not name the file.
 void take_tetrahedra(const CellLists& cells, const std::vector<CellArray>& arrays, MeshData& mesh);

@@ -42,6 +42,7 @@ constexpr Foreign kForeignFormats[] = {
     {"PK\3\4"sv, "", "a ZIP archive", kByUnzip},
     {"\x89HDF\r\n\x1a\n"sv, ".mnc ", "a volume in MINC 2 (HDF5)", kByNibabel},
     {"\x89HDF\r\n\x1a\n"sv, ".ims ", "a file of Imaris (HDF5)", kByFiji},
+    {"\x89HDF\r\n\x1a\n"sv, ".vtkhdf ", "a mesh of VTK (VTKHDF) and no volume", kByCheck},
     {"\x89HDF\r\n\x1a\n"sv, "", "an HDF5 file", kByH5py},
     {"CDF\1"sv, ".mnc ", "a volume in MINC 1 (NetCDF)", kByNibabel},
     {"CDF\2"sv, ".mnc ", "a volume in MINC 1 (NetCDF)", kByNibabel},

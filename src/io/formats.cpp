@@ -17,14 +17,14 @@ namespace
 
 using Description = cleft_io_format_description;
 
-// The reader is a function, or nullptr where there is none: its type tells, since gcc with sanitizers takes no
-// comparison of a function with null for a constant.
-template <class Reader>
+// A writer and a reader are functions, or nullptr where there is none: their types tell, since gcc with sanitizers
+// takes no comparison of a function with null for a constant.
+template <class Writer, class Reader>
 constexpr MeshFormat row(cleft_io_format format, const char* name, const char* extensions, const char* text,
-                         MeshWriter write, Reader read, bool has_surface)
+                         Writer write, Reader read, bool has_surface)
 {
-    const int32_t directions =
-        CLEFT_IO_WRITES_MESH | (std::is_same_v<Reader, std::nullptr_t> ? 0 : CLEFT_IO_READS_MESH);
+    const int32_t directions = (std::is_same_v<Writer, std::nullptr_t> ? 0 : CLEFT_IO_WRITES_MESH) |
+                               (std::is_same_v<Reader, std::nullptr_t> ? 0 : CLEFT_IO_READS_MESH);
     return {{sizeof(Description), format, directions, 0, name, extensions, text}, write, read, has_surface};
 }
 
@@ -57,6 +57,8 @@ constexpr MeshFormat kMeshFormats[] = {
         by_one_thread<write_stl>, nullptr, true),
     row(CLEFT_FORMAT_PLY, "ply", ".ply", "PLY of the interface triangles with their materials; binary",
         by_one_thread<write_ply>, nullptr, true),
+    row(CLEFT_FORMAT_VTKHDF, "vtkhdf", ".vtkhdf .hdf", "VTKHDF, tetrahedra with their material; cleft-mpi writes it",
+        nullptr, read_vtkhdf, false),
 };
 
 // A format of volumes has the number 0: it is recognised by its bytes and never chosen by the caller.

@@ -16,7 +16,7 @@ using MeshReader = MeshData (*)(const std::string& path);
 
 struct MeshFormat {
     cleft_io_format_description about;
-    MeshWriter write;
+    MeshWriter write;  // null: Cleft does not write it by itself
     MeshReader read;   // null: Cleft does not read it
     bool has_surface;  // Does it have the triangles of interfaces and hull?
 };

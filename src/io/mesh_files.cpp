@@ -27,10 +27,11 @@ const MeshFormat& resolve(const std::string& path, cleft_io_format format, int32
 {
     const bool by_name = format == CLEFT_FORMAT_BY_NAME;
     const MeshFormat* row = by_name ? format_of_path(path, direction) : find_format(format);
-    if (row)
+    if (row && (row->about.directions & direction))
         return *row;
-    throw Error(CLEFT_ERROR_ARGUMENT, by_name ? "'" + path + "': its extension is none of " + extensions_with(direction)
-                                              : "there is no format " + std::to_string(format) + " of meshes");
+    throw Error(CLEFT_ERROR_ARGUMENT,
+                by_name ? "'" + path + "': its extension is none of " + extensions_with(direction)
+                        : "there is no format " + std::to_string(format) + " in which meshes are written");
 }
 
 struct MeshDeleter {

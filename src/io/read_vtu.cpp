@@ -7,7 +7,6 @@
 #include "io/vtk_array.hpp"
 
 #include <charconv>
-#include <cmath>
 #include <limits>
 
 namespace cleft::io
@@ -115,10 +114,7 @@ MeshData read(std::string_view text)
     if (file.points.empty())
         throw Error(CLEFT_ERROR_FORMAT, "the points are missing");
     mesh.points = read_vtk_reals(file.points.front(), file.encoding, 3 * file.point_count);
-    // Other readers check each number as they scan it; arrays of bytes may hold NaN.
-    for (const double coordinate : mesh.points)
-        if (!std::isfinite(coordinate))
-            throw Error(CLEFT_ERROR_FORMAT, "a coordinate is not finite");
+    check_finite(mesh.points);
     std::vector<CellArray> arrays;
     for (const XmlTag& tag : file.cell_data) {
         const std::string components = tag.get("NumberOfComponents");

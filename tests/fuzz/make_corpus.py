@@ -13,6 +13,7 @@ import sys
 import tempfile
 import zlib
 
+import h5py
 import nibabel
 import numpy as np
 import pydicom
@@ -94,6 +95,24 @@ def base64_blocks(array):
     return (base64.b64encode(head) + base64.b64encode(packed)).decode()
 
 
+def vtkhdf(libver, **options):
+    """Two tetrahedra in one partition, in a version of HDF5."""
+    bytes_ = io.BytesIO()
+    with h5py.File(bytes_, "w", libver=libver) as file:
+        grid = file.create_group("VTKHDF")
+        grid.attrs["Type"] = np.bytes_("UnstructuredGrid")
+        grid.attrs["Version"] = np.array([1, 0])
+        for name, values in (("Points", 5), ("Cells", 2), ("ConnectivityIds", 8)):
+            grid.create_dataset("NumberOf" + name, data=np.array([values]))
+        points = np.array([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1], "<f8").reshape(5, 3)
+        grid.create_dataset("Points", data=points, **options)
+        grid.create_dataset("Connectivity", data=np.array([0, 1, 2, 3, 1, 4, 2, 3]), **options)
+        grid.create_dataset("Offsets", data=np.array([0, 4, 8]), **options)
+        grid.create_dataset("Types", data=np.array([10, 10], "u1"), **options)
+        grid.create_dataset("CellData/material", data=np.array([3, 7], "<i4"), **options)
+    return bytes_.getvalue()
+
+
 def binary_msh22():
     numbers = lambda *values: np.array(values, "<i4").tobytes()
     points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1)]
@@ -119,6 +138,9 @@ def make_meshes():
         put("mesh_vtu", "appended", converted("a.vtu").read_bytes())
         put("mesh_vtu", "text", vtu("ascii", lambda array: " ".join(map(str, array.tolist()))))
         put("mesh_vtu", "base64", vtu("binary", base64_blocks))
+        put("mesh_vtkhdf", "tables", vtkhdf("earliest"))
+        put("mesh_vtkhdf", "links", vtkhdf(("v108", "v108")))
+        put("mesh_vtkhdf", "packed", vtkhdf("earliest", chunks=True, compression="gzip", shuffle=True))
         put("mesh_vtk", "text", converted("a.vtk").read_bytes())
         put("mesh_msh", "41-binary", converted("a.msh").read_bytes())
         put("mesh_msh", "22-text", converted("b.msh", "--msh-version", "2.2").read_bytes())

@@ -337,6 +337,7 @@ def test_foreign_formats():
         ("PROFILE_STEM.mgh", mgh, "'mri_convert PROFILE_STEM.mgh PROFILE_STEM.nii.gz'"),
         ("v.npy", b"\x93NUMPY\1\0", "--dims"),
         ("v.npz", b"PK\3\4", "NumPy"),
+        ("v.vtkhdf", b"\x89HDF\r\n\x1a\n", "'cleft check v.vtkhdf' reads it"),
         ("v.h5", b"\x89HDF\r\n\x1a\n", "h5py"),
         ("v.mnc", b"\x89HDF\r\n\x1a\n", "MINC"),
         ("v.mnc", b"CDF\1", "MINC"),

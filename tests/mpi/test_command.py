@@ -7,7 +7,7 @@ import sys
 import tempfile
 import unittest
 
-COMMAND, MPIRUN, FILES = sys.argv[1:4]
+COMMAND, MPIRUN, FILES, CLEFT = sys.argv[1:5]
 VOLUME = f"{FILES}/volume.h5"
 
 
@@ -63,6 +63,14 @@ class Command(unittest.TestCase):
             self.assertEqual(self.run_ranks(ranks, f"$C mesh {words}")[::2], (0, []))
             meshes.add((self.folder / f"{ranks}.vtkhdf").read_bytes())
         self.assertEqual(len(meshes), 1)
+        # `cleft` reads the file, and makes the same mesh.
+        one = ["mesh", "a.raw", "--dims", "8", "8", "30", "--background", "octree", "--block", "6", "-o", "one.vtu"]
+        for words in (one, ["convert", "5.vtkhdf", "five.vtu"], ["check", "5.vtkhdf"], ["info", "5.vtkhdf"]):
+            done = subprocess.run([CLEFT, *words, "--quiet"], cwd=self.folder, capture_output=True, text=True)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(*((self.folder / name).read_bytes() for name in ("one.vtu", "five.vtu")))
+        for name in ("one.vtu", "five.vtu"):
+            (self.folder / name).unlink()
         self.assertEqual(self.names(), {"a.raw", "1.vtkhdf", "2.vtkhdf", "5.vtkhdf"})
 
     def test_raw_voxels_and_headers(self):
