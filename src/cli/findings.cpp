@@ -38,41 +38,6 @@ double tet_volume(const double* points, const int32_t* tet)
            6;
 }
 
-void note_bounds(const double* points, int64_t count, Point& low, Point& high)
-{
-    // An empty mesh keeps the box of zeros that the struct has.
-    if (count == 0)
-        return;
-    low = high = point_at(points, 0);
-    for (int64_t i = 0; i < 3 * count; ++i) {
-        const auto axis = static_cast<std::size_t>(i % 3);
-        low[axis] = std::min(low[axis], points[i]);
-        high[axis] = std::max(high[axis], points[i]);
-    }
-}
-
-std::map<int32_t, LabelTotals> label_totals(const cleft_mesh* mesh)
-{
-    // Labels are few and ascending: sums by place, then by name.
-    const int32_t* names = cleft_mesh_labels(mesh);
-    const int64_t name_count = cleft_mesh_label_count(mesh);
-    std::vector<LabelTotals> sums(static_cast<std::size_t>(name_count));
-    const double* points = cleft_mesh_points(mesh);
-    const int32_t* tets = cleft_mesh_tets(mesh);
-    const int32_t* labels = cleft_mesh_tet_labels(mesh);
-    for (int64_t t = 0; t < cleft_mesh_tet_count(mesh); ++t) {
-        // The library gives labels in ascending order.
-        const auto place = std::lower_bound(names, names + name_count, labels[t]) - names;
-        LabelTotals& sum = sums[static_cast<std::size_t>(place)];
-        ++sum.tets;
-        sum.volume += tet_volume(points, tets + 4 * t);
-    }
-    std::map<int32_t, LabelTotals> totals;
-    for (std::size_t place = 0; place < sums.size(); ++place)
-        totals[names[place]] = sums[place];
-    return totals;
-}
-
 void note_surface(const Session& session, const cleft_mesh* mesh, MeshFindings& found)
 {
     cleft_surface* surface = nullptr;
@@ -88,13 +53,40 @@ void note_surface(const Session& session, const cleft_mesh* mesh, MeshFindings& 
 
 }  // namespace
 
+void MeshFindings::take_points(const double* coordinates, int64_t count)
+{
+    points = count;
+    // An empty mesh keeps the box of zeros.
+    if (count == 0)
+        return;
+    low = high = point_at(coordinates, 0);
+    for (int64_t i = 0; i < 3 * count; ++i) {
+        const auto axis = static_cast<std::size_t>(i % 3);
+        low[axis] = std::min(low[axis], coordinates[i]);
+        high[axis] = std::max(high[axis], coordinates[i]);
+    }
+}
+
+void MeshFindings::take_tets(const double* coordinates, const int32_t* corners, const int32_t* tet_labels,
+                             int64_t count)
+{
+    tets = count;
+    LabelTotals* sum = nullptr;
+    for (int64_t t = 0; t < count; ++t) {
+        // Neighbours mostly have one label.
+        if (!sum || tet_labels[t] != tet_labels[t - 1])
+            sum = &labels[tet_labels[t]];
+        ++sum->tets;
+        sum->volume += tet_volume(coordinates, corners + 4 * t);
+    }
+}
+
 MeshFindings look_at_mesh(const Session& session, const cleft_mesh* mesh)
 {
     MeshFindings found;
-    found.points = cleft_mesh_point_count(mesh);
-    found.tets = cleft_mesh_tet_count(mesh);
-    note_bounds(cleft_mesh_points(mesh), found.points, found.low, found.high);
-    found.labels = label_totals(mesh);
+    found.take_points(cleft_mesh_points(mesh), cleft_mesh_point_count(mesh));
+    found.take_tets(cleft_mesh_points(mesh), cleft_mesh_tets(mesh), cleft_mesh_tet_labels(mesh),
+                    cleft_mesh_tet_count(mesh));
     for (const auto& [label, totals] : found.labels)
         found.names[label] = cleft_mesh_label_name(mesh, label);
     note_surface(session, mesh, found);
@@ -128,14 +120,19 @@ void VolumeFindings::bounds(Point& low, Point& high) const
     }
 }
 
+void VolumeFindings::take_spacing()
+{
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        // The length of a column of the affine map: the step along that axis.
+        spacing[axis] = std::hypot(affine[axis], affine[4 + axis], affine[8 + axis]);
+}
+
 VolumeFindings look_at_volume(const Session& session, const cleft_volume* volume)
 {
     VolumeFindings found;
     session.check(cleft_volume_dims(volume, found.dims.data()), EXIT_MESHING_FAILED);
     session.check(cleft_volume_affine(volume, found.affine.data()), EXIT_MESHING_FAILED);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        // The length of a column of the affine map: the step along that axis.
-        found.spacing[axis] = std::hypot(found.affine[axis], found.affine[4 + axis], found.affine[8 + axis]);
+    found.take_spacing();
     const int64_t count = cleft_volume_label_count(volume);
     std::vector<int64_t> voxels(static_cast<std::size_t>(count));
     session.check(cleft_volume_copy_voxel_counts(volume, voxels.data(), count), EXIT_MESHING_FAILED);

@@ -26,6 +26,10 @@ struct MeshFindings {
     std::map<int32_t, LabelTotals> labels;
     std::map<int32_t, std::string> names;  // of each label, "" if it has none
     cleft_quality quality{};
+
+    // Counts them, and finds their box, or their labels and volumes.
+    void take_points(const double* coordinates, int64_t count);
+    void take_tets(const double* coordinates, const int32_t* corners, const int32_t* tet_labels, int64_t count);
 };
 
 // Throws Failure. Volumes are in the cube of the mesh's unit.
@@ -39,6 +43,8 @@ struct VolumeFindings {
     std::map<int32_t, std::string> names;  // of each label, "" if it has none
 
     int64_t voxel_count() const { return dims[0] * dims[1] * dims[2]; }
+    // From the affine map.
+    void take_spacing();
     // The determinant of the affine map, without its sign.
     double voxel_volume() const;
     // The corners of the box in world coordinates, least and greatest.

@@ -10,16 +10,18 @@
 
 namespace cleft_cli
 {
-namespace
-{
 
-int tell_failure(const std::string& command, const RunArguments& arguments, const Failure& failure)
+int tell_failure(const std::string& command, const RunArguments& arguments, const Failure& failure,
+                 const std::string& program)
 {
-    std::fprintf(stderr, "cleft %s: %s\n", command.c_str(), failure.what());
+    const auto tell = [&](const char* sentence) {
+        std::fprintf(stderr, "%s %s: %s\n", program.c_str(), command.c_str(), sentence);
+    };
+    tell(failure.what());
     // is_reported is false where the report itself is in the way, or could not be written.
     if (arguments.json.empty() || !failure.is_reported)
         return failure.exit_code;
-    nlohmann::ordered_json report = report_head(command);
+    nlohmann::ordered_json report = report_head(command, program);
     // Scripts find the failure under "error" whatever the command is. Fields of a success are
     // absent then.
     report["error"] = {{"exit_code", failure.exit_code},
@@ -30,12 +32,10 @@ int tell_failure(const std::string& command, const RunArguments& arguments, cons
         write_json(report, arguments.json);
         // The first failure keeps the exit code; the second is reported as well.
     } catch (const Failure& second) {
-        std::fprintf(stderr, "cleft %s: %s\n", command.c_str(), second.what());
+        tell(second.what());
     }
     return failure.exit_code;
 }
-
-}  // namespace
 
 int guarded(const std::string& command, const RunArguments& arguments, const std::function<int()>& body)
 {

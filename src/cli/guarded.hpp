@@ -3,6 +3,8 @@
 
 #include "session.hpp"
 
+#include "exit_code.hpp"
+
 #include <functional>
 #include <string>
 
@@ -13,5 +15,9 @@ namespace cleft_cli
 // Returns the exit code of `body`, or that of its failure. `command` is the name for messages, such
 // as "mesh".
 int guarded(const std::string& command, const RunArguments& arguments, const std::function<int()>& body);
+
+// Reports a failure of `cleft COMMAND` in this way, or of another program. Returns its exit code.
+int tell_failure(const std::string& command, const RunArguments& arguments, const Failure& failure,
+                 const std::string& program = "cleft");
 
 }  // namespace cleft_cli

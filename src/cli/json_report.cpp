@@ -37,9 +37,17 @@ void write_text(const std::string& text, const std::string& path, int mode)
 
 }  // namespace
 
-Json report_head(const std::string& command)
+Json report_head(const std::string& command, const std::string& program)
 {
-    return {{"program", "cleft"}, {"version", cleft_version(nullptr, nullptr, nullptr)}, {"command", command}};
+    return {{"program", program}, {"version", cleft_version(nullptr, nullptr, nullptr)}, {"command", command}};
+}
+
+Json grid_json(const VolumeFindings& volume)
+{
+    return {{"dims", volume.dims},
+            {"spacing", volume.spacing},
+            {"affine", volume.affine},
+            {"voxels", volume.voxel_count()}};
 }
 
 Json volume_json(const VolumeFindings& volume)
@@ -47,11 +55,9 @@ Json volume_json(const VolumeFindings& volume)
     Json labels = Json::array();
     for (const auto& [label, voxels] : volume.voxels)
         labels.push_back({{"label", label}, {"name", volume.names.at(label)}, {"voxels", voxels}});
-    return {{"dims", volume.dims},
-            {"spacing", volume.spacing},
-            {"affine", volume.affine},
-            {"voxels", volume.voxel_count()},
-            {"labels", labels}};
+    Json all = grid_json(volume);
+    all["labels"] = labels;
+    return all;
 }
 
 Json quality_json(const cleft_quality& q)

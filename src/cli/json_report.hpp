@@ -14,8 +14,10 @@ namespace cleft_cli
 {
 
 // Program, version and command: the beginning of every report.
-nlohmann::ordered_json report_head(const std::string& command);
+nlohmann::ordered_json report_head(const std::string& command, const std::string& program = "cleft");
 
+// Where the voxels are, without what they are.
+nlohmann::ordered_json grid_json(const VolumeFindings& volume);
 nlohmann::ordered_json volume_json(const VolumeFindings& volume);
 nlohmann::ordered_json mesh_json(const MeshFindings& mesh);
 nlohmann::ordered_json quality_json(const cleft_quality& quality);

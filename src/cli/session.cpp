@@ -52,19 +52,18 @@ bool ends_with(const std::string& text, const std::string& end)
 
 }  // namespace
 
-void RunArguments::add_to(CLI::App& app, bool has_json)
+void RunArguments::add_to(CLI::App& app)
 {
     app.add_option("--threads", threads,
                    "Threads to use; 0: as many as the machine has. The result does\n"
                    "not depend on it (default 0)")
         ->type_name("N")
         ->group("Run");
-    if (has_json)
-        app.add_option("--json", json,
-                       "Write a machine-readable report, also of a failure; \"-\": to\n"
-                       "standard output, instead of the summary")
-            ->type_name("FILE")
-            ->group("Run");
+    app.add_option("--json", json,
+                   "Write a machine-readable report, also of a failure; \"-\": to\n"
+                   "standard output, instead of the summary")
+        ->type_name("FILE")
+        ->group("Run");
     app.add_flag("-q,--quiet", quiet, "Print nothing but errors")->group("Run");
     app.add_option("--progress", progress,
                    "How far the work is, on standard error: a bar, lines, or nothing.\n"
@@ -163,7 +162,10 @@ void Session::note_stages(const char* name, const StageFigures& before, int64_t 
 
 int Session::on_progress(double fraction, const char* stage, void* user)
 {
-    static_cast<Session*>(user)->progress_.show(fraction, stage);
+    auto& session = *static_cast<Session*>(user);
+    if (session.work_ != stage)
+        session.work_ = stage;
+    session.progress_.show(fraction, stage);
     // A second way to cancel, for a signal that came before the library's call began.
     return interrupt_signal() != 0;
 }

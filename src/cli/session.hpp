@@ -26,8 +26,7 @@ struct RunArguments {
     std::string progress = "auto";
     std::string json;  // path of the machine-readable report; "-": standard output; "": none
 
-    // `has_json`: is there a report?
-    void add_to(CLI::App& app, bool has_json = true);
+    void add_to(CLI::App& app);
     bool prints() const { return !quiet && json != "-"; }
 };
 
@@ -88,6 +87,8 @@ public:
     const std::vector<std::string>& warnings() const { return warnings_; }
     // Prints a sentence, and keeps it for the report.
     void warn(const std::string& sentence);
+    // What the library last called its work, in words.
+    const std::string& work() const { return work_; }
     // Since the session began, by a clock that is never set.
     double elapsed_seconds() const;
     // To be called before anything is printed.
@@ -107,6 +108,7 @@ private:
     InterruptGuard interrupts_;
     std::vector<std::string> warnings_;
     std::vector<StageFigures> stages_;
+    std::string work_;
 };
 
 }  // namespace cleft_cli

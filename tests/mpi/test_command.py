@@ -1,4 +1,5 @@
 """The command cleft-mpi, as its users meet it: files, failures of one rank, and the ends of ranks."""
+import json
 import os
 import pathlib
 import signal
@@ -54,24 +55,82 @@ class Command(unittest.TestCase):
         self.assertEqual(self.names(), {"a.vtkhdf", "a.pvtu", "a_0000.vtu", "a_0001.vtu", "a_0002.vtu"})
 
     def test_blocks_that_ranks_share(self):
-        (self.folder / "a.raw").write_bytes(bytes(1 + (i % 8 > 3) + (i // 640 % 3) for i in range(8 * 8 * 30)))
+        given = self.write_layers()
         meshes = set()
         for ranks in (1, 2, 5):
             # Some of the runs keep slabs in files.
             scratch = "--scratch ." if ranks > 1 else ""
-            words = f"a.raw --dims 8 8 30 --background octree --block 6 {scratch} -o {ranks}.vtkhdf"
-            self.assertEqual(self.run_ranks(ranks, f"$C mesh {words}")[::2], (0, []))
+            self.assertEqual(self.run_ranks(ranks, f"$C {given} {scratch} -o {ranks}.vtkhdf")[::2], (0, []))
             meshes.add((self.folder / f"{ranks}.vtkhdf").read_bytes())
         self.assertEqual(len(meshes), 1)
         # `cleft` reads the file, and makes the same mesh.
-        one = ["mesh", "a.raw", "--dims", "8", "8", "30", "--background", "octree", "--block", "6", "-o", "one.vtu"]
-        for words in (one, ["convert", "5.vtkhdf", "five.vtu"], ["check", "5.vtkhdf"], ["info", "5.vtkhdf"]):
+        for words in (
+            [*given.split(), "-o", "one.vtu"],
+            ["convert", "5.vtkhdf", "five.vtu"],
+            ["check", "5.vtkhdf"],
+            ["info", "5.vtkhdf"],
+        ):
             done = subprocess.run([CLEFT, *words, "--quiet"], cwd=self.folder, capture_output=True, text=True)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertEqual(*((self.folder / name).read_bytes() for name in ("one.vtu", "five.vtu")))
         for name in ("one.vtu", "five.vtu"):
             (self.folder / name).unlink()
         self.assertEqual(self.names(), {"a.raw", "1.vtkhdf", "2.vtkhdf", "5.vtkhdf"})
+
+    def write_layers(self):
+        """A small volume of three labels, and the options that cut it into five blocks."""
+        (self.folder / "a.raw").write_bytes(bytes(1 + (i % 8 > 3) + (i // 640 % 3) for i in range(8 * 8 * 30)))
+        return "mesh a.raw --dims 8 8 30 --background octree --block 6"
+
+    def report_of(self, name):
+        return json.loads((self.folder / name).read_text())
+
+    def test_reports(self):
+        words = self.write_layers()
+        alone = subprocess.run(
+            [CLEFT, *words.split(), "-o", "one.vtu", "--json", "one.json"], cwd=self.folder, capture_output=True
+        )
+        self.assertEqual(alone.returncode, 0)
+        expected = self.report_of("one.json")
+        for ranks in (1, 3):
+            self.assertEqual(self.run_ranks(ranks, f"$C {words} -o a.vtkhdf --json a.json")[::2], (0, []))
+            report = self.report_of("a.json")
+            self.assertEqual(
+                (report["program"], report["command"], report["outputs"]), ("cleft-mpi", "mesh", ["a.vtkhdf"])
+            )
+            self.assertEqual(report["options"]["block"], 6)
+            for field in ("dims", "spacing", "affine", "voxels"):
+                self.assertEqual(report["volume"][field], expected["volume"][field])
+            for field in ("points", "tets", "interface_triangles", "hull_triangles", "low", "high"):
+                self.assertEqual(report["mesh"][field], expected["mesh"][field], field)
+            for row, wanted in zip(report["mesh"]["labels"], expected["mesh"]["labels"], strict=True):
+                self.assertEqual((row["label"], row["tets"]), (wanted["label"], wanted["tets"]))
+                self.assertAlmostEqual(row["volume"], wanted["volume"], 9)
+            self.assertEqual(len(report["ranks"]), ranks)
+            self.assertEqual(sum(rank["mesh"]["tets"] for rank in report["ranks"]), expected["mesh"]["tets"])
+            for rank in report["ranks"]:
+                self.assertGreater(rank["peak_bytes"], 1e6)
+                self.assertEqual(rank["sent"]["bytes"], sum(work["bytes"] for work in rank["sent"]["work"]))
+                self.assertEqual(rank["sent"]["bytes"] > 0, ranks > 1)
+                self.assertEqual(rank["sent"]["messages"] > 0, ranks > 1)
+        # To standard output, instead of the summary.
+        out = self.run_ranks(2, f"$C {words} -o a.vtkhdf --json -")[1]
+        self.assertEqual(json.loads(out)["mesh"]["tets"], expected["mesh"]["tets"])
+
+    def test_reports_of_failures(self):
+        code, _, errors = self.run_ranks(2, "$C mesh no.h5 -o a.pvtu --json a.json")
+        self.assertEqual((code, len(errors)), (3, 1))
+        self.assertEqual(self.names(), {"a.json"})
+        self.assertEqual(self.report_of("a.json")["program"], "cleft-mpi")
+        self.assertEqual(self.report_of("a.json")["error"]["exit_code"], 3)
+        (self.folder / "a.json").unlink()
+        words = self.write_layers()
+        self.assertEqual(self.run_ranks(2, f"$C {words} -o a.vtkhdf --json no/a.json")[0], 4)
+        # The report of a refusal does not replace what was refused.
+        volume = (self.folder / "a.raw").read_bytes()
+        self.assertEqual(self.run_ranks(2, f"$C {words} -o a.vtkhdf --json a.raw")[0], 2)
+        self.assertEqual((self.folder / "a.raw").read_bytes(), volume)
+        self.assertEqual(self.names(), {"a.raw"})
 
     def test_raw_voxels_and_headers(self):
         labels = bytes(1 + (i % 8 > 3) for i in range(8 * 6 * 5))

@@ -2,6 +2,7 @@
 #include "mpi/command/parts_arguments.hpp"
 
 #include "cli/output_conflicts.hpp"
+#include "cli/output_files.hpp"
 #include "cli/staged_outputs.hpp"
 
 #include <CLI/CLI.hpp>
@@ -75,7 +76,7 @@ void PartsArguments::add_to(CLI::App& parser)
     volume.add_raw_to(parser);
     // A rank has one core, unless mpirun is told otherwise.
     run.threads = 1;
-    run.add_to(parser, false);
+    run.add_to(parser);
     parser.get_option("--threads")
         ->description(
             "Threads of each rank; 0: as many as the machine has. The result\n"
@@ -90,7 +91,8 @@ bool PartsArguments::is_hdf5() const
 
 void PartsArguments::check_outputs() const
 {
-    cleft_cli::refuse_conflicts(volume.inputs, outputs, "");
+    cleft_cli::refuse_conflicts(volume.inputs, outputs, run.json);
+    cleft_cli::check_json_output(run.json);
     for (const std::string& path : outputs) {
         if (!has_extension_of(path, kPartsExtensions))
             throw cleft_cli::usage_failure("--output: '" + path + "' ends with none of .vtkhdf .hdf .pvtu");

@@ -3,14 +3,17 @@
 
 #include "cleft/cleft_io_parts.h"
 #include "cleft/cleft_mpi.h"
+#include "cli/guarded.hpp"
+#include "cli/json_report.hpp"
 #include "cli/standard_output.hpp"
 #include "cli/text.hpp"
+#include "mpi/command/counted_exchange.hpp"
 #include "mpi/command/parts_arguments.hpp"
+#include "mpi/command/parts_report.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <cmath>
-#include <cstdio>
 #include <memory>
 
 namespace cleft_mpi_cli
@@ -89,12 +92,43 @@ std::string summary(const Session& session, const PartsArguments& arguments, con
     return text;
 }
 
+Part make_part(const Session& session, const PartsArguments& arguments, const cleft_voxels* voxels,
+               const cleft_options* options, std::vector<Sent>& sent)
+{
+    CountedExchange counted(session);
+    cleft_exchange exchange = counted.exchange();
+    exchange.scratch = arguments.scratch.empty() ? nullptr : arguments.scratch.c_str();
+    cleft_part* made = nullptr;
+    const cleft_status status =
+        cleft_part_create(session.context(), voxels, options, &exchange, arguments.ghosts ? 1 : 0, &made);
+    Part part(made);
+    sent = counted.sent();
+    session.check(status, status == CLEFT_ERROR_FILE || status == CLEFT_ERROR_FORMAT ? cleft_cli::EXIT_CANNOT_READ
+                                                                                     : cleft_cli::EXIT_MESHING_FAILED);
+    return part;
+}
+
+// Last, so that a report of a success is one.
+void report_run(const Ranks& ranks, const Session& session, const PartsArguments& arguments,
+                const cleft_options* options, const cleft_voxels& voxels, const cleft_part* part,
+                const std::vector<Sent>& sent)
+{
+    std::string own;
+    ranks.together([&] { own = rank_report(session, part, sent); });
+    const std::vector<std::string> all = ranks.gather(own);
+    ranks.together([&] {
+        if (ranks.is_first())
+            cleft_cli::write_json(parts_report(session, arguments, options, voxels, all), arguments.run.json);
+    });
+}
+
 void make_and_write(const Ranks& ranks, const PartsArguments& arguments)
 {
     cleft_cli::Options options;
     std::unique_ptr<Session> session;
     Voxels voxels;
     Part part;
+    std::vector<Sent> sent;
     ranks.together([&] {
         options = arguments.options.make();
         if (ranks.is_first())
@@ -105,20 +139,8 @@ void make_and_write(const Ranks& ranks, const PartsArguments& arguments)
         voxels = open_voxels(*session, arguments);
     });
     ranks.together([&] {
-        session->timed("mesh", "meshing", [&] {
-            cleft_part* made = nullptr;
-            cleft_exchange exchange{};
-            exchange.struct_size = sizeof exchange;
-            session->check(cleft_mpi_exchange_open(MPI_COMM_WORLD, &exchange), cleft_cli::EXIT_MESHING_FAILED);
-            exchange.scratch = arguments.scratch.empty() ? nullptr : arguments.scratch.c_str();
-            const cleft_status status = cleft_part_create(session->context(), voxels.get(), options.get(), &exchange,
-                                                          arguments.ghosts ? 1 : 0, &made);
-            cleft_mpi_exchange_close(&exchange);
-            part.reset(made);
-            session->check(status, status == CLEFT_ERROR_FILE || status == CLEFT_ERROR_FORMAT
-                                       ? cleft_cli::EXIT_CANNOT_READ
-                                       : cleft_cli::EXIT_MESHING_FAILED);
-        });
+        session->timed("mesh", "meshing",
+                       [&] { part = make_part(*session, arguments, voxels.get(), options.get(), sent); });
     });
     for (const std::string& path : arguments.outputs)
         ranks.together([&] {
@@ -128,6 +150,8 @@ void make_and_write(const Ranks& ranks, const PartsArguments& arguments)
             });
         });
     session->clear_progress();
+    if (!arguments.run.json.empty())
+        report_run(ranks, *session, arguments, options.get(), *voxels, part.get(), sent);
     if (ranks.is_first() && arguments.run.prints())
         cleft_cli::print_summary_text(summary(*session, arguments, part.get()));
 }
@@ -138,9 +162,8 @@ int run_parts(const Ranks& ranks, const PartsArguments& arguments)
         make_and_write(ranks, arguments);
         return cleft_cli::EXIT_OK;
     } catch (const Failure& failure) {
-        if (ranks.is_first())
-            std::fprintf(stderr, "cleft-mpi mesh: %s\n", failure.what());
-        return failure.exit_code;
+        return ranks.is_first() ? cleft_cli::tell_failure("mesh", arguments.run, failure, "cleft-mpi")
+                                : failure.exit_code;
     }
 }
 

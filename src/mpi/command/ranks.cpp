@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <new>
+#include <numeric>
 #include <optional>
 
 namespace cleft_mpi_cli
@@ -20,13 +21,14 @@ using cleft_cli::Failure;
 struct Told {
     int exit_code;
     int status;
+    bool is_reported;
     char sentence[2000];
 };
 
 // Not a Failure, so that it can be made without memory.
 Told told(int exit_code, cleft_status status, const char* sentence)
 {
-    Told out{exit_code, status, ""};
+    Told out{exit_code, status, true, ""};
     std::strncpy(out.sentence, sentence, sizeof out.sentence - 1);
     return out;
 }
@@ -37,7 +39,9 @@ Told result_of(const std::function<void()>& step)
         step();
         return told(cleft_cli::EXIT_OK, CLEFT_OK, "");
     } catch (const Failure& failure) {
-        return told(failure.exit_code, failure.status, failure.what());
+        Told out = told(failure.exit_code, failure.status, failure.what());
+        out.is_reported = failure.is_reported;
+        return out;
     } catch (const std::bad_alloc&) {
         return told(cleft_cli::EXIT_OUT_OF_MEMORY, CLEFT_ERROR_OUT_OF_MEMORY, "out of memory");
     } catch (const std::exception& other) {
@@ -74,7 +78,23 @@ void Ranks::together(const std::function<void()>& step) const
     MPI_Bcast(&result, sizeof result, MPI_BYTE, first, MPI_COMM_WORLD);
     // What all say, as of a file that is not there, or after the library has told all, needs no name.
     const std::string who = all_failed < count_ ? "rank " + std::to_string(first) + ": " : "";
-    throw Failure(result.exit_code, result.status, who + result.sentence);
+    Failure failure(result.exit_code, result.status, who + result.sentence);
+    failure.is_reported = result.is_reported;
+    throw failure;
+}
+
+std::vector<std::string> Ranks::gather(const std::string& text) const
+{
+    const int size = static_cast<int>(text.size());
+    std::vector<int> sizes(static_cast<std::size_t>(count_)), starts(sizes.size());
+    MPI_Gather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, MPI_COMM_WORLD);
+    std::exclusive_scan(sizes.begin(), sizes.end(), starts.begin(), 0);
+    std::string all(is_first() ? static_cast<std::size_t>(starts.back() + sizes.back()) : 0, '\0');
+    MPI_Gatherv(text.data(), size, MPI_CHAR, all.data(), sizes.data(), starts.data(), MPI_CHAR, 0, MPI_COMM_WORLD);
+    std::vector<std::string> texts;
+    for (std::size_t r = 0; is_first() && r < sizes.size(); ++r)
+        texts.push_back(all.substr(static_cast<std::size_t>(starts[r]), static_cast<std::size_t>(sizes[r])));
+    return texts;
 }
 
 void Ranks::end_all(int exit_code)

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace cleft_mpi_cli
 {
@@ -25,6 +26,8 @@ public:
 
     // Runs step() on all ranks. If it throws a Failure on some, all throw that of the first of them.
     void together(const std::function<void()>& step) const;
+    // The texts of all ranks, in their order: on the first rank. The others get none.
+    std::vector<std::string> gather(const std::string& text) const;
     // Ends all ranks, where one cannot wait for the others.
     [[noreturn]] static void end_all(int exit_code);
 
