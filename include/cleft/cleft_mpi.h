@@ -53,8 +53,9 @@ CLEFT_NODISCARD CLEFT_MPI_API cleft_status cleft_mpi_mesh(cleft_context* context
  *
  *  - ".vtkhdf" or ".hdf": one file, VTKHDF for unstructured grids. Its bytes are the same for every number of ranks.
  *  - ".pvtu": the list of the pieces, and for each rank a piece beside it: "mesh_0003.vtu" for "mesh.pvtu" and rank 3.
+ *  - ".mfem": a part of a parallel mesh of MFEM for each rank: "mesh.mfem.000003" for "mesh.mfem" and rank 3.
  *
- *  docs/formats.md describes them. The files take their names when all ranks have written all. If a rank fails, there
+ *  docs/scale.md describes them. The files take their names when all ranks have written all. If a rank fails, there
  *  is no file, and what was there before stays. The path of rank 0 counts; others may give NULL.
  *
  *  Errors: CLEFT_ERROR_UNSUPPORTED for another extension, CLEFT_ERROR_FILE if a file cannot be written,

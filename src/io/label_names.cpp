@@ -52,6 +52,14 @@ std::string material_name(int32_t label, const std::string& name)
 
 std::string material_title(int32_t label, const std::string& name) { return material_name(label) + " " + name; }
 
+std::string surface_name(int32_t side, int32_t first, int32_t second)
+{
+    // In the order of CLEFT_SIDE_X_MIN to CLEFT_SIDE_OTHER.
+    static const char* const sides[] = {"box_x_min_", "box_x_max_", "box_y_min_", "box_y_max_",
+                                        "box_z_min_", "box_z_max_", "hull_"};
+    return side < 0 ? "interface_" + word_of(first) + "_" + word_of(second) : sides[side] + word_of(first);
+}
+
 bool label_of_material_name(const std::string& text, int32_t& label, std::string& name)
 {
     const std::string prefix = kMaterialPrefix;

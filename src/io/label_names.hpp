@@ -17,6 +17,10 @@ std::string material_name(int32_t label, const std::string& name = "");
 // For formats that keep any text, such as VTK's field data.
 std::string material_title(int32_t label, const std::string& name);
 
+// "interface_1_3", "box_x_min_3", "hull_3": triangles between two labels, or in a side of the box (CLEFT_SIDE_..., and
+// -1 for interfaces).
+std::string surface_name(int32_t side, int32_t first, int32_t second);
+
 // The label in one of these, and the name behind it ("" if there is none).
 bool label_of_material_name(const std::string& text, int32_t& label, std::string& name);
 

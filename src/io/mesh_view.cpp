@@ -12,14 +12,6 @@ namespace cleft::io
 namespace
 {
 
-std::string hull_name(int32_t side, int32_t label)
-{
-    // In the order of CLEFT_SIDE_X_MIN to CLEFT_SIDE_OTHER.
-    static const char* const names[] = {"box_x_min_", "box_x_max_", "box_y_min_", "box_y_max_",
-                                        "box_z_min_", "box_z_max_", "hull_"};
-    return names[side] + word_of(label);
-}
-
 // Consecutive interface triangles of one pair are one group.
 void add_interfaces(const cleft_surface* surface, std::vector<SurfaceGroup>& groups)
 {
@@ -33,7 +25,7 @@ void add_interfaces(const cleft_surface* surface, std::vector<SurfaceGroup>& gro
         const int32_t b = pairs[2 * t + 1];
         if (t == 0 || groups.back().first != a || groups.back().second != b)
             groups.push_back(
-                {"interface_" + word_of(a) + "_" + word_of(b), SurfaceGroup::kNoSide, a, b, triangles + 3 * t, 0, 0});
+                {surface_name(SurfaceGroup::kNoSide, a, b), SurfaceGroup::kNoSide, a, b, triangles + 3 * t, 0, 0});
         ++groups.back().count;
     }
 }
@@ -46,7 +38,8 @@ void add_hull(const cleft_surface* surface, std::vector<SurfaceGroup>& groups)
     const int32_t* sides = cleft_surface_hull_sides(surface);
     for (int64_t t = 0; t < count; ++t) {
         if (t == 0 || groups.back().first != labels[t] || groups.back().side != sides[t])
-            groups.push_back({hull_name(sides[t], labels[t]), sides[t], labels[t], labels[t], triangles + 3 * t, 0, 0});
+            groups.push_back({surface_name(sides[t], labels[t], labels[t]), sides[t], labels[t], labels[t],
+                              triangles + 3 * t, 0, 0});
         ++groups.back().count;
     }
 }

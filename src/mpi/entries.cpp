@@ -59,6 +59,9 @@ PartView view_of(const cleft_part* part, const Exchange& exchange, cleft_context
     view.owners = cleft_part_point_owners(part);
     view.tets = cleft_part_tets(part);
     view.labels = cleft_part_tet_labels(part);
+    view.triangles = cleft_part_triangles(part);
+    view.triangle_labels = cleft_part_triangle_labels(part);
+    view.sides = cleft_part_triangle_sides(part);
     return view;
 }
 
@@ -71,8 +74,11 @@ Writer writer_of(const std::string& path)
         return write_pvtu;
     if (extension == ".vtkhdf" || extension == ".hdf")
         return write_vtkhdf;
-    throw Error(CLEFT_ERROR_UNSUPPORTED,
-                "'" + path + "': meshes in parts are written as .vtkhdf, .hdf or .pvtu, by the extension of the path");
+    if (extension == ".mfem")
+        return write_mfem;
+    throw Error(
+        CLEFT_ERROR_UNSUPPORTED,
+        "'" + path + "': meshes in parts are written as .vtkhdf, .hdf, .pvtu or .mfem, by the extension of the path");
 }
 
 // The path counts on rank 0, and so does the writer, as all have the name from there.

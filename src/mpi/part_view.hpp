@@ -16,6 +16,9 @@ struct PartView {
     const int32_t* owners;
     const int32_t* tets;
     const int32_t* labels;
+    const int32_t* triangles;
+    const int32_t* triangle_labels;
+    const int32_t* sides;  // of triangles; -1: of an interface
 };
 
 }  // namespace cleft::mpi

@@ -20,7 +20,8 @@ struct Writing {
     std::function<void(double fraction)> report;  // throws where a cancel was asked for
 };
 
-// The answers are the names of the files in the stage, the target last. All throw Error.
+// The answers are the names of the files in the stage, the target last if it is one of them. All throw Error.
+std::vector<std::string> write_mfem(const PartView& part, const Writing& writing);
 std::vector<std::string> write_pvtu(const PartView& part, const Writing& writing);
 std::vector<std::string> write_vtkhdf(const PartView& part, const Writing& writing);
 

@@ -45,14 +45,17 @@ class Command(unittest.TestCase):
 
     def test_a_mesh(self):
         for ranks in (1, 3):
-            code, out, errors = self.run_ranks(ranks, f"$C mesh {VOLUME} -o a.vtkhdf -o a.pvtu --ghosts --threads 2")
+            code, out, errors = self.run_ranks(
+                ranks, f"$C mesh {VOLUME} -o a.vtkhdf -o a.pvtu -o a.mfem --ghosts --threads 2"
+            )
             alone = "cleft: warning: the first rank makes the whole mesh alone, since block is 0, or leaves one block"
             self.assertEqual((code, errors), (0, [alone] if ranks > 1 else []))
             # One rank prints.
             self.assertEqual(out.count("Mesh "), 1)
             self.assertIn(f"in {ranks} part", out)
             self.assertEqual((self.folder / "a.vtkhdf").read_bytes(), pathlib.Path(FILES, "1.vtkhdf").read_bytes())
-        self.assertEqual(self.names(), {"a.vtkhdf", "a.pvtu", "a_0000.vtu", "a_0001.vtu", "a_0002.vtu"})
+        pieces = {name for rank in range(3) for name in (f"a_000{rank}.vtu", f"a.mfem.00000{rank}")}
+        self.assertEqual(self.names(), {"a.vtkhdf", "a.pvtu", *pieces})
 
     def test_blocks_that_ranks_share(self):
         given = self.write_layers()
@@ -157,7 +160,7 @@ class Command(unittest.TestCase):
         self.assert_fails(3, "mesh: rank 1: cannot read 'no.h5'", one)
         other = f"if [ $R = 2 ]; then S=2; else S=3; fi; $C mesh {VOLUME} --size $S -o a.vtkhdf"
         self.assert_fails(5, "the ranks do not give the same volume, options and ghosts", other)
-        self.assert_fails(2, "'a.vtu' ends with none of .vtkhdf .hdf .pvtu", f"$C mesh {VOLUME} -o a.vtu")
+        self.assert_fails(2, "'a.vtu' ends with none of .vtkhdf .hdf .pvtu .mfem", f"$C mesh {VOLUME} -o a.vtu")
         self.assert_fails(4, "cannot write 'no/a.pvtu'", f"$C mesh {VOLUME} -o no/a.pvtu")
 
     def test_a_rank_that_cannot_write(self):

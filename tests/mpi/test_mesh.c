@@ -112,6 +112,7 @@ static void parts_are_the_whole(void** state)
         assert_part_of(part, whole);
         assert_ok(context, cleft_mpi_write(context, MPI_COMM_WORLD, part, own_path(ghosts ? "g.vtkhdf" : ".vtkhdf")));
         assert_ok(context, cleft_mpi_write(context, MPI_COMM_WORLD, part, own_path(ghosts ? "g.pvtu" : ".pvtu")));
+        assert_ok(context, cleft_mpi_write(context, MPI_COMM_WORLD, part, own_path(ghosts ? "g.mfem" : ".mfem")));
         /* Once more, over what is there. */
         assert_ok(context, cleft_mpi_write(context, MPI_COMM_WORLD, part, own_path(ghosts ? "g.vtkhdf" : ".vtkhdf")));
         cleft_part_destroy(part);
@@ -135,6 +136,7 @@ static void some_ranks_have_nothing(void** state)
     assert_part_of(part, whole);
     assert_ok(context, cleft_mpi_write(context, MPI_COMM_WORLD, part, own_path("one.hdf")));
     assert_ok(context, cleft_mpi_write(context, MPI_COMM_WORLD, part, own_path("one.pvtu")));
+    assert_ok(context, cleft_mpi_write(context, MPI_COMM_WORLD, part, own_path("one.mfem")));
     cleft_part_destroy(part);
     cleft_mesh_destroy(whole);
     cleft_context_destroy(context);

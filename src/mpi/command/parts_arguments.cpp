@@ -19,7 +19,7 @@ namespace
 {
 
 const std::vector<std::string> kHdf5Extensions = {".h5", ".hdf5", ".hdf"};
-const std::vector<std::string> kPartsExtensions = {".vtkhdf", ".hdf", ".pvtu"};
+const std::vector<std::string> kPartsExtensions = {".vtkhdf", ".hdf", ".pvtu", ".mfem"};
 
 bool has_extension_of(const std::string& path, const std::vector<std::string>& extensions)
 {
@@ -32,6 +32,7 @@ const char* parts_footer()
     return "Formats of OUTPUT, by extension:\n"
            "  .vtkhdf, .hdf               VTKHDF: one file, the same for every number of ranks\n"
            "  .pvtu                       VTK XML: a piece for each rank, and a list of them\n"
+           "  .mfem                       MFEM: a part for each rank, such as rock.mfem.000003\n"
            "\nExamples:\n"
            "  mpirun -n 8 cleft-mpi mesh rock.h5 -o rock.vtkhdf --background octree\n"
            "  mpirun -n 4 cleft-mpi mesh rock.h5 --dataset /scan/labels --spacing 2 2 2 -o rock.pvtu\n";
@@ -95,7 +96,7 @@ void PartsArguments::check_outputs() const
     cleft_cli::check_json_output(run.json);
     for (const std::string& path : outputs) {
         if (!has_extension_of(path, kPartsExtensions))
-            throw cleft_cli::usage_failure("--output: '" + path + "' ends with none of .vtkhdf .hdf .pvtu");
+            throw cleft_cli::usage_failure("--output: '" + path + "' ends with none of .vtkhdf .hdf .pvtu .mfem");
         const std::string folder = cleft_cli::folder_of(path).string();
         if (access(folder.c_str(), W_OK | X_OK) != 0)
             throw cleft_cli::Failure(cleft_cli::EXIT_CANNOT_WRITE, CLEFT_ERROR_FILE,
