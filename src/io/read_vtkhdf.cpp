@@ -173,10 +173,19 @@ void check_kind(const Hdf5File& file, uint64_t grid)
                                                  ", and only 1 and 2 can be read");
 }
 
+// A file of one step is as one without.
+void check_steps(const Hdf5Group& grid)
+{
+    if (!grid.has("Steps"))
+        return;
+    const std::vector<int64_t> steps = hdf5_integer_attribute(grid.file, grid.object("Steps"), "NSteps");
+    if (steps.size() != 1 || steps[0] != 1)
+        throw Error(CLEFT_ERROR_UNSUPPORTED, "it has several steps of time, and only one mesh can be read");
+}
+
 MeshData read_grid(const Hdf5Group& grid)
 {
-    if (grid.has("Steps"))
-        throw Error(CLEFT_ERROR_UNSUPPORTED, "it has steps of time, and only one mesh can be read");
+    check_steps(grid);
     const PartitionCounts counts = read_partitions(grid);
     MeshData mesh;
     mesh.points = grid.dataset("Points").reals(PartitionCounts::sum(counts.points), 3);
