@@ -2,6 +2,7 @@
 #include "parts/scratch_file.hpp"
 
 #include "base/error.hpp"
+#include "base/to_size.hpp"
 
 #include <cerrno>
 #include <cstdlib>
@@ -43,28 +44,25 @@ ScratchFile::ScratchFile(const std::string& folder) : folder_(folder)
 
 ScratchFile::~ScratchFile() { close(file_); }
 
-void ScratchFile::write(Record& record, const Array<unsigned char>& bytes)
+void ScratchFile::write(Place& place, const void* bytes, int64_t size)
 {
-    if (bytes.count() > record.room) {
-        record.at = end_;
-        record.room = bytes.count();
-        end_ += record.room;
+    if (size > place.room) {
+        place = {end_, size};
+        end_ += size;
     }
-    record.size = bytes.count();
-    if (!transfer_all(record.size, [&](int64_t done) {
-            return pwrite(file_, bytes.data() + done, to_size(record.size - done), record.at + done);
-        }))
+    const auto* from = static_cast<const unsigned char*>(bytes);
+    if (!transfer_all(size,
+                      [&](int64_t done) { return pwrite(file_, from + done, to_size(size - done), place.at + done); }))
         fail("write");
 }
 
-Array<unsigned char> ScratchFile::read(const Record& record) const
+void ScratchFile::read(const Place& place, int64_t first, int64_t size, void* to) const
 {
-    Array<unsigned char> bytes(record.size);
-    if (!transfer_all(record.size, [&](int64_t done) {
-            return pread(file_, bytes.data() + done, to_size(record.size - done), record.at + done);
+    auto* const out = static_cast<unsigned char*>(to);
+    if (!transfer_all(size, [&](int64_t done) {
+            return pread(file_, out + done, to_size(size - done), place.at + first + done);
         }))
         fail("read");
-    return bytes;
 }
 
 void ScratchFile::fail(const char* what) const

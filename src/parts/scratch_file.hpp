@@ -1,8 +1,6 @@
 // Bytes on disk that the work comes back to.
 #pragma once
 
-#include "base/array.hpp"
-
 #include <cstdint>
 #include <string>
 
@@ -18,12 +16,12 @@ public:
     ScratchFile(const ScratchFile&) = delete;
     ScratchFile& operator=(const ScratchFile&) = delete;
 
-    // Where some bytes lie. A record that is written again stays where it is if there is room.
-    struct Record {
-        int64_t at = 0, size = 0, room = 0;
+    // Where some bytes lie. It stays where it is if there is room for what is written there next.
+    struct Place {
+        int64_t at = 0, room = 0;
     };
-    void write(Record& record, const Array<unsigned char>& bytes);
-    Array<unsigned char> read(const Record& record) const;
+    void write(Place& place, const void* bytes, int64_t size);
+    void read(const Place& place, int64_t first, int64_t size, void* to) const;
 
 private:
     [[noreturn]] void fail(const char* what) const;

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 #include <utility>
 
@@ -83,9 +82,9 @@ BlockField sizes_of_own_blocks(const VolumeParts& volume, const BlockLayout& lay
         Array<double> tets;
         Steps steps(of_blocks, Array<Step>(std::max(own.count, 1), {nullptr, 1}));
         for (int32_t b = own.first; b < own.end(); ++b) {
-            SizingField of_block = sizes_of_block(volume, layout.planes(b), sizing, steps.next());
+            const SizingField of_block = sizes_of_block(volume, layout.planes(b), sizing, steps.next());
             tets.push_back(expected_particle_tets(of_block));
-            field.add(layout.planes(b), std::move(of_block.h));
+            field.add(layout.planes(b), of_block.h);
         }
         // In the order of the blocks, so that the sum is the same for any number of ranks.
         const Array<double> all = exchange.all_gather(tets);
@@ -129,60 +128,36 @@ SizeRange range_of_all(const SizeRange& own, Exchange& exchange)
     return all;
 }
 
-namespace
-{
-
-Array<unsigned char> bytes_of(const Array<float>& values)
-{
-    const auto* first = reinterpret_cast<const unsigned char*>(values.data());
-    return Array<unsigned char>(first, first + values.size() * sizeof(float));
-}
-
-}  // namespace
-
 BlockField::BlockField(const Grid& whole, double gradation, const std::string& scratch)
-    : grid_(whole), gradation_(gradation), range_{INFINITY, -INFINITY}
+    : grid_(whole), gradation_(gradation), range_{INFINITY, -INFINITY}, sizes_(scratch)
 {
-    if (!scratch.empty())
-        file_ = std::make_unique<ScratchFile>(scratch);
 }
 
 void BlockField::clear()
 {
     slabs_.clear();
+    sizes_.clear();
     range_ = {INFINITY, -INFINITY};
 }
 
-void BlockField::add(Planes planes, Array<float>&& h)
+void BlockField::add(Planes planes, const Array<float>& h)
 {
     const auto [least, greatest] = std::minmax_element(h.begin(), h.end());
     range_ = {std::min<double>(range_.least, *least), std::max<double>(range_.greatest, *greatest)};
-    Slab slab{planes, std::move(h), {}};
-    if (file_)
-        file_->write(slab.record, bytes_of(std::exchange(slab.h, Array<float>())));
-    slabs_.push_back(std::move(slab));
+    sizes_.put(slabs_.count(), h);
+    slabs_.push_back(planes);
 }
 
 Array<float> BlockField::values(Planes planes) const
 {
+    const int64_t plane = grid_.plane_size();
     Array<float> out;
-    out.reserve(to_size(planes.count * grid_.plane_size()));
-    for (const Slab& slab : slabs_) {
-        const int32_t low = std::max(planes.first, slab.planes.first), high = std::min(planes.end(), slab.planes.end());
-        if (low >= high)
-            continue;
-        const int64_t begin = (low - slab.planes.first) * grid_.plane_size(), count = (high - low) * grid_.plane_size();
-        if (!file_) {
-            out.insert(out.end(), slab.h.begin() + begin, slab.h.begin() + begin + count);
-            continue;
-        }
-        ScratchFile::Record part = slab.record;
-        part.at += begin * int64_t{sizeof(float)};
-        part.size = count * int64_t{sizeof(float)};
-        const Array<unsigned char> bytes = file_->read(part);
-        const size_t done = out.size();
-        out.resize(done + to_size(count));
-        std::memcpy(out.data() + done, bytes.data(), bytes.size());
+    out.reserve(to_size(planes.count * plane));
+    for (int64_t s = 0; s < slabs_.count(); ++s) {
+        const Planes& slab = slabs_[s];
+        const int32_t low = std::max(planes.first, slab.first), high = std::min(planes.end(), slab.end());
+        if (low < high)
+            sizes_.append(s, (low - slab.first) * plane, (high - low) * plane, out);
     }
     return out;
 }
@@ -191,8 +166,8 @@ Planes BlockField::planes() const
 {
     if (slabs_.empty())
         return {};
-    const int32_t first = slabs_.front().planes.first;
-    return {first, slabs_.back().planes.end() - first};
+    const int32_t first = slabs_.front().first;
+    return {first, slabs_.back().end() - first};
 }
 
 }  // namespace cleft

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "parts/exchange.hpp"
-#include "parts/scratch_file.hpp"
+#include "parts/kept_bytes.hpp"
 #include "pipeline/block_layout.hpp"
 #include "pipeline/pipeline.hpp"
 
@@ -18,7 +18,7 @@ public:
 
     void clear();
     // The next planes of the whole.
-    void add(Planes planes, Array<float>&& h);
+    void add(Planes planes, const Array<float>& h);
     // Of the planes that are here.
     SizeRange range() const { return range_; }
     Array<float> values(Planes planes) const;
@@ -28,17 +28,11 @@ public:
     double gradation() const { return gradation_; }
 
 private:
-    struct Slab {
-        Planes planes;
-        Array<float> h;  // empty: in the file
-        ScratchFile::Record record;
-    };
-
     Grid grid_;
     double gradation_;
     SizeRange range_;
-    Array<Slab> slabs_;
-    std::unique_ptr<ScratchFile> file_;
+    Array<Planes> slabs_;
+    KeptBytes sizes_;  // by slab
 };
 
 // Of this rank's blocks. A size is at most a quarter of the thickness of a block: tetrahedra are small beside it then,

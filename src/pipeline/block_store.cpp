@@ -1,6 +1,7 @@
 // Blocks go to disk array by array.
 #include "pipeline/block_store.hpp"
 
+#include "parts/parcel.hpp"
 #include "pipeline/block_parcels.hpp"
 
 #include <algorithm>
@@ -8,18 +9,15 @@
 namespace cleft
 {
 
-BlockStore::BlockStore(int32_t first, int32_t count, const std::string& scratch) : first_(first), blocks_(count)
+BlockStore::BlockStore(int32_t first, int32_t count, const std::string& scratch)
+    : first_(first), blocks_(count), kept_(scratch)
 {
-    if (scratch.empty())
-        return;
-    file_ = std::make_unique<ScratchFile>(scratch);
-    records_.resize(blocks_.size());
 }
 
 Block& BlockStore::at(int32_t block)
 {
     const int32_t slot = block - first_;
-    if (!file_)
+    if (!kept_.is_on_disk())
         return blocks_[slot];
     const auto found = std::find(held_.begin(), held_.end(), slot);
     if (found != held_.end()) {
@@ -37,9 +35,9 @@ Block& BlockStore::at(int32_t block)
 
 void BlockStore::load(int32_t slot)
 {
-    if (records_[slot].size == 0)
+    if (!kept_.has(slot))
         return;
-    Parcel parcel(file_->read(records_[slot]));
+    Parcel parcel(kept_.get<unsigned char>(slot));
     unpack(parcel, blocks_[slot]);
 }
 
@@ -48,7 +46,7 @@ void BlockStore::save(int32_t slot)
     Parcel parcel;
     pack(blocks_[slot], parcel);
     blocks_[slot] = Block();
-    file_->write(records_[slot], parcel.bytes());
+    kept_.put(slot, parcel.bytes());
 }
 
 }  // namespace cleft

@@ -1,11 +1,8 @@
 // The blocks of a rank, in memory or on disk.
 #pragma once
 
-#include "parts/parcel.hpp"
-#include "parts/scratch_file.hpp"
+#include "parts/kept_bytes.hpp"
 #include "pipeline/block_job.hpp"
-
-#include <memory>
 
 namespace cleft
 {
@@ -25,8 +22,7 @@ private:
 
     int32_t first_;
     Array<Block> blocks_;
-    std::unique_ptr<ScratchFile> file_;
-    Array<ScratchFile::Record> records_;
+    KeptBytes kept_;
     Array<int32_t> held_;  // the last two, the older one first
 };
 
