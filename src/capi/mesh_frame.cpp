@@ -25,9 +25,7 @@ namespace
     // Whose fault it is decides the status: the caller can move the origin, but can do nothing about a defect of a
     // stage.
     if (quick_fault(local, tets, run).empty())
-        throw Error(CLEFT_ERROR_ARGUMENT,
-                    "world coordinates are too coarse for tetrahedra of these sizes so far from the origin: " + fault +
-                        "; move the origin nearer or set a greater size");
+        refuse_coarse_world(fault);
     throw Error(CLEFT_ERROR_INTERNAL, "the finished mesh has a fault, so it is not returned: " + fault);
 }
 
@@ -59,6 +57,28 @@ bool come_back(const Array<Vec3>& local, const Array<Vec3>& world, const Frame& 
 
 }  // namespace
 
+void refuse_coarse_world(const std::string& fault)
+{
+    throw Error(CLEFT_ERROR_ARGUMENT,
+                "world coordinates are too coarse for tetrahedra of these sizes so far from the origin: " + fault +
+                    "; move the origin nearer or set a greater size");
+}
+
+Array<Vec3> to_world(const Array<Vec3>& local, Array<Tet>& tets, const Frame& frame, const Run& run)
+{
+    Array<Vec3> world;
+    world.reserve(local.size());
+    for (const Vec3& point : local)
+        world.push_back(frame.to_world(point));
+    if (frame.flips())
+        turn_round(tets);
+    // The last look at what a caller gets: rounding far from the origin can merge points that were apart.
+    const std::string fault = quick_fault(world, tets, run);
+    if (!fault.empty())
+        refuse_result(std::move(tets), local, frame, fault, run);
+    return world;
+}
+
 void turn_round(Array<Tet>& tets)
 {
     for (Tet& tet : tets)
@@ -87,15 +107,7 @@ cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const Array<UserLabe
     out.frame = frame;
     out.mesh.tets = std::move(mesh.tets);
     out.mesh.labels = std::move(mesh.material);
-    out.mesh.points.reserve(mesh.points.size());
-    for (const Vec3& point : mesh.points)
-        out.mesh.points.push_back(frame.to_world(point));
-    if (frame.flips())
-        turn_round(out.mesh.tets);
-    // The last look at what a caller gets: rounding far from the origin can merge points that were apart.
-    const std::string fault = quick_fault(out.mesh.points, out.mesh.tets, run);
-    if (!fault.empty())
-        refuse_result(std::move(out.mesh.tets), mesh.points, frame, fault, run);
+    out.mesh.points = to_world(mesh.points, out.mesh.tets, frame, run);
     // In place: the array of materials becomes that of labels, and a mesh needs no second one.
     for (int32_t& label : out.mesh.labels)  // a material until here
         label = number_of(labels[label]);

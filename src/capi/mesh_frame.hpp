@@ -5,12 +5,18 @@
 #include "base/run.hpp"
 #include "capi/handles.hpp"
 
+#include <string>
+
 namespace cleft::capi
 {
 
-// World coordinates and labels for a stage's result; an affine that mirrors turns the tetrahedra round. What the user
-// gets is checked (quick_fault()): an Error if a stage went wrong, or if the numbers of the world, far from the origin,
-// do not tell the points apart.
+// Points in world coordinates; an affine that mirrors turns the tetrahedra round. What the user gets is checked
+// (quick_fault()): an Error if a stage went wrong, or if the numbers of the world, far from the origin, do not tell the
+// points apart.
+Array<Vec3> to_world(const Array<Vec3>& local, Array<Tet>& tets, const Frame& frame, const Run& run);
+// The latter, of a fault that the points did not have before.
+[[noreturn]] void refuse_coarse_world(const std::string& fault);
+// World coordinates and labels for a stage's result.
 cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const Array<UserLabel>& labels, const Run& run);
 // The same of a stage that another goes on from: that gets the very points, not those that rounding to the world
 // leaves.

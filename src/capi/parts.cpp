@@ -8,7 +8,6 @@
 #include "capi/mesh_frame.hpp"
 #include "capi/options.hpp"
 #include "capi/voxel_type.hpp"
-#include "checking/quick_check.hpp"
 #include "parts/mesh_part.hpp"
 #include "parts/rank_mesh.hpp"
 #include "parts/voxel_source.hpp"
@@ -148,22 +147,13 @@ LabelledMesh piece_of_rank(const cleft::SharedVoxels& voxels, const cleft::Frame
     return whole_mesh(frame, voxels.source, options, run);
 }
 
-// To the world: what to_user() does for a whole mesh.
-void to_world(const cleft::Frame& frame, cleft::MeshPart& part, const Run& run)
+// What to_user() does for a whole mesh.
+void to_user(const cleft::Frame& frame, cleft::MeshPart& part, const Run& run)
 {
-    for (cleft::Vec3& x : part.points)
-        x = frame.to_world(x);
-    if (frame.flips()) {
-        turn_round(part.tets);
+    part.points = to_world(part.points, part.tets, frame, run);
+    if (frame.flips())
         for (cleft::PartTriangle& t : part.triangles)
             std::swap(t.corners[1], t.corners[2]);
-    }
-    const std::string fault = quick_fault(part.points, part.tets, run);
-    if (!fault.empty())
-        throw Error(CLEFT_ERROR_ARGUMENT,
-                    "world coordinates are too coarse for tetrahedra of these sizes so far from "
-                    "the origin: " +
-                        fault + "; move the origin nearer or set a greater size");
 }
 
 cleft_part made_part(cleft::MeshPart&& part, const Exchange& exchange)
@@ -196,7 +186,7 @@ cleft_part part_of(const cleft_voxels* given, const cleft_options* options, bool
     LabelledMesh piece = piece_of_rank({frame.grid, source}, frame, options, exchange, of_mesh);
     const cleft::BoundingBox box{cleft::Vec3::Zero(), frame.grid.extent()};
     cleft::MeshPart part = share_mesh(std::move(piece), box, ghosts, exchange, steps.next());
-    to_world(frame, part, run);
+    to_user(frame, part, run);
     return made_part(std::move(part), exchange);
 }
 

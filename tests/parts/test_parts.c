@@ -315,6 +315,74 @@ static void one_fails_all_fail(void** state)
     free(voxels);
 }
 
+/* One call and the ranks say the same of a volume of this affine: the status, which is returned, and how the sentence
+ * begins. Labels meet in the upper half only. */
+static cleft_status assert_same_status(const double* affine, const char* block, double size)
+{
+    static const int64_t kDims[3] = {4, 4, 6};
+    static const int32_t kRanks[] = {1, 2, 3}, kLeftOut = 2;
+    int32_t voxels[4 * 4 * 6];
+    cleft_context* context = new_context();
+    cleft_options* options = options_of("octree", "off", block);
+    cleft_volume* volume = NULL;
+    cleft_mesh* whole = NULL;
+    for (int v = 0; v < 4 * 4 * 6; ++v)
+        voxels[v] = 1 + (v >= 48) * (int32_t)(hash_of(v, 0, 0) % 3);
+    assert_int_equal(cleft_options_set_strip(options, &kLeftOut, 1), CLEFT_OK);
+    assert_int_equal(cleft_options_set_real(options, CLEFT_OPTION_SIZE, size), CLEFT_OK);
+    cleft_status status =
+        cleft_volume_create_labels(context, CLEFT_TYPE_INT32, voxels, kDims, affine, options, &volume);
+    if (status == CLEFT_OK)
+        status = cleft_mesh_volume(context, volume, NULL, NULL, options, &whole);
+    char sentence[1000];
+    snprintf(sentence, sizeof sentence, "%.50s", cleft_context_last_error(context));
+    for (size_t i = 0; i < sizeof kRanks / sizeof *kRanks; ++i) {
+        job jobs[3];
+        set_jobs(jobs, kRanks[i], voxels, kDims, affine, options, 0);
+        ranks_run(kRanks[i], make_part, jobs, sizeof *jobs);
+        for (int32_t r = 0; r < kRanks[i]; ++r) {
+            if (jobs[r].status != status)
+                fail_msg("rank %d of %d has status %d in the place of %d: %s", (int)r, (int)kRanks[i],
+                         (int)jobs[r].status, (int)status, jobs[r].sentence);
+            assert_string_equal(jobs[r].sentence, jobs[0].sentence);
+            assert_true((jobs[r].part != NULL) == (status == CLEFT_OK));
+            if (status != CLEFT_OK)
+                assert_non_null(strstr(jobs[r].sentence, sentence));
+        }
+        destroy_parts(jobs, kRanks[i]);
+    }
+    cleft_mesh_destroy(whole);
+    cleft_volume_destroy(volume);
+    cleft_options_destroy(options);
+    cleft_context_destroy(context);
+    return status;
+}
+
+/* The numbers of the world may be too coarse for a mesh that is sound in its own frame. */
+static void a_coarse_world_is_refused_alike(void** state)
+{
+    static const struct {
+        double spacing, distance, size; /* the latter two in spacings; size 0: those of the labels */
+        const char* block;
+        cleft_status status;
+    } kCases[] = {
+        {1e-16, 0, 0, "3", CLEFT_ERROR_ARGUMENT},
+        {1e-15, 1e13, 0, "3", CLEFT_OK},
+        {1e15, 1e13, 0, "3", CLEFT_OK},
+        {1e15, 1e13, 0, "0", CLEFT_OK},
+        {2e15, 0, 0, "3", CLEFT_ERROR_ARGUMENT},
+        {0.3, 2e14, 0, "3", CLEFT_ERROR_ARGUMENT},
+        {1e15, 1e300, 0, "0", CLEFT_ERROR_NOT_FINITE},
+        {1.43, 9.85e13, 0.2, "3", CLEFT_ERROR_ARGUMENT},
+    };
+    (void)state;
+    for (size_t c = 0; c < sizeof kCases / sizeof *kCases; ++c) {
+        const double h = kCases[c].spacing, far = h * kCases[c].distance;
+        const double affine[12] = {c % 2 ? -h : h, 0, 0, far, 0, h, 0, -far, 0, 0, h, far};
+        assert_int_equal(assert_same_status(affine, kCases[c].block, h * kCases[c].size), kCases[c].status);
+    }
+}
+
 static void scratch_needs_a_folder(void** state)
 {
     static const int64_t kDims[3] = {8, 8, 8};
@@ -374,10 +442,10 @@ static void an_exchange_can_break(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(parts_are_the_whole),   cmocka_unit_test(more_ranks_than_points),
-        cmocka_unit_test(ranks_share_blocks),    cmocka_unit_test(long_edges_leave_a_block),
-        cmocka_unit_test(one_fails_all_fail),    cmocka_unit_test(scratch_needs_a_folder),
-        cmocka_unit_test(an_exchange_can_break),
+        cmocka_unit_test(parts_are_the_whole),    cmocka_unit_test(more_ranks_than_points),
+        cmocka_unit_test(ranks_share_blocks),     cmocka_unit_test(long_edges_leave_a_block),
+        cmocka_unit_test(one_fails_all_fail),     cmocka_unit_test(a_coarse_world_is_refused_alike),
+        cmocka_unit_test(scratch_needs_a_folder), cmocka_unit_test(an_exchange_can_break),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
