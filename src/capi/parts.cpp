@@ -10,6 +10,7 @@
 #include "capi/voxel_type.hpp"
 #include "parts/mesh_part.hpp"
 #include "parts/rank_mesh.hpp"
+#include "parts/repeated_places.hpp"
 #include "parts/voxel_source.hpp"
 
 #include <cstring>
@@ -148,9 +149,12 @@ LabelledMesh piece_of_rank(const cleft::SharedVoxels& voxels, const cleft::Frame
 }
 
 // What to_user() does for a whole mesh.
-void to_user(const cleft::Frame& frame, cleft::MeshPart& part, const Run& run)
+void to_user(const cleft::Frame& frame, cleft::MeshPart& part, Exchange& exchange, const Run& run)
 {
     part.points = to_world(part.points, part.tets, frame, run);
+    // Those of one part were looked at, and in the frame of the voxels no two points have one place.
+    if (exchange.ranks() > 1 && has_repeated_places(part.points, part.of_points.owned, exchange))
+        refuse_coarse_world("points of two parts are at one place");
     if (frame.flips())
         for (cleft::PartTriangle& t : part.triangles)
             std::swap(t.corners[1], t.corners[2]);
@@ -186,7 +190,7 @@ cleft_part part_of(const cleft_voxels* given, const cleft_options* options, bool
     LabelledMesh piece = piece_of_rank({frame.grid, source}, frame, options, exchange, of_mesh);
     const cleft::BoundingBox box{cleft::Vec3::Zero(), frame.grid.extent()};
     cleft::MeshPart part = share_mesh(std::move(piece), box, ghosts, exchange, steps.next());
-    to_user(frame, part, run);
+    to_user(frame, part, exchange, run);
     return made_part(std::move(part), exchange);
 }
 

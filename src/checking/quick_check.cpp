@@ -39,7 +39,9 @@ uint64_t mixed(uint64_t x)
     return x ^ x >> 29;
 }
 
-uint64_t hash_of(const Vec3& point)
+}  // namespace
+
+uint64_t hash_of_place(const Vec3& point)
 {
     uint64_t hash = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -51,10 +53,13 @@ uint64_t hash_of(const Vec3& point)
     return hash;
 }
 
-bool before(const Vec3& a, const Vec3& b)
+bool is_before(const Vec3& a, const Vec3& b)
 {
     return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
 }
+
+namespace
+{
 
 // The later of two points at one place, or -1. Points of different hashes are at different places; where hashes are
 // equal, which is next to never for different points, all are sorted.
@@ -62,16 +67,16 @@ int64_t repeated_point(const Array<Vec3>& points)
 {
     // Sorting hashes needs a third of the memory of sorting coordinates, and compares one number instead of three.
     Array<uint64_t> hashes(points.size());
-    std::transform(points.begin(), points.end(), hashes.begin(), hash_of);
+    std::transform(points.begin(), points.end(), hashes.begin(), hash_of_place);
     std::sort(hashes.begin(), hashes.end());
     if (std::adjacent_find(hashes.begin(), hashes.end()) == hashes.end())
         return -1;
     Array<size_t> order(points.size());
     for (size_t i = 0; i < order.size(); ++i)
         order[i] = i;
-    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return before(points[a], points[b]); });
+    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return is_before(points[a], points[b]); });
     const auto twice = std::adjacent_find(order.begin(), order.end(),
-                                          [&](size_t a, size_t b) { return !before(points[a], points[b]); });
+                                          [&](size_t a, size_t b) { return !is_before(points[a], points[b]); });
     return twice == order.end() ? -1 : static_cast<int64_t>(*(twice + 1));
 }
 
