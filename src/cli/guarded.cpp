@@ -3,6 +3,7 @@
 #include "guarded.hpp"
 
 #include "json_report.hpp"
+#include "program.hpp"
 
 #include <cstdio>
 #include <new>
@@ -11,17 +12,16 @@
 namespace cleft_cli
 {
 
-int tell_failure(const std::string& command, const RunArguments& arguments, const Failure& failure,
-                 const std::string& program)
+int tell_failure(const std::string& command, const RunArguments& arguments, const Failure& failure)
 {
     const auto tell = [&](const char* sentence) {
-        std::fprintf(stderr, "%s %s: %s\n", program.c_str(), command.c_str(), sentence);
+        std::fprintf(stderr, "%s %s: %s\n", kProgram, command.c_str(), sentence);
     };
     tell(failure.what());
     // is_reported is false where the report itself is in the way, or could not be written.
     if (arguments.json.empty() || !failure.is_reported)
         return failure.exit_code;
-    nlohmann::ordered_json report = report_head(command, program);
+    nlohmann::ordered_json report = report_head(command);
     // Scripts find the failure under "error" whatever the command is. Fields of a success are
     // absent then.
     report["error"] = {{"exit_code", failure.exit_code},

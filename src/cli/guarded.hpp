@@ -16,8 +16,7 @@ namespace cleft_cli
 // as "mesh".
 int guarded(const std::string& command, const RunArguments& arguments, const std::function<int()>& body);
 
-// Reports a failure of `cleft COMMAND` in this way, or of another program. Returns its exit code.
-int tell_failure(const std::string& command, const RunArguments& arguments, const Failure& failure,
-                 const std::string& program = "cleft");
+// Reports a failure in this way. Returns its exit code.
+int tell_failure(const std::string& command, const RunArguments& arguments, const Failure& failure);
 
 }  // namespace cleft_cli

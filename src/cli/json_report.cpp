@@ -2,6 +2,7 @@
 // fields are an interface: scripts rely on them.
 #include "json_report.hpp"
 
+#include "program.hpp"
 #include "standard_output.hpp"
 
 #include <fcntl.h>
@@ -37,9 +38,9 @@ void write_text(const std::string& text, const std::string& path, int mode)
 
 }  // namespace
 
-Json report_head(const std::string& command, const std::string& program)
+Json report_head(const std::string& command)
 {
-    return {{"program", program}, {"version", cleft_version(nullptr, nullptr, nullptr)}, {"command", command}};
+    return {{"program", kProgram}, {"version", cleft_version(nullptr, nullptr, nullptr)}, {"command", command}};
 }
 
 Json grid_json(const VolumeFindings& volume)

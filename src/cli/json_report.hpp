@@ -14,7 +14,7 @@ namespace cleft_cli
 {
 
 // Program, version and command: the beginning of every report.
-nlohmann::ordered_json report_head(const std::string& command, const std::string& program = "cleft");
+nlohmann::ordered_json report_head(const std::string& command);
 
 // Where the voxels are, without what they are.
 nlohmann::ordered_json grid_json(const VolumeFindings& volume);

@@ -25,7 +25,7 @@ namespace
         // No destructor runs any more, so unfinished files are removed here.
         StagedOutputs::remove_all();
         // write() and a constant text need no memory; fprintf() may ask for some.
-        const char sentence[] = "cleft: out of memory\n";
+        const char sentence[] = CLEFT_PROGRAM ": out of memory\n";
         [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, sentence, sizeof sentence - 1);
         // exit() would run destructors of globals, which may be what threw.
         _exit(EXIT_OUT_OF_MEMORY);

@@ -1,6 +1,7 @@
 // Draws on standard error, so that standard output stays free for results.
 #include "progress.hpp"
 
+#include "program.hpp"
 #include "progress_text.hpp"
 #include "terminal.hpp"
 
@@ -69,7 +70,7 @@ void Progress::print_line(double fraction, const std::string& stage, double seco
 {
     const std::optional<double> left = time_left_.at(seconds, fraction);
     if (lines_.is_due(seconds, stage))
-        std::fprintf(stderr, "cleft: %s\n", line_text({fraction, seconds, left, stage}).c_str());
+        std::fprintf(stderr, "%s: %s\n", kProgram, line_text({fraction, seconds, left, stage}).c_str());
 }
 
 void Progress::clear()

@@ -3,6 +3,7 @@
 #include "session.hpp"
 
 #include "base/process_figures.hpp"
+#include "program.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -130,7 +131,7 @@ void Session::warn(const std::string& sentence)
     warnings_.push_back(sentence);
     if (!quiet_) {
         progress_.clear();
-        std::fprintf(stderr, "cleft: warning: %s\n", sentence.c_str());
+        std::fprintf(stderr, "%s: warning: %s\n", kProgram, sentence.c_str());
     }
 }
 
@@ -177,7 +178,7 @@ void Session::on_log(int32_t level, const char* sentence, void* user)
         session.warn(sentence);
     } else if (session.verbose_ && !session.quiet_) {
         session.progress_.clear();
-        std::fprintf(stderr, "cleft: %s\n", sentence);
+        std::fprintf(stderr, "%s: %s\n", kProgram, sentence);
     }
 }
 

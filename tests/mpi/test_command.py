@@ -53,7 +53,9 @@ class Command(unittest.TestCase):
             code, out, errors = self.run_ranks(
                 ranks, f"$C mesh {VOLUME} -o a.vtkhdf -o a.pvtu -o a.mfem --ghosts --threads 2"
             )
-            alone = "cleft: warning: the first rank makes the whole mesh alone, since block is 0, or leaves one block"
+            alone = (
+                "cleft-mpi: warning: the first rank makes the whole mesh alone, since block is 0, or leaves one block"
+            )
             self.assertEqual((code, errors), (0, [alone] if ranks > 1 else []))
             # One rank prints.
             self.assertEqual(out.count("Mesh "), 1)
@@ -160,8 +162,10 @@ class Command(unittest.TestCase):
     def assert_fails(self, code, sentence, script):
         found, out, errors = self.run_ranks(3, script)
         self.assertEqual((found, out), (code, ""), errors)
-        errors = [line for line in errors if not line.startswith("cleft: warning: the first rank makes the whole mesh")]
+        alone = "cleft-mpi: warning: the first rank makes the whole mesh"
+        errors = [line for line in errors if not line.startswith(alone)]
         self.assertEqual(len(errors), 1, errors)
+        self.assertTrue(errors[0].startswith("cleft-mpi"), errors)
         self.assertIn(sentence, errors[0])
         self.assertEqual(self.names(), set())
 
@@ -183,8 +187,9 @@ class Command(unittest.TestCase):
     def start_long(self):
         process = self.start(3, f"echo $$ > pid.$R; exec $C mesh {VOLUME} --size 0.1 -o a.vtkhdf --progress lines")
         # It works when it says how far it is.
-        while "%" not in process.stderr.readline():
+        while "%" not in (line := process.stderr.readline()):
             self.assertIsNone(process.poll())
+        self.assertTrue(line.startswith("cleft-mpi: "), line)
         return process
 
     def test_a_rank_that_is_killed_ends_all(self):

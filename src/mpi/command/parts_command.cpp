@@ -162,8 +162,7 @@ int run_parts(const Ranks& ranks, const PartsArguments& arguments)
         make_and_write(ranks, arguments);
         return cleft_cli::EXIT_OK;
     } catch (const Failure& failure) {
-        return ranks.is_first() ? cleft_cli::tell_failure("mesh", arguments.run, failure, "cleft-mpi")
-                                : failure.exit_code;
+        return ranks.is_first() ? cleft_cli::tell_failure("mesh", arguments.run, failure) : failure.exit_code;
     }
 }
 

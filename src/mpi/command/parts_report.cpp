@@ -177,7 +177,7 @@ Json parts_report(const cleft_cli::Session& session, const PartsArguments& argum
     Json all = Json::array();
     for (const std::string& text : ranks)
         all.push_back(Json::parse(text));
-    Json report = cleft_cli::report_head("mesh", "cleft-mpi");
+    Json report = cleft_cli::report_head("mesh");
     report["inputs"] = arguments.volume.inputs;
     report["outputs"] = arguments.outputs;
     report["options"] = arguments.options.as_json(options);
