@@ -82,6 +82,7 @@ typedef struct cleft_part cleft_part; /**< the part of a mesh that a rank has; i
  *
  *  A volume that ranks share may have more than 2^31 voxels. A rank holds the planes of a block and those around it
  * that have a say. If these are more than 2^31 voxels, the error is CLEFT_ERROR_TOO_LARGE; a smaller `block` helps.
+ * A part has at most 1,073,741,823 tetrahedra, counted with ghosts. More are the same error; more ranks help.
  *
  *  `options` may be NULL. Options read: all.
  *  The caller owns *out. \since 0.1 */

@@ -11,9 +11,6 @@ namespace cleft
 namespace
 {
 
-// A half-face has the number 4 * tetrahedron + corner.
-constexpr size_t kMostTets = size_t{1} << 30;
-
 // The least point of the face opposite each corner.
 std::array<int32_t, 4> least_points(const Tet& t)
 {
@@ -54,8 +51,10 @@ FaceBuckets::FaceBuckets(const Array<Tet>& tets, int64_t point_count, const Run&
     : tets_(tets)
 {
     CLEFT_ASSERT(!among || among->count() == point_count);
-    if (tets.size() >= kMostTets)
-        throw Error(CLEFT_ERROR_TOO_LARGE, "a mesh of 2^30 or more tetrahedra is too large for 32-bit face numbers");
+    if (tets.count() > kMostTetsOfMesh)
+        throw Error(CLEFT_ERROR_TOO_LARGE, "a mesh of " + std::to_string(tets.count()) +
+                                               " tetrahedra is too large: it may have at most " +
+                                               std::to_string(kMostTetsOfMesh));
     Groups<uint32_t, uint32_t> faces =
         group_by_key<uint32_t, uint32_t>(run, tets.count(), point_count, [&](int64_t t, const auto& give) {
             if (!has_bad_index(tets[t], point_count))

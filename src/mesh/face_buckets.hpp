@@ -10,6 +10,9 @@
 namespace cleft
 {
 
+// Of one mesh, so that its half-faces have numbers of 32 bits.
+inline constexpr int64_t kMostTetsOfMesh = (int64_t{1} << 30) - 1;
+
 // A face as one tetrahedron sees it: `id` is 4 * tetrahedron + the corner opposite.
 struct HalfFace {
     uint32_t id;
@@ -51,7 +54,7 @@ public:
     // one.
     static constexpr int64_t kPointsAtOnce = 2048;  // whose faces a thread looks at
 
-    // Throws CLEFT_ERROR_TOO_LARGE from 2^30 tetrahedra on: four times their number must fit 32 bits.
+    // More than kMostTetsOfMesh are CLEFT_ERROR_TOO_LARGE.
     // With `among`, by point, only faces all of whose points are marked there; these then are found much sooner.
     // Borrows `tets`, which must not change while the buckets are in use.
     FaceBuckets(const Array<Tet>& tets, int64_t point_count, const Run& run, const Array<uint8_t>* among = nullptr);

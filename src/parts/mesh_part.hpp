@@ -38,6 +38,9 @@ struct MeshPart {
     Share of_triangles;
 };
 
+// CLEFT_ERROR_TOO_LARGE if numbers of 32 bits are too few for a part.
+void check_size_of_part(int64_t points, int64_t tets);
+
 // Gives each rank its part of a mesh that ranks have in pieces: each tetrahedron is in the piece of one rank. A piece
 // may be empty. `box`: that of the volume. With `ghosts`, a part has all tetrahedra at its own points.
 MeshPart share_mesh(LabelledMesh piece, const BoundingBox& box, bool ghosts, Exchange& exchange, const Run& run);

@@ -2,10 +2,12 @@
 #include "parts/mesh_part.hpp"
 
 #include "base/stage.hpp"
+#include "mesh/face_buckets.hpp"
 #include "mesh/order.hpp"
 #include "parts/number_points.hpp"
 
 #include <algorithm>
+#include <string>
 #include <tuple>
 
 namespace cleft
@@ -122,8 +124,6 @@ void take_points(const Array<SentPoint>& arrived, const OwnedNumbers& owned, int
             part.numbers.push_back(p.number);
             part.owners.push_back(owner);
         }
-    if (part.points.count() > INT32_MAX)
-        throw Error(CLEFT_ERROR_TOO_LARGE, "a part has more than 2147483647 points: more ranks would share them");
 }
 
 // The local number of each point that this part has.
@@ -149,8 +149,6 @@ private:
 void take_tets(const Array<SentTet>& arrived, const LocalNumbers& local, const OwnedNumbers& owned, int32_t rank,
                MeshPart& part)
 {
-    if (arrived.count() > INT32_MAX)
-        throw Error(CLEFT_ERROR_TOO_LARGE, "a part has more than 2147483647 tetrahedra: more ranks would share them");
     for (const bool own : {true, false})
         for (const SentTet& t : arrived) {
             const int32_t owner = owned.owner(t.corners[0]);
@@ -268,6 +266,18 @@ void drop_ghosts(MeshPart& part)
 
 }  // namespace
 
+void check_size_of_part(int64_t points, int64_t tets)
+{
+    const auto check = [](int64_t count, int64_t most, const std::string& what) {
+        if (count > most)
+            throw Error(CLEFT_ERROR_TOO_LARGE, "a part has " + std::to_string(count) + " " + what +
+                                                   ", with ghosts, and may have at most " + std::to_string(most) +
+                                                   ": more ranks would share them");
+    };
+    check(tets, kMostTetsOfMesh, "tetrahedra");
+    check(points, INT32_MAX, "points");
+}
+
 MeshPart share_mesh(LabelledMesh piece, const BoundingBox& box, bool ghosts, Exchange& exchange, const Run& run)
 {
     Stage stage(run, "sharing", {{"sharing: numbers", 3}, {"sharing: parts", 4}, {"sharing: triangles", 3}});
@@ -278,6 +288,8 @@ MeshPart share_mesh(LabelledMesh piece, const BoundingBox& box, bool ghosts, Exc
     piece = LabelledMesh();
     const OwnedNumbers owned(numbers.all, exchange.ranks());
     const int32_t rank = exchange.rank();
+    // Before ghosts are dropped, if nobody wants them: triangles are found among all.
+    check_size_of_part(arrived.points.count(), arrived.tets.count());
     MeshPart part;
     take_points(arrived.points, owned, rank, part);
     part.of_points = {owned.first(rank + 1) - owned.first(rank), owned.first(rank), numbers.all};
