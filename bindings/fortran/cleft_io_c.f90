@@ -18,7 +18,8 @@ module cleft_io_c
     CLEFT_FORMAT_TETGEN = 8, &
     CLEFT_FORMAT_STL = 9, &
     CLEFT_FORMAT_PLY = 10, &
-    CLEFT_FORMAT_VTKHDF = 11
+    CLEFT_FORMAT_VTKHDF = 11, &
+    CLEFT_FORMAT_PVTU = 12
 
   integer(c_int32_t), parameter :: &
     CLEFT_IO_READS_MESH = 1, &

@@ -49,7 +49,8 @@ enum {
     CLEFT_FORMAT_TETGEN = 8,  /**< TetGen .node, .ele and .face, text */
     CLEFT_FORMAT_STL = 9,     /**< STL of the interface triangles, binary, always single precision */
     CLEFT_FORMAT_PLY = 10,    /**< PLY of the interface triangles, binary, double precision */
-    CLEFT_FORMAT_VTKHDF = 11  /**< VTKHDF, tetrahedra; read only, cleft_mpi_write() writes it */
+    CLEFT_FORMAT_VTKHDF = 11, /**< VTKHDF, tetrahedra; read only, cleft_mpi_write() writes it */
+    CLEFT_FORMAT_PVTU = 12    /**< VTK XML in pieces, .pvtu; read only, cleft_mpi_write() writes it */
 };
 
 /** What the component can do with a format, as bits. \since 0.1 */
@@ -247,7 +248,7 @@ CLEFT_NODISCARD CLEFT_IO_API cleft_status cleft_io_write_mesh(cleft_context* con
                                                               const char* path, cleft_io_format format) CLEFT_NOEXCEPT;
 
 /** Reads a mesh of tetrahedra. The extension of the path gives the format: .vtu, .vtk (text), .mesh (text), .msh (2.2
- *  and 4.1, text and binary), .vtkhdf or .hdf (VTKHDF), .node or .ele.
+ *  and 4.1, text and binary), .vtkhdf or .hdf (VTKHDF), .pvtu with its pieces, .node or .ele.
  *
  *  In VTK formats the labels are the cell array "material", else the first array of whole numbers. If a VTKHDF file has
  *  several partitions, points of different ones with the same coordinates become one. In MEDIT they are

@@ -59,6 +59,8 @@ constexpr MeshFormat kMeshFormats[] = {
         by_one_thread<write_ply>, nullptr, true),
     row(CLEFT_FORMAT_VTKHDF, "vtkhdf", ".vtkhdf .hdf", "VTKHDF, tetrahedra with their material; cleft-mpi writes it",
         nullptr, read_vtkhdf, false),
+    row(CLEFT_FORMAT_PVTU, "pvtu", ".pvtu", "VTK XML in pieces, tetrahedra with their material; cleft-mpi writes it",
+        nullptr, read_pvtu, false),
 };
 
 // A format of volumes has the number 0: it is recognised by its bytes and never chosen by the caller.

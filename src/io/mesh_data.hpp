@@ -27,6 +27,7 @@ inline bool is_label(double value)
 
 // One function a format; all throw Error. Numbers of points are checked.
 MeshData read_vtu(const std::string& path);
+MeshData read_pvtu(const std::string& path);
 MeshData read_vtkhdf(const std::string& path);
 MeshData read_vtk(const std::string& path);
 MeshData read_medit(const std::string& path);

@@ -1,9 +1,12 @@
 // Sorted by their coordinates, equal points lie beside each other.
 #include "io/shared_points.hpp"
 
+#include "base/error.hpp"
+
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <string>
 
 namespace cleft::io
 {
@@ -63,6 +66,29 @@ void join_shared_points(const std::vector<int64_t>& part_points, MeshData& mesh)
     mesh.points.resize(3 * static_cast<size_t>(count));
     for (int32_t& corner : mesh.tets)
         corner = numbers[static_cast<size_t>(corner)];
+}
+
+void join_points_of_numbers(const std::vector<int64_t>& numbers, MeshData& mesh)
+{
+    std::vector<int32_t> order(numbers.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto number = [&](int32_t point) { return numbers[static_cast<size_t>(point)]; };
+    std::sort(order.begin(), order.end(),
+              [&](int32_t a, int32_t b) { return number(a) != number(b) ? number(a) < number(b) : a < b; });
+    std::vector<double> points;
+    std::vector<int32_t> joined(numbers.size());
+    for (size_t i = 0; i < order.size(); ++i) {
+        const double* const at = mesh.points.data() + 3 * static_cast<size_t>(order[i]);
+        if (i == 0 || number(order[i]) != number(order[i - 1]))
+            points.insert(points.end(), at, at + 3);
+        else if (!std::equal(at, at + 3, points.end() - 3))
+            throw Error(CLEFT_ERROR_FORMAT,
+                        "pieces have point " + std::to_string(number(order[i])) + " of the mesh at different places");
+        joined[static_cast<size_t>(order[i])] = static_cast<int32_t>(points.size() / 3 - 1);
+    }
+    mesh.points = std::move(points);
+    for (int32_t& corner : mesh.tets)
+        corner = joined[static_cast<size_t>(corner)];
 }
 
 }  // namespace cleft::io

@@ -13,4 +13,7 @@ namespace cleft::io
 // apart, as its writer meant them to. Parts follow one another and have so many points. Coordinates are finite.
 void join_shared_points(const std::vector<int64_t>& part_points, MeshData& mesh);
 
+// Points of equal numbers become one, and come in the order of these.
+void join_points_of_numbers(const std::vector<int64_t>& numbers, MeshData& mesh);
+
 }  // namespace cleft::io

@@ -87,6 +87,19 @@ def vtu(kind, data):
     )
 
 
+def piece(numbers):
+    """The same with numbers of points in the whole mesh, as a piece of it."""
+    data = '<PointData><DataArray Name="GlobalPointIds" type="Int64" format="ascii">%s</DataArray></PointData>'
+    text = vtu("ascii", lambda array: " ".join(map(str, array.tolist())))
+    return text.replace("<Cells>", data % numbers + "<Cells>") if numbers else text
+
+
+PIECES = (
+    '<?xml version="1.0"?>\n<VTKFile type="PUnstructuredGrid" version="1.0"><PUnstructuredGrid GhostLevel="0">'
+    '<Piece Source="given0.vtu"/><Piece Source="given1.vtu"/></PUnstructuredGrid></VTKFile>\n'
+)
+
+
 def base64_blocks(array):
     import base64
 
@@ -138,6 +151,8 @@ def make_meshes():
         put("mesh_vtu", "appended", converted("a.vtu").read_bytes())
         put("mesh_vtu", "text", vtu("ascii", lambda array: " ".join(map(str, array.tolist()))))
         put("mesh_vtu", "base64", vtu("binary", base64_blocks))
+        put("mesh_pvtu", "numbers", PIECES, piece("0 1 2 3 4"), piece("5 6 7 8 9"))
+        put("mesh_pvtu", "places", PIECES, piece(""), piece(""))
         put("mesh_vtkhdf", "tables", vtkhdf("earliest"))
         put("mesh_vtkhdf", "links", vtkhdf(("v108", "v108")))
         put("mesh_vtkhdf", "packed", vtkhdf("earliest", chunks=True, compression="gzip", shuffle=True))

@@ -198,7 +198,7 @@ static void test_table_of_formats(void** state)
         assert_int_equal(row.struct_size, sizeof row);
         meshes += row.format != 0;
     }
-    assert_int_equal(meshes, CLEFT_FORMAT_VTKHDF);
+    assert_int_equal(meshes, CLEFT_FORMAT_PVTU);
     assert_int_equal(cleft_io_format_info(-1, &row), CLEFT_ERROR_ARGUMENT);
     assert_int_equal(cleft_io_format_info(cleft_io_format_count(), &row), CLEFT_ERROR_ARGUMENT);
     assert_int_equal(cleft_io_format_info(0, NULL), CLEFT_ERROR_NULL);

@@ -228,7 +228,7 @@ namespace Cleft
                 CleftIoNative.cleft_io_write_sizing(context, of, name, (int)Arguments.Defined(world, nameof(world))));
         }
 
-        /// <summary>Reads a mesh of tetrahedra: .vtu, .vtk, .vtkhdf, .mesh, .msh, .node with .ele.</summary>
+        /// <summary>Reads a mesh of tetrahedra: .vtu, .pvtu, .vtk, .vtkhdf, .mesh, .msh, .node with .ele.</summary>
         public static Mesh ReadMesh(Mesher mesher, string path)
         {
             Arguments.NotNull(mesher, nameof(mesher));

@@ -250,7 +250,7 @@ def write_sizing(sizing: Sizing, path: Path, *, world: str = "LPS", mesher: Mesh
 
 
 def read_mesh(path: Path, *, mesher: Mesher | None = None) -> Mesh:
-    """Reads a mesh of tetrahedra: .vtu, .vtk, .vtkhdf, .mesh, .msh, .node with .ele."""
+    """Reads a mesh of tetrahedra: .vtu, .pvtu, .vtk, .vtkhdf, .mesh, .msh, .node with .ele."""
     from .meshes import Mesh
 
     with reading(path):

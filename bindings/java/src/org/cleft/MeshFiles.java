@@ -339,7 +339,7 @@ public final class MeshFiles {
     }
 
     /**
-     * Reads a mesh of tetrahedra: .vtu, .vtk, .vtkhdf, .mesh, .msh, .node with .ele.
+     * Reads a mesh of tetrahedra: .vtu, .pvtu, .vtk, .vtkhdf, .mesh, .msh, .node with .ele.
      *
      * @param mesher who reads
      * @param path the file
