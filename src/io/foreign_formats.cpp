@@ -30,7 +30,11 @@ constexpr const char* kByParaview = "in ParaView, save its data as .vtk (legacy)
 constexpr const char* kByFiji = "in Fiji (Bio-Formats), save the label image as .tif";
 constexpr const char* kByPng = "save its slices as .png or .tif";
 constexpr const char* kByCheck = "'cleft check FILE' reads it";
+constexpr const char* kByMpi = "have cleft-mpi write .vtkhdf or .pvtu as well, which 'cleft' reads";
 constexpr const char* kByUnzip = "decompress it first";
+
+constexpr std::string_view kMfemMark = "MFEM mesh";
+constexpr const char* kMfem = "a mesh of MFEM";
 
 // The first row that fits is taken, so a row with a mark and an extension stands before one with
 // the mark alone. Several formats share the marks of HDF5 (format signature), ZIP and NetCDF.
@@ -73,6 +77,7 @@ constexpr Foreign kForeignFormats[] = {
     {"# === DATA DESCRIPTION FILE"sv, "", "a volume in PAR/REC format", "'parrec2nii FILE' (of nibabel) converts it"},
     {"$MeshFormat"sv, "", "a mesh of Gmsh and no volume", kByCheck},
     {"MeshVersionFormatted"sv, "", "a mesh of MEDIT and no volume", kByCheck},
+    {kMfemMark, "", kMfem, kByMpi},
     {"solid"sv, ".stl ", "a surface and no volume", "make a label map of it first"},
     {"ply"sv, ".ply ", "a surface and no volume", "make a label map of it first"},
     {"version https://git-lfs"sv, "", "a pointer of Git LFS and not the file itself",
@@ -162,6 +167,18 @@ Image refuse_foreign_format(const std::string& path, const FileHead& head)
         if (kind == image)
             refuse_foreign(path, "VTK XML (" + kind + ")", kByParaview);
     throw Error(CLEFT_ERROR_UNSUPPORTED, "it is VTK XML of kind '" + kind + "', not a volume");
+}
+
+void refuse_foreign_mesh(const std::string& path)
+{
+    FileHead head;
+    try {
+        head = read_head(path);
+    } catch (const Error&) {  // the caller says more of a file that is not there
+        return;
+    }
+    if (head.begins_with(kMfemMark))
+        refuse_foreign(path, kMfem, kByMpi);
 }
 
 }  // namespace cleft::io

@@ -43,5 +43,7 @@ Image read_bmp(const std::string& path, const FileHead& head);
 bool has_foreign_mark(const FileHead& head);  // known by the first bytes
 bool is_foreign_format(const FileHead& head);
 Image refuse_foreign_format(const std::string& path, const FileHead& head);
+// Throws for a mesh of MFEM, whose parts have no extension that would be known. Errors do not name the file.
+void refuse_foreign_mesh(const std::string& path);
 
 }  // namespace cleft::io

@@ -4,6 +4,7 @@
 #include "io/byte_source.hpp"
 #include "io/entry.hpp"
 #include "io/formats.hpp"
+#include "io/image_readers.hpp"
 #include "io/path_kind.hpp"
 #include "io/text_scanner.hpp"
 
@@ -29,6 +30,8 @@ const MeshFormat& resolve(const std::string& path, cleft_io_format format, int32
     const MeshFormat* row = by_name ? format_of_path(path, direction) : find_format(format);
     if (row && (row->about.directions & direction))
         return *row;
+    if (direction == CLEFT_IO_READS_MESH)
+        naming_file(path, [&] { refuse_foreign_mesh(path); });
     throw Error(CLEFT_ERROR_ARGUMENT,
                 by_name ? "'" + path + "': its extension is none of " + extensions_with(direction)
                         : "there is no format " + std::to_string(format) + " in which meshes are written");

@@ -160,12 +160,20 @@ std::vector<CellArray> read_cell_arrays(const Hdf5Group& cell_data, uint64_t cel
     return arrays;
 }
 
+// What the user can do with another kind.
+std::string way_of_kind(const std::string& kind)
+{
+    return kind == "ImageData"  ? "in ParaView, save its data as .vtk (legacy), which is meshed as a volume"
+           : kind == "PolyData" ? "it is a surface: make a label map of it, and mesh that"
+                                : "in ParaView, save the tetrahedra in it as .vtu";
+}
+
 void check_kind(const Hdf5File& file, uint64_t grid)
 {
     const std::string kind = hdf5_text_attribute(file, grid, "Type");
     if (kind != "UnstructuredGrid")
-        throw Error(CLEFT_ERROR_UNSUPPORTED,
-                    "only an UnstructuredGrid is a mesh of tetrahedra, and this is '" + kind + "'");
+        throw Error(CLEFT_ERROR_UNSUPPORTED, "only an UnstructuredGrid is a mesh of tetrahedra, and this is '" + kind +
+                                                 "': " + way_of_kind(kind));
     const std::vector<int64_t> version = hdf5_integer_attribute(file, grid, "Version");
     if (version.empty() || version[0] < 1 || version[0] > 2)
         throw Error(CLEFT_ERROR_UNSUPPORTED, "it is VTKHDF of version " +

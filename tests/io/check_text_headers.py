@@ -338,6 +338,7 @@ def test_foreign_formats():
         ("v.npy", b"\x93NUMPY\1\0", "--dims"),
         ("v.npz", b"PK\3\4", "NumPy"),
         ("v.vtkhdf", b"\x89HDF\r\n\x1a\n", "'cleft check v.vtkhdf' reads it"),
+        ("v.mfem.000000", b"MFEM mesh v1.2\n", "have cleft-mpi write .vtkhdf or .pvtu"),
         ("v.h5", b"\x89HDF\r\n\x1a\n", "h5py"),
         ("v.mnc", b"\x89HDF\r\n\x1a\n", "MINC"),
         ("v.mnc", b"CDF\1", "MINC"),

@@ -219,7 +219,13 @@ def check_refused(sample):
     good = grid_of([(POINTS, TETS)], {"material": np.array([3, 7])})
     changed = lambda name, values: {**good, name: np.array(values)}
     for grid, options, sentence in (
-        (good, {"kind": np.bytes_("ImageData")}, "only an UnstructuredGrid is a mesh of tetrahedra, and this is"),
+        (
+            good,
+            {"kind": np.bytes_("ImageData")},
+            "and this is 'ImageData': in ParaView, save its data as .vtk (legacy)",
+        ),
+        (good, {"kind": np.bytes_("PolyData")}, "and this is 'PolyData': it is a surface: make a label map of it"),
+        (good, {"kind": np.bytes_("MultiBlock")}, "'MultiBlock': in ParaView, save the tetrahedra in it as .vtu"),
         (good, {"kind": None}, "the attribute 'Type' is missing"),
         (good, {"kind": "UnstructuredGrid"}, "the attribute 'Type' is no text of fixed length"),
         (good, {"version": (3, 0)}, "it is VTKHDF of version 3, and only 1 and 2 can be read"),

@@ -87,6 +87,23 @@ class Command(unittest.TestCase):
             (self.folder / name).unlink()
         self.assertEqual(self.names(), {"a.raw", "1.vtkhdf", "2.vtkhdf", "5.vtkhdf"})
 
+    def cleft(self, *words):
+        done = subprocess.run([CLEFT, *words, "--quiet"], cwd=self.folder, capture_output=True, text=True)
+        return done.returncode, done.stderr
+
+    def test_cleft_reads_pieces(self):
+        given = self.write_layers()
+        self.assertEqual(self.cleft(*given.split(), "-o", "one.vtu"), (0, ""))
+        for ranks, ghosts in ((1, ""), (2, "--ghosts"), (5, "")):
+            self.assertEqual(self.run_ranks(ranks, f"$C {given} {ghosts} -o a.pvtu -o a.mfem")[::2], (0, []))
+            self.assertEqual(self.cleft("convert", "a.pvtu", "a.vtu"), (0, ""))
+            self.assertEqual(*((self.folder / name).read_bytes() for name in ("one.vtu", "a.vtu")))
+        for command in ("info", "check"):
+            self.assertEqual(self.cleft(command, "a.pvtu"), (0, ""))
+            code, said = self.cleft(command, "a.mfem.000000")
+            self.assertEqual(code, 3)
+            self.assertIn("it is a mesh of MFEM, which cannot be read: have cleft-mpi write .vtkhdf or .pvtu", said)
+
     def write_layers(self):
         """A small volume of three labels, and the options that cut it into five blocks."""
         (self.folder / "a.raw").write_bytes(bytes(1 + (i % 8 > 3) + (i // 640 % 3) for i in range(8 * 8 * 30)))
