@@ -113,6 +113,29 @@ typedef struct cleft_part_counts {
 
 /** Gets the counts of a part. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_part_count(const cleft_part* part, cleft_part_counts* out) CLEFT_NOEXCEPT;
+/** Measures the whole mesh: all ranks get what cleft_mesh_quality() says of it. All ranks call it, with their parts of
+ *  one mesh. Each tetrahedron counts in the part that owns it. Percentiles are exact. `mean_edge` and `total_volume`
+ * are sums, which depend on the number of ranks in their last digits; the rest does not.
+ *
+ *  Errors: CLEFT_ERROR_ARGUMENT if the part is of another rank or of another number of ranks, or if the parts are not
+ *  those of one mesh. Then nothing is written to `out` on any rank. \since 0.1 */
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_part_quality(cleft_context* context, const cleft_part* part,
+                                                          const cleft_exchange* exchange,
+                                                          cleft_quality* out) CLEFT_NOEXCEPT;
+
+/** Returns the number of labels of the volume, the same on all ranks; 0 for NULL. \since 0.1 */
+CLEFT_API int64_t cleft_part_label_count(const cleft_part* part) CLEFT_NOEXCEPT;
+/** Gets what became of a label in the whole mesh, the same on all ranks. It needs no other rank. `index` counts from 0,
+ *  in the order of cleft_volume_labels(). The numbers are those of cleft_report_label(), but:
+ *
+ *  - Nobody counts pieces across ranks. The six counts of components are -1, and so is `reserved`.
+ *  - A label that the options leave out has no tetrahedra, and is not lost.
+ *  - `mesh_volume` is a sum, which depends on the number of ranks in its last digits.
+ *
+ *  Errors: CLEFT_ERROR_ARGUMENT if there is no such label. \since 0.1 */
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_part_label(const cleft_part* part, int64_t index,
+                                                        cleft_label_report* out) CLEFT_NOEXCEPT;
+
 /** Returns the points: 3 * points world coordinates. Borrowed. \since 0.1 */
 CLEFT_API const double* cleft_part_points(const cleft_part* part) CLEFT_NOEXCEPT;
 /** Returns the number of each point in the whole mesh, ascending among a part's own and among the others. Borrowed.

@@ -16,6 +16,7 @@
 #include "mesh/tet_mesh.hpp"
 #include "mesh/user_label.hpp"
 #include "parts/mesh_part.hpp"
+#include "parts/part_labels.hpp"
 #include "pipeline/label_report.hpp"
 #include "pipeline/scaled_sizing.hpp"
 #include "volume/frame.hpp"
@@ -139,4 +140,5 @@ struct cleft_part : cleft::capi::Handle<cleft::capi::Mark::part> {
     cleft::Array<cleft::Triangle> triangles;
     cleft::Array<std::array<int32_t, 2>> triangle_labels;
     cleft::Array<int32_t> triangle_sides;
+    cleft::Array<cleft::PartLabel> labels;  // of the whole mesh, in the world, in the order in which users see them
 };

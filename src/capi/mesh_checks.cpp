@@ -1,7 +1,7 @@
 // Quality, validation and surfaces of a mesh.
-#include "base/struct_size.hpp"
 #include "capi/firewall.hpp"
 #include "capi/mesh_frame.hpp"
+#include "capi/report_rows.hpp"
 #include "checking/metric_quality.hpp"
 #include "checking/validate.hpp"
 #include "mesh/bounding_box.hpp"
@@ -13,8 +13,6 @@ using namespace cleft::capi;
 using cleft::Error;
 using cleft::Run;
 
-template <>
-inline constexpr size_t cleft::kFirstSize<cleft_quality> = CLEFT_END_OF(cleft_quality, dihedral_histogram);
 template <>
 inline constexpr size_t cleft::kFirstSize<cleft_metric_quality> = CLEFT_END_OF(cleft_metric_quality,
                                                                                dihedral_histogram);
@@ -79,26 +77,7 @@ cleft_status cleft_mesh_quality(cleft_context* context, const cleft_mesh* mesh, 
         cleft::check_struct_size(*required(out, "out"), "cleft_quality");
         const cleft::Quality q = cleft::measure_quality(m.points, m.tets, run);
         run.report(1);
-        cleft_quality row{};
-        row.tet_count = q.tets;
-        row.min_dihedral = q.min_dihedral;
-        row.max_dihedral = q.max_dihedral;
-        row.tets_below_5 = q.below_5;
-        row.tets_below_10 = q.below_10;
-        row.tets_below_15 = q.below_15;
-        row.tets_below_20 = q.below_20;
-        row.tets_above_165 = q.above_165;
-        row.radius_ratio_median = q.radius_ratio_median;
-        row.radius_ratio_95 = q.radius_ratio_95;
-        row.radius_ratio_max = q.radius_ratio_max;
-        row.edge_ratio_max = q.edge_ratio_max;
-        row.min_edge = q.min_edge;
-        row.mean_edge = q.mean_edge;
-        row.max_edge = q.max_edge;
-        row.min_volume = q.min_volume;
-        row.total_volume = q.total_volume;
-        std::copy(q.dihedral_histogram.begin(), q.dihedral_histogram.end(), row.dihedral_histogram);
-        cleft::copy_out(row, *out);
+        cleft::copy_out(row_of(q), *out);
     });
 }
 

@@ -2,13 +2,15 @@
 #include "cleft/cleft_parts.h"
 
 #include "base/stage.hpp"
-#include "base/struct_size.hpp"
 #include "capi/firewall.hpp"
 #include "capi/kept_labels.hpp"
 #include "capi/mesh_frame.hpp"
 #include "capi/options.hpp"
+#include "capi/report_rows.hpp"
 #include "capi/voxel_type.hpp"
 #include "parts/mesh_part.hpp"
+#include "parts/part_quality.hpp"
+#include "parts/part_ranks.hpp"
 #include "parts/rank_mesh.hpp"
 #include "parts/repeated_places.hpp"
 #include "parts/voxel_source.hpp"
@@ -93,9 +95,15 @@ void require_alike(uint64_t own, Exchange& exchange)
             throw Error(CLEFT_ERROR_ARGUMENT, "the ranks do not give the same volume, options and ghosts");
 }
 
-// The mesh of the whole volume, with labels in the place of materials.
-LabelledMesh whole_mesh(const cleft::Frame& frame, const cleft::VoxelSource& source, const cleft_options* options,
-                        const Run& run)
+// What a rank makes of the mesh, with labels in the place of materials, and what the whole volume has.
+struct Piece {
+    LabelledMesh mesh;
+    cleft::LabelCounts labels;
+};
+
+// The mesh of the whole volume.
+Piece whole_mesh(const cleft::Frame& frame, const cleft::VoxelSource& source, const cleft_options* options,
+                 const Run& run)
 {
     const Array<unsigned char> voxels = read_window(source, {{0, 0, 0}, frame.grid.dims});
     const int kernel = static_cast<int>(option_value(options, CLEFT_OPTION_SMOOTH));
@@ -107,16 +115,16 @@ LabelledMesh whole_mesh(const cleft::Frame& frame, const cleft::VoxelSource& sou
     LabelledMesh mesh = cleft::mesh_from_volume(volume.volume, p, run);
     for (cleft::Material& m : mesh.material)
         m = number_of(volume.volume.labels()[m]);
-    return mesh;
+    return {std::move(mesh), volume.volume.label_counts()};
 }
 
-// The blocks of this rank, with labels in the place of materials.
-LabelledMesh mesh_of_own_blocks(const cleft::SharedVoxels& voxels, const cleft_options* options, Exchange& exchange,
-                                const Run& run)
+// The blocks of this rank.
+Piece mesh_of_own_blocks(const cleft::SharedVoxels& voxels, const cleft_options* options, Exchange& exchange,
+                         const Run& run)
 {
     const auto block = static_cast<int32_t>(option_value(options, CLEFT_OPTION_BLOCK));
     const int kernel = static_cast<int>(option_value(options, CLEFT_OPTION_SMOOTH));
-    const cleft::LabelCounts labels = labels_of_all(voxels, block, exchange, run);
+    cleft::LabelCounts labels = labels_of_all(voxels, block, exchange, run);
     const cleft::PipelineOptions p = pipeline_options(options, voxels.grid, labels.labels);
     if (exchange.rank() == 0) {
         warn_of_unknown_labels(labels.labels, options, "volume", run);
@@ -125,12 +133,12 @@ LabelledMesh mesh_of_own_blocks(const cleft::SharedVoxels& voxels, const cleft_o
     LabelledMesh mesh = mesh_of_rank(voxels, labels, kernel, p, exchange, run);
     for (cleft::Material& m : mesh.material)
         m = number_of(labels.labels[m]);
-    return mesh;
+    return {std::move(mesh), std::move(labels)};
 }
 
 // What a rank makes of the mesh, before it is shared out.
-LabelledMesh piece_of_rank(const cleft::SharedVoxels& voxels, const cleft::Frame& frame, const cleft_options* options,
-                           Exchange& exchange, const Run& run)
+Piece piece_of_rank(const cleft::SharedVoxels& voxels, const cleft::Frame& frame, const cleft_options* options,
+                    Exchange& exchange, const Run& run)
 {
     const cleft::PipelineOptions p = pipeline_options(options);
     const std::string reason = needs_whole_mesh(p, voxels.grid);
@@ -141,11 +149,26 @@ LabelledMesh piece_of_rank(const cleft::SharedVoxels& voxels, const cleft::Frame
             CLEFT_ERROR_TOO_LARGE,
             "the volume has more than 2147483647 voxels, too many to mesh in one piece, which is needed since " +
                 reason);
-    if (exchange.rank() > 0)
-        return {};
-    if (exchange.ranks() > 1)
-        run.warn("the first rank makes the whole mesh alone, since " + reason);
-    return whole_mesh(frame, voxels.source, options, run);
+    Piece piece;
+    if (exchange.rank() == 0) {
+        if (exchange.ranks() > 1)
+            run.warn("the first rank makes the whole mesh alone, since " + reason);
+        piece = whole_mesh(frame, voxels.source, options, run);
+    }
+    piece.labels = {exchange.all_gather(piece.labels.labels), exchange.all_gather(piece.labels.voxels)};
+    return piece;
+}
+
+// What each label has in the mesh and in the volume, in the world.
+Array<cleft::PartLabel> labels_in_world(const cleft::LabelCounts& labels, const cleft::Frame& frame,
+                                        const cleft_options* options, const cleft::MeshPart& part, Exchange& exchange)
+{
+    auto rows = part_labels(labels, kept_labels(labels.labels, options, "volume"), frame.grid, part, exchange);
+    for (cleft::PartLabel& row : rows) {
+        row.voxel_volume = frame.volume(row.voxel_volume);
+        row.mesh_volume = frame.volume(row.mesh_volume);
+    }
+    return rows;
 }
 
 // What to_user() does for a whole mesh.
@@ -160,7 +183,7 @@ void to_user(const cleft::Frame& frame, cleft::MeshPart& part, Exchange& exchang
             std::swap(t.corners[1], t.corners[2]);
 }
 
-cleft_part made_part(cleft::MeshPart&& part, const Exchange& exchange)
+cleft_part made_part(cleft::MeshPart&& part, Array<cleft::PartLabel>&& labels, const Exchange& exchange)
 {
     cleft_part out;
     out.counts = {sizeof out.counts,       exchange.rank(),      exchange.ranks(),   part.points.count(),
@@ -174,6 +197,7 @@ cleft_part made_part(cleft::MeshPart&& part, const Exchange& exchange)
     }
     part.triangles = Array<cleft::PartTriangle>();
     out.part = std::move(part);
+    out.labels = std::move(labels);
     return out;
 }
 
@@ -187,11 +211,12 @@ cleft_part part_of(const cleft_voxels* given, const cleft_options* options, bool
     const cleft::VoxelSource source = source_of(voxels);
     cleft::Steps steps(run, {{"mesh", 9}, {nullptr, 1}});
     const Run of_mesh = steps.next();
-    LabelledMesh piece = piece_of_rank({frame.grid, source}, frame, options, exchange, of_mesh);
+    Piece piece = piece_of_rank({frame.grid, source}, frame, options, exchange, of_mesh);
     const cleft::BoundingBox box{cleft::Vec3::Zero(), frame.grid.extent()};
-    cleft::MeshPart part = share_mesh(std::move(piece), box, ghosts, exchange, steps.next());
+    cleft::MeshPart part = share_mesh(std::move(piece.mesh), box, ghosts, exchange, steps.next());
+    auto labels = labels_in_world(piece.labels, frame, options, part, exchange);
     to_user(frame, part, exchange, run);
-    return made_part(std::move(part), exchange);
+    return made_part(std::move(part), std::move(labels), exchange);
 }
 
 template <class T, class Get>
@@ -228,6 +253,36 @@ cleft_status cleft_part_count(const cleft_part* part, cleft_part_counts* out) no
     return guarded(nullptr, [&] {
         cleft::check_struct_size(*required(out, "out"), "cleft_part_counts");
         cleft::copy_out(checked(part, "part").counts, *out);
+    });
+}
+
+cleft_status cleft_part_quality(cleft_context* context, const cleft_part* part, const cleft_exchange* exchange,
+                                cleft_quality* out) noexcept
+{
+    return guarded_run(context, "quality", [&](const Run& run) {
+        const cleft_exchange of_ranks = cleft::copy_in(*required(exchange, "exchange"), "cleft_exchange");
+        Exchange messages(messenger(of_ranks));
+        cleft::Quality quality;
+        messages.together([&] {
+            const auto from = held(part, "part");
+            check_ranks_of_part(from->counts.rank, from->counts.ranks, messages);
+            cleft::check_struct_size(*required(out, "out"), "cleft_quality");
+            quality = part_quality(from->part, messages, run);
+            run.report(1);
+        });
+        cleft::copy_out(row_of(quality), *out);
+    });
+}
+
+int64_t cleft_part_label_count(const cleft_part* part) noexcept { return is_sound(part) ? part->labels.count() : 0; }
+
+cleft_status cleft_part_label(const cleft_part* part, int64_t index, cleft_label_report* out) noexcept
+{
+    return guarded(nullptr, [&] {
+        cleft::check_struct_size(*required(out, "out"), "cleft_label_report");
+        if (index < 0 || index >= checked(part, "part").labels.count())
+            throw Error(CLEFT_ERROR_ARGUMENT, "there is no such label");
+        cleft::copy_out(row_of(part->labels[index]), *out);
     });
 }
 

@@ -1,10 +1,9 @@
 // The report on a mesh: what became of each label, contacts, and distances of interfaces.
 #include "base/stage.hpp"
-#include "base/struct_size.hpp"
 #include "capi/firewall.hpp"
 #include "capi/mesh_frame.hpp"
+#include "capi/report_rows.hpp"
 #include "checking/surface_distances.hpp"
-#include "pipeline/label_report.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -14,8 +13,6 @@ using cleft::Error;
 using cleft::LabelledMesh;
 using cleft::Run;
 
-template <>
-inline constexpr size_t cleft::kFirstSize<cleft_label_report> = CLEFT_END_OF(cleft_label_report, reserved);
 template <>
 inline constexpr size_t cleft::kFirstSize<cleft_contact> = CLEFT_END_OF(cleft_contact, triangles);
 template <>
@@ -98,24 +95,7 @@ cleft_status cleft_report_label(const cleft_report* report, int64_t index, cleft
         cleft::check_struct_size(*required(out, "out"), "cleft_label_report");
         if (index < 0 || index >= static_cast<int64_t>(checked(report, "report").report.rows.size()))
             throw Error(CLEFT_ERROR_ARGUMENT, "there is no such row");
-        const cleft::LabelRow& from = row_at(*report, index);
-        cleft_label_report row{};
-        row.label = number_of(from.label);
-        row.voxels = from.voxels;
-        row.voxel_volume = from.voxel_volume;
-        row.mesh_volume = from.mesh_volume;
-        row.tets = from.tets;
-        row.voxel_components = from.voxel_components;
-        row.mesh_components = from.mesh_components;
-        row.large_components = from.large_components;
-        row.large_components_lost = from.large_components_lost;
-        // A function may win at no voxel centre. Its material had nothing to lose.
-        row.lost = from.voxels > 0 && row.tets == 0;
-        // Programs built before the 64-bit field existed read the number here.
-        row.reserved = static_cast<int32_t>(std::min<int64_t>(from.large_components_broken, INT32_MAX));
-        row.large_components_broken = from.large_components_broken;
-        row.large_components_joined = from.large_components_joined;
-        cleft::copy_out(row, *out);
+        cleft::copy_out(row_of(row_at(*report, index)), *out);
     });
 }
 

@@ -7,6 +7,7 @@
 #include "mesh/materials.hpp"
 #include "mesh/strip.hpp"
 #include "parts/held_planes.hpp"
+#include "parts/rank_sums.hpp"
 #include "pipeline/block_seams.hpp"
 #include "pipeline/block_sizes.hpp"
 #include "pipeline/finish.hpp"
@@ -103,21 +104,6 @@ BackgroundOfBlock lattice_of(const BlockField& sizes, const BlockLayout& layout,
         const TetMesh slab = lattice_slab(layout.grid, size, layout.start(block), layout.start(block + 1), of_block);
         return part_in_block(slab, layout, block);
     };
-}
-
-Array<double> sums_of_ranks(const Array<double>& own, Exchange& exchange)
-{
-    const Array<double> all = exchange.all_gather(own);
-    Array<double> sums(own.size(), 0.0);
-    for (size_t i = 0; i < all.size(); ++i)
-        sums[i % own.size()] += all[i];
-    return sums;
-}
-
-int64_t sum_of_ranks(int64_t own, Exchange& exchange)
-{
-    const Array<int64_t> all = exchange.all_gather(own);
-    return std::accumulate(all.begin(), all.end(), int64_t{0});
 }
 
 void finish(LabelledMesh& mesh, const SharedVoxels& voxels, const LabelCounts& labels, const PipelineOptions& options,
