@@ -48,6 +48,11 @@ CLEFT_NODISCARD CLEFT_MPI_API cleft_status cleft_mpi_mesh(cleft_context* context
                                                           const cleft_voxels* voxels, const cleft_options* options,
                                                           int32_t ghosts, cleft_part** out) CLEFT_NOEXCEPT;
 
+/** Measures the mesh of which each rank of `comm` has a part: cleft_part_quality() over this communicator. All ranks
+ *  call it, and all get the same. \since 0.1 */
+CLEFT_NODISCARD CLEFT_MPI_API cleft_status cleft_mpi_quality(cleft_context* context, MPI_Comm comm,
+                                                             const cleft_part* part, cleft_quality* out) CLEFT_NOEXCEPT;
+
 /** Writes the mesh of which each rank of `comm` has a part. All ranks call it, and all see the same folders. The
  *  extension of `path` says what is written:
  *

@@ -88,6 +88,14 @@ std::string labels_table(const MeshFindings& mesh)
     return table;
 }
 
+std::string angles_line(const cleft_quality& q)
+{
+    return summary_line(
+        "Angles", decimals(q.min_dihedral, 2) + " to " + decimals(q.max_dihedral, 2) +
+                      " degrees between faces; tetrahedra below 5, 10, 15, 20: " + grouped(q.tets_below_5) + ", " +
+                      grouped(q.tets_below_10) + ", " + grouped(q.tets_below_15) + ", " + grouped(q.tets_below_20));
+}
+
 std::string mesh_lines(const MeshFindings& mesh)
 {
     const cleft_quality& q = mesh.quality;
@@ -100,10 +108,7 @@ std::string mesh_lines(const MeshFindings& mesh)
     if (mesh.tets == 0)
         return text;
     text += summary_line("Box", box_text(mesh.low, mesh.high));
-    text += summary_line(
-        "Angles", decimals(q.min_dihedral, 2) + " to " + decimals(q.max_dihedral, 2) +
-                      " degrees between faces; tetrahedra below 5, 10, 15, 20: " + grouped(q.tets_below_5) + ", " +
-                      grouped(q.tets_below_10) + ", " + grouped(q.tets_below_15) + ", " + grouped(q.tets_below_20));
+    text += angles_line(q);
     text += summary_line("Shapes", "radius ratio " + decimals(q.radius_ratio_median, 2) + " (median), " +
                                        decimals(q.radius_ratio_95, 2) + " (95 %), " + decimals(q.radius_ratio_max, 2) +
                                        " (greatest); 1 is the regular tetrahedron");

@@ -18,6 +18,8 @@ std::string labels_table(const VolumeFindings& volume);
 // A row a label: tetrahedra, volume, and share of the volume of the mesh.
 std::string labels_table(const MeshFindings& mesh);
 
+// The extreme angles, and how many tetrahedra have small ones.
+std::string angles_line(const cleft_quality& quality);
 // Counts, angles and shapes: some lines.
 std::string mesh_lines(const MeshFindings& mesh);
 // A bar for each bin of 5 degrees that has an angle.

@@ -6,6 +6,7 @@
 #include "io/file_name.hpp"
 #include "mpi/mpi_exchange.hpp"
 #include "mpi/part_writers.hpp"
+#include "parts/part_ranks.hpp"
 
 #include <memory>
 
@@ -49,11 +50,7 @@ PartView view_of(const cleft_part* part, const Exchange& exchange, cleft_context
     PartView view{};
     view.counts.struct_size = sizeof view.counts;
     io::check(context, cleft_part_count(part, &view.counts), "the part: ");
-    if (view.counts.rank != exchange.rank() || view.counts.ranks != exchange.ranks())
-        throw Error(CLEFT_ERROR_ARGUMENT, "the part is that of rank " + std::to_string(view.counts.rank) + " of " +
-                                              std::to_string(view.counts.ranks) + ", and is given by rank " +
-                                              std::to_string(exchange.rank()) + " of " +
-                                              std::to_string(exchange.ranks()));
+    check_ranks_of_part(view.counts.rank, view.counts.ranks, exchange);
     view.points = cleft_part_points(part);
     view.numbers = cleft_part_point_numbers(part);
     view.owners = cleft_part_point_owners(part);
@@ -141,6 +138,16 @@ cleft_status cleft_mpi_mesh(cleft_context* context, MPI_Comm comm, const cleft_v
         cleft_part* part = nullptr;
         cleft::io::check(context, cleft_part_create(context, voxels, options, &exchange, ghosts, &part));
         *out = part;
+    });
+}
+
+cleft_status cleft_mpi_quality(cleft_context* context, MPI_Comm comm, const cleft_part* part,
+                               cleft_quality* out) noexcept
+{
+    return cleft::io::entry(context, {part}, [&] {
+        MpiExchange mpi(comm);
+        const cleft_exchange exchange = cleft::mpi::described(mpi);
+        cleft::io::check(context, cleft_part_quality(context, part, &exchange, out));
     });
 }
 

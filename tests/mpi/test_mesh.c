@@ -7,6 +7,7 @@
 
 #include <dirent.h>
 #include <hdf5.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -84,6 +85,22 @@ static void assert_part_of(const cleft_part* part, const cleft_mesh* whole)
     }
 }
 
+/* All ranks hear of the whole mesh. */
+static void assert_quality_of(cleft_context* context, const cleft_part* part, const cleft_mesh* whole)
+{
+    cleft_quality found, expected;
+    memset(&found, 0, sizeof found);
+    memset(&expected, 0, sizeof expected);
+    found.struct_size = expected.struct_size = sizeof found;
+    assert_ok(context, cleft_mpi_quality(context, MPI_COMM_WORLD, part, &found));
+    assert_ok(context, cleft_mesh_quality(context, whole, &expected));
+    assert_true(fabs(found.mean_edge - expected.mean_edge) <= 1e-12 * expected.mean_edge);
+    assert_true(fabs(found.total_volume - expected.total_volume) <= 1e-12 * expected.total_volume);
+    found.mean_edge = expected.mean_edge;
+    found.total_volume = expected.total_volume;
+    assert_memory_equal(&found, &expected, sizeof found);
+}
+
 static char* path_of(const char* name)
 {
     static char path[4096];
@@ -110,6 +127,7 @@ static void parts_are_the_whole(void** state)
         cleft_part* part = NULL;
         assert_ok(context, cleft_mpi_mesh(context, MPI_COMM_WORLD, &voxels, NULL, ghosts, &part));
         assert_part_of(part, whole);
+        assert_quality_of(context, part, whole);
         assert_ok(context, cleft_mpi_write(context, MPI_COMM_WORLD, part, own_path(ghosts ? "g.vtkhdf" : ".vtkhdf")));
         assert_ok(context, cleft_mpi_write(context, MPI_COMM_WORLD, part, own_path(ghosts ? "g.pvtu" : ".pvtu")));
         assert_ok(context, cleft_mpi_write(context, MPI_COMM_WORLD, part, own_path(ghosts ? "g.mfem" : ".mfem")));
@@ -134,6 +152,7 @@ static void some_ranks_have_nothing(void** state)
     (void)state;
     assert_ok(context, cleft_mpi_mesh(context, MPI_COMM_WORLD, &voxels, NULL, 0, &part));
     assert_part_of(part, whole);
+    assert_quality_of(context, part, whole);
     assert_ok(context, cleft_mpi_write(context, MPI_COMM_WORLD, part, own_path("one.hdf")));
     assert_ok(context, cleft_mpi_write(context, MPI_COMM_WORLD, part, own_path("one.pvtu")));
     assert_ok(context, cleft_mpi_write(context, MPI_COMM_WORLD, part, own_path("one.mfem")));
@@ -160,6 +179,7 @@ static void failures_are_those_of_all(void** state)
     assert_int_equal(cleft_mpi_write(context, MPI_COMM_WORLD, rank == ranks - 1 ? NULL : part, own_path("no.vtkhdf")),
                      CLEFT_ERROR_NULL);
     assert_int_not_equal(access(own_path("no.vtkhdf"), F_OK), 0);
+    assert_int_equal(cleft_mpi_quality(context, MPI_COMM_WORLD, part, NULL), CLEFT_ERROR_NULL);
     assert_int_equal(cleft_mpi_write(context, MPI_COMM_NULL, part, own_path("no.vtkhdf")), CLEFT_ERROR_ARGUMENT);
     cleft_part_destroy(part);
     cleft_context_destroy(context);
@@ -171,10 +191,14 @@ static void a_part_belongs_to_its_ranks(void** state)
     labels user = {4, 0};
     const cleft_voxels voxels = voxels_of(&user);
     cleft_part* part = NULL;
+    cleft_quality quality;
     (void)state;
     assert_ok(context, cleft_mpi_mesh(context, MPI_COMM_SELF, &voxels, NULL, 0, &part));
     assert_int_equal(counts_of(part).ranks, 1);
+    quality.struct_size = sizeof quality;
     if (ranks > 1) {
+        assert_int_equal(cleft_mpi_quality(context, MPI_COMM_WORLD, part, &quality), CLEFT_ERROR_ARGUMENT);
+        assert_non_null(strstr(cleft_context_last_error(context), "rank 0: the part is that of rank 0 of 1"));
         assert_int_equal(cleft_mpi_write(context, MPI_COMM_WORLD, part, own_path("no.vtkhdf")), CLEFT_ERROR_ARGUMENT);
         assert_non_null(strstr(cleft_context_last_error(context), "rank 0: the part is that of rank 0 of 1"));
     }

@@ -6,6 +6,7 @@
 #include "cli/guarded.hpp"
 #include "cli/json_report.hpp"
 #include "cli/standard_output.hpp"
+#include "cli/summary.hpp"
 #include "cli/text.hpp"
 #include "mpi/command/counted_exchange.hpp"
 #include "mpi/command/parts_arguments.hpp"
@@ -73,22 +74,19 @@ Voxels open_voxels(const Session& session, const PartsArguments& arguments)
     return voxels;
 }
 
-std::string line(const std::string& heading, const std::string& text)
-{
-    return cleft_cli::left(heading, 12) + text + "\n";
-}
-
-std::string summary(const Session& session, const PartsArguments& arguments, const cleft_part* part)
+std::string summary(const Session& session, const PartsArguments& arguments, const cleft_part* part,
+                    const cleft_quality& quality)
 {
     cleft_part_counts n{};
     n.struct_size = sizeof n;
     session.check(cleft_part_count(part, &n), cleft_cli::EXIT_MESHING_FAILED);
-    std::string text = line("Mesh", cleft_cli::plural(n.all_points, "point") + ", " +
-                                        cleft_cli::plural(n.all_tets, "tetrahedron", "tetrahedra") + " in " +
-                                        cleft_cli::plural(n.ranks, "part"));
-    text += line("Time", cleft_cli::seconds_text(session.elapsed_seconds()));
+    std::string text = cleft_cli::summary_line("Mesh", cleft_cli::plural(n.all_points, "point") + ", " +
+                                                           cleft_cli::plural(n.all_tets, "tetrahedron", "tetrahedra") +
+                                                           " in " + cleft_cli::plural(n.ranks, "part"));
+    text += cleft_cli::angles_line(quality);
+    text += cleft_cli::summary_line("Time", cleft_cli::seconds_text(session.elapsed_seconds()));
     for (const std::string& path : arguments.outputs)
-        text += line("Written", path);
+        text += cleft_cli::summary_line("Written", path);
     return text;
 }
 
@@ -108,17 +106,32 @@ Part make_part(const Session& session, const PartsArguments& arguments, const cl
     return part;
 }
 
+// Of the whole mesh.
+cleft_quality measured(const Ranks& ranks, Session& session, const cleft_part* part)
+{
+    cleft_quality quality{};
+    quality.struct_size = sizeof quality;
+    ranks.together([&] {
+        session.timed("report", "looking at the mesh", [&] {
+            session.check(cleft_mpi_quality(session.context(), MPI_COMM_WORLD, part, &quality),
+                          cleft_cli::EXIT_MESHING_FAILED);
+        });
+    });
+    return quality;
+}
+
 // Last, so that a report of a success is one.
 void report_run(const Ranks& ranks, const Session& session, const PartsArguments& arguments,
                 const cleft_options* options, const cleft_voxels& voxels, const cleft_part* part,
-                const std::vector<Sent>& sent)
+                const cleft_quality& quality, const std::vector<Sent>& sent)
 {
     std::string own;
     ranks.together([&] { own = rank_report(session, part, sent); });
     const std::vector<std::string> all = ranks.gather(own);
     ranks.together([&] {
         if (ranks.is_first())
-            cleft_cli::write_json(parts_report(session, arguments, options, voxels, all), arguments.run.json);
+            cleft_cli::write_json(parts_report(session, arguments, options, voxels, part, quality, all),
+                                  arguments.run.json);
     });
 }
 
@@ -135,13 +148,16 @@ void make_and_write(const Ranks& ranks, const PartsArguments& arguments)
             arguments.check_outputs();
         cleft_cli::RunArguments run = arguments.run;
         run.quiet = run.quiet || !ranks.is_first();
-        session = std::make_unique<Session>(run, std::vector<cleft_cli::Part>{{"mesh", 90}, {"write", 10}});
+        session =
+            std::make_unique<Session>(run, std::vector<cleft_cli::Part>{{"mesh", 90}, {"report", 2}, {"write", 8}});
         voxels = open_voxels(*session, arguments);
     });
     ranks.together([&] {
         session->timed("mesh", "meshing",
                        [&] { part = make_part(*session, arguments, voxels.get(), options.get(), sent); });
     });
+    // Also if this rank tells nobody: others may.
+    const cleft_quality quality = measured(ranks, *session, part.get());
     for (const std::string& path : arguments.outputs)
         ranks.together([&] {
             session->timed("write", "writing", [&] {
@@ -151,9 +167,9 @@ void make_and_write(const Ranks& ranks, const PartsArguments& arguments)
         });
     session->clear_progress();
     if (!arguments.run.json.empty())
-        report_run(ranks, *session, arguments, options.get(), *voxels, part.get(), sent);
+        report_run(ranks, *session, arguments, options.get(), *voxels, part.get(), quality, sent);
     if (ranks.is_first() && arguments.run.prints())
-        cleft_cli::print_summary_text(summary(*session, arguments, part.get()));
+        cleft_cli::print_summary_text(summary(*session, arguments, part.get(), quality));
 }
 
 int run_parts(const Ranks& ranks, const PartsArguments& arguments)

@@ -6,7 +6,6 @@
 #include "cli/json_report.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace cleft_mpi_cli
 {
@@ -83,78 +82,59 @@ void widen_box(Json& sum, const Json& own, bool is_first)
     }
 }
 
-// Labels ascend in the report.
-void add_labels(std::map<int32_t, Json>& sums, const Json& own)
-{
-    for (const Json& row : own["labels"]) {
-        const auto [found, is_new] = sums.emplace(row["label"].get<int32_t>(), row);
-        for (const char* field : {"tets", "volume"})
-            if (!is_new)
-                add_field(found->second, row, field);
-    }
-}
-
 // The meshes of all ranks as one.
-Json whole_mesh(const Json& ranks)
+Json whole_mesh(const Json& ranks, const std::vector<cleft_cli::LabelFindings>& labels)
 {
-    Json sum = cleft_cli::mesh_json({});
+    MeshFindings with_labels;
+    for (const cleft_cli::LabelFindings& row : labels)
+        if (row.tets > 0) {
+            with_labels.labels[row.label] = {row.tets, row.mesh_volume};
+            with_labels.names[row.label] = "";
+        }
+    Json sum = cleft_cli::mesh_json(with_labels);
     sum["interface_triangles"] = sum["hull_triangles"] = 0;
-    std::map<int32_t, Json> labels;
     for (const Json& rank : ranks) {
         const Json& own = rank["mesh"];
         if (own["points"] > 0)
             widen_box(sum, own, sum["points"] == 0);
         for (const char* field : {"points", "tets", "interface_triangles", "hull_triangles"})
             add_field(sum, own, field);
-        add_labels(labels, own);
     }
-    for (const auto& [label, row] : labels)
-        sum["labels"].push_back(row);
     return sum;
 }
 
-// How a figure of the whole comes from those of parts. Medians and means do not: edges are in several parts.
-enum class Joining { kLeast, kGreatest, kSum };
-constexpr std::pair<const char*, Joining> kJoinedFigures[] = {
-    {"min_dihedral", Joining::kLeast}, {"max_dihedral", Joining::kGreatest},     {"tets_below_5", Joining::kSum},
-    {"tets_below_10", Joining::kSum},  {"tets_below_15", Joining::kSum},         {"tets_below_20", Joining::kSum},
-    {"tets_above_165", Joining::kSum}, {"radius_ratio_max", Joining::kGreatest}, {"edge_ratio_max", Joining::kGreatest},
-    {"min_edge", Joining::kLeast},     {"max_edge", Joining::kGreatest},         {"min_volume", Joining::kLeast},
-    {"total_volume", Joining::kSum},
-};
-
-Json whole_quality(const Json& ranks)
+// What became of each label of the volume, by label.
+std::vector<cleft_cli::LabelFindings> labels_of(const cleft_cli::Session& session, const cleft_part* part)
 {
-    Json joined;
-    for (const Json& rank : ranks) {
-        const Json& own = rank["quality"];
-        if (own.is_null())
-            continue;
-        const bool is_first = joined.is_null();
-        for (const auto& [field, joining] : kJoinedFigures) {
-            if (is_first)
-                joined[field] = own[field];
-            else if (joining == Joining::kSum)
-                add_field(joined, own, field);
-            else if (joining == Joining::kLeast ? own[field] < joined[field] : own[field] > joined[field])
-                joined[field] = own[field];
-        }
-        if (is_first)
-            joined["dihedral_histogram"] = std::vector<int64_t>(own["dihedral_histogram"].size());
-        for (std::size_t bin = 0; bin < own["dihedral_histogram"].size(); ++bin)
-            joined["dihedral_histogram"][bin] =
-                joined["dihedral_histogram"][bin].get<int64_t>() + own["dihedral_histogram"][bin].get<int64_t>();
+    std::vector<cleft_cli::LabelFindings> rows(static_cast<std::size_t>(cleft_part_label_count(part)));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i].struct_size = sizeof(cleft_label_report);
+        session.check(cleft_part_label(part, static_cast<int64_t>(i), &rows[i]), cleft_cli::EXIT_MESHING_FAILED);
     }
-    return joined;
+    return rows;
 }
 
-cleft_cli::VolumeFindings grid_of(const cleft_voxels& voxels)
+// Nobody has counted pieces.
+Json without_pieces(Json labels)
 {
-    cleft_cli::VolumeFindings grid;
-    std::copy(voxels.dims, voxels.dims + 3, grid.dims.begin());
-    std::copy(voxels.affine, voxels.affine + 12, grid.affine.begin());
-    grid.take_spacing();
-    return grid;
+    for (Json& row : labels)
+        for (const char* field : {"voxel_components", "mesh_components", "large_components", "large_components_lost",
+                                  "large_components_broken", "large_components_joined"})
+            row.erase(field);
+    return labels;
+}
+
+cleft_cli::VolumeFindings volume_of(const cleft_voxels& voxels, const std::vector<cleft_cli::LabelFindings>& labels)
+{
+    cleft_cli::VolumeFindings volume;
+    for (const cleft_cli::LabelFindings& row : labels) {
+        volume.voxels[row.label] = row.voxels;
+        volume.names[row.label] = "";
+    }
+    std::copy(voxels.dims, voxels.dims + 3, volume.dims.begin());
+    std::copy(voxels.affine, voxels.affine + 12, volume.affine.begin());
+    volume.take_spacing();
+    return volume;
 }
 
 }  // namespace
@@ -172,8 +152,10 @@ std::string rank_report(const cleft_cli::Session& session, const cleft_part* par
 }
 
 Json parts_report(const cleft_cli::Session& session, const PartsArguments& arguments, const cleft_options* options,
-                  const cleft_voxels& voxels, const std::vector<std::string>& ranks)
+                  const cleft_voxels& voxels, const cleft_part* part, const cleft_quality& quality,
+                  const std::vector<std::string>& ranks)
 {
+    const std::vector<cleft_cli::LabelFindings> labels = labels_of(session, part);
     Json all = Json::array();
     for (const std::string& text : ranks)
         all.push_back(Json::parse(text));
@@ -181,9 +163,11 @@ Json parts_report(const cleft_cli::Session& session, const PartsArguments& argum
     report["inputs"] = arguments.volume.inputs;
     report["outputs"] = arguments.outputs;
     report["options"] = arguments.options.as_json(options);
-    report["volume"] = cleft_cli::grid_json(grid_of(voxels));
-    report["mesh"] = whole_mesh(all);
-    report["quality"] = whole_quality(all);
+    report["volume"] = cleft_cli::volume_json(volume_of(voxels, labels));
+    report["mesh"] = whole_mesh(all, labels);
+    report["quality"] = cleft_cli::quality_json(quality);
+    report["labels"] = without_pieces(
+        cleft_cli::label_reports_json(labels, [&](int32_t label) { return arguments.options.leaves_out(label); }));
     report["ranks"] = all;
     cleft_cli::add_run(report, session);
     return report;
