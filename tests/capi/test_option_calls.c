@@ -12,7 +12,7 @@ static const char* const kSettings[][2 * MOST_TEXTS] = {
     {"improve", "off", NULL},
     {"improve", "off", "tets", "2000", NULL},
     {"improve", "off", "tets", "1000", "snap", "none", NULL},
-    {"improve", "fast", "tets", "1000", "snap", "none", NULL},
+    {"improve", "fast", "tets", "2000", NULL},
     {"improve", "off", "background", "lattice", NULL},
     {"improve", "off", "background", "lattice", "max_tets", "1500", NULL},
     {"improve", "off", "background", "lattice", "size", "2", NULL},
@@ -26,8 +26,8 @@ static const char* const kValues[][2] = {
     {"interface_size", "1"},   {"keep_thin", "true"},  {"tets", "3000"},
     {"max_tets", "1000"},      {"smooth", "2"},        {"snap", "none"},
     {"improve", "fast"},       {"steps", "1"},         {"seed", "7"},
-    {"strict", "true"},        {"repair", "0"},        {"min_angle", "35"},
-    {"surface_error", "0.02"}, {"anisotropy", "3"},    {"block", "2"},
+    {"strict", "true"},        {"repair", "0"},        {"min_angle", "30"},
+    {"surface_error", "0.02"}, {"anisotropy", "3"},    {"block", "6"},
 };
 /* Those whose values make no difference by design. */
 static const char* const kSameMesh[] = {"delaunay"};
