@@ -50,7 +50,7 @@ Shortfall shortfall(const LocalMesh& mesh, double target, const Run& run)
     Shortfall found;
     for (int32_t t = 0; t < mesh.slot_count(); ++t) {
         run.check_at(t);
-        if (!mesh.alive(t) || mesh.quality(t) >= target)
+        if (!mesh.alive(t) || mesh.quality(t) >= target || mesh.waits(t))
             continue;
         ++found.tets;
         found.least = std::min(found.least, mesh.quality(t));

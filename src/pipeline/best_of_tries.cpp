@@ -41,9 +41,10 @@ Try try_with(const Volume& volume, const Cleaved& cleaved, const PipelineOptions
                       {nullptr, 30},
                       {nullptr, holds ? 15.0 : 0}});
     LabelledMesh from = cleaved(steps.next());
-    const Array<int32_t> held = pipeline.region ? points_of_cut(from, pipeline.region->box, run) : Array<int32_t>();
+    const Region* region = pipeline.region;
+    const Array<int32_t> held = region ? points_of_cut(from, region->box, run) : Array<int32_t>();
     LocalMesh mesh(std::move(from), run);
-    mesh.hold(held);
+    mesh.hold(held, region && region->is_cut_open);
     const Run of_lengths = steps.next();
     if (is_measured) {
         mesh.measure_by({pipeline.cleave.metric}, run);

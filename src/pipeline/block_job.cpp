@@ -29,10 +29,9 @@ Array<Vec3> places_of(const Array<Vec3>& points, const Array<int32_t>& some)
     return places;
 }
 
-LabelledMesh worked_on(const Volume& volume, const Cleaved& cleaved, Array<double> volumes,
+LabelledMesh worked_on(const Volume& volume, const Cleaved& cleaved, const Region& region,
                        const PipelineOptions& options, const Run& run)
 {
-    const Region region{box_of(volume), std::move(volumes)};
     PipelineOptions of_part = options;
     of_part.region = &region;
     return improve_and_fit(volume, cleaved, of_part, run);
@@ -79,12 +78,12 @@ void mesh_block(const VolumeParts& volume, Block& block, const PipelineOptions& 
         return cleave_snapped(*around, block.background, cutting, block.snapped, part);
     };
     LabelledMesh first = cut(of_part);
-    Array<double> volumes = volumes_inside(*around, first, of_part);
+    const Region region{box_of(*around), volumes_inside(*around, first, of_part), true};
     // Improving asks for it again only where it tries again.
     const Cleaved cleaved = [&](const Run& part) {
         return first.tets.empty() ? cut(part) : std::exchange(first, LabelledMesh());
     };
-    block.mesh = worked_on(*around, cleaved, std::move(volumes), options, of_part);
+    block.mesh = worked_on(*around, cleaved, region, options, of_part);
 }
 
 Array<Vec3> places_of_cut(const Block& block) { return places_of(block.background.points, block.held); }
@@ -118,9 +117,9 @@ std::pair<LabelledMesh, LabelledMesh> improve_seam(const VolumeParts& volume, La
     const auto around = volume.around(both.points, both.tets);
     const Cleaved as_it_is = [&](const Run&) { return copy_of(both); };
     // Together the blocks have the volumes that they are to have. Where they meet, labels keep those of both.
-    const LabelledMesh better = worked_on(
-        *around, as_it_is, material_volumes(both.points, both.tets, both.material, around->material_count(), of_part),
-        options, of_part);
+    const Region region{box, material_volumes(both.points, both.tets, both.material, around->material_count(), of_part),
+                        false};
+    const LabelledMesh better = worked_on(*around, as_it_is, region, options, of_part);
     const auto is_above = [&](int64_t t) { return middle_of(better.points, better.tets[t]) >= seam; };
     return {piece_of(better, [&](int64_t t) { return !is_above(t); }), piece_of(better, is_above)};
 }

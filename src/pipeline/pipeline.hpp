@@ -20,6 +20,7 @@ namespace cleft
 struct Region {
     BoundingBox box;        // of the whole; hull triangles in none of its sides are held
     Array<double> volumes;  // that each material is to have in the part
+    bool is_cut_open;       // work on the larger mesh comes later where the part was cut out
 };
 
 struct PipelineOptions {

@@ -102,10 +102,16 @@ void LocalMesh::freeze_hull(const Run& run)
     }
 }
 
-void LocalMesh::hold(const Array<int32_t>& points)
+void LocalMesh::hold(const Array<int32_t>& points, bool until_whole)
 {
     for (const int32_t v : points)
-        frozen_[v] = kAllAxes | kHeld;
+        frozen_[v] = static_cast<uint8_t>(kAllAxes | kHeld | (until_whole ? kWaits : 0));
+}
+
+bool LocalMesh::waits(int32_t t) const
+{
+    const Tet& corners = tet(t);
+    return std::any_of(corners.begin(), corners.end(), [&](int32_t v) { return (frozen_[v] & kWaits) != 0; });
 }
 
 int32_t LocalMesh::tet_at(int32_t v, int32_t w) const

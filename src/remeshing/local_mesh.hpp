@@ -56,8 +56,11 @@ public:
     // Axes that the point must not move along (see frozen_axes in adjacency.hpp).
     uint8_t frozen(int32_t v) const { return frozen_[v] & kAllAxes; }
     // The points of a hull face where the mesh was cut out of a larger one, whose other part has the face too: they do
-    // not move, and hull edges between them are not changed.
-    void hold(const Array<int32_t>& points);
+    // not move, and hull edges between them are not changed. `until_whole`: searches for better shapes leave the
+    // tetrahedra at them to one in the larger mesh, since they would mostly fail here.
+    void hold(const Array<int32_t>& points, bool until_whole);
+    // Searches leave it for later.
+    bool waits(int32_t t) const;
 
     // From here on shapes are measured by a field, which must outlive the mesh.
     void measure_by(const Measure& measure, const Run& run);
@@ -137,8 +140,8 @@ private:
     Array<Tet> tets_;
     Array<Material> materials_;
     PointStars stars_;
-    static constexpr uint8_t kAllAxes = 7, kHeld = 8;
-    Array<uint8_t> frozen_;  // by point: axes, and whether it is held
+    static constexpr uint8_t kAllAxes = 7, kHeld = 8, kWaits = 16;
+    Array<uint8_t> frozen_;  // by point: axes, whether it is held, and whether tetrahedra wait for it
     Measure measure_;
     Array<PointMetric> metrics_;  // by point, if the mesh is measured
     Array<int32_t> free_slots_;

@@ -27,7 +27,7 @@ void WorstFirst::collect_all(const LocalMesh& mesh, double target, const Run& ru
         mesh.find_qualities(run);
     list_ = collect<Item>(run, mesh.slot_count(), kTetsAtOnce, [&](int64_t begin, int64_t end, Array<Item>& list) {
         for (auto t = static_cast<int32_t>(begin); t < end; ++t)
-            if (const double good = mesh.alive(t) ? goodness(mesh, t) : target; good < target)
+            if (const double good = mesh.alive(t) ? goodness(mesh, t) : target; is_for_search(mesh, t, good, target))
                 list.push_back({good, t, 0});
     });
     sort_list();
@@ -49,7 +49,7 @@ void WorstFirst::collect_next(const LocalMesh& mesh, double target)
         for (int64_t i = begin; i < end; ++i) {
             const int32_t t = next_[i];
             const uint32_t tried = std::exchange(tried_[t], kNotListed);
-            if (const double good = mesh.alive(t) ? goodness(mesh, t) : target; good < target)
+            if (const double good = mesh.alive(t) ? goodness(mesh, t) : target; is_for_search(mesh, t, good, target))
                 list.push_back({good, t, tried});
         }
     });
@@ -82,7 +82,7 @@ void WorstFirst::sort_list()
 bool WorstFirst::worth_trying(const LocalMesh& mesh, size_t i, double target) const
 {
     const Item& item = list_[i];
-    if (!mesh.alive(item.tet) || goodness(mesh, item.tet) >= target)
+    if (!mesh.alive(item.tet) || !is_for_search(mesh, item.tet, goodness(mesh, item.tet), target))
         return false;
     const Tet& corners = mesh.tet(item.tet);
     return std::any_of(corners.begin(), corners.end(), [&](int32_t v) { return changed_[v] > item.tried; });

@@ -54,6 +54,10 @@ private:
     static constexpr uint32_t kNotListed = UINT32_MAX;
 
     double goodness(const LocalMesh& mesh, int32_t t) const { return measure_ ? measure_(t) : mesh.quality(t); }
+    bool is_for_search(const LocalMesh& mesh, int32_t t, double good, double target) const
+    {
+        return good < target && !mesh.waits(t);
+    }
     void list_next(int32_t t, uint32_t tried);
     void sort_list();
 

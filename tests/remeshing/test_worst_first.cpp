@@ -83,6 +83,29 @@ void the_next_pass_has_each_once(void**)
     assert_true(bad.worth_trying(mesh, 0, kTarget) && bad.worth_trying(mesh, 1, kTarget));
 }
 
+// Where a mesh was cut out of a larger one, searches for better shapes can wait until it is whole again.
+void tetrahedra_at_a_cut_can_wait(void**)
+{
+    const Run run = with_threads(2);
+    for (const bool until_whole : {false, true}) {
+        LocalMesh mesh = local(run);
+        Array<int32_t> held, open;
+        for (int32_t v = 0; v < mesh.point_count(); v += 7)
+            held.push_back(v);
+        for (int32_t t = 0; t < mesh.slot_count(); ++t) {
+            const Tet& tet = mesh.tet(t);
+            const bool is_at_cut = std::any_of(tet.begin(), tet.end(), [](int32_t v) { return v % 7 == 0; });
+            if (!is_at_cut || !until_whole)
+                open.push_back(t);
+        }
+        mesh.hold(held, until_whole);
+        WorstFirst bad;
+        bad.collect_all(mesh, kTarget, run);
+        assert_true(bad.size() > 100);
+        assert_true(listed(bad) == worst_first(mesh, open));
+    }
+}
+
 void figures_are_those_of_all_angles(void**)
 {
     double least = 180, greatest = 0, below_30 = 0;
@@ -113,6 +136,7 @@ int main()
     const CMUnitTest tests[] = {
         cmocka_unit_test(all_bad_ones_are_listed),
         cmocka_unit_test(the_next_pass_has_each_once),
+        cmocka_unit_test(tetrahedra_at_a_cut_can_wait),
         cmocka_unit_test(figures_are_those_of_all_angles),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
