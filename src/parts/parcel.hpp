@@ -36,6 +36,7 @@ public:
 
     bool empty() const { return bytes_.empty(); }
     const Array<unsigned char>& bytes() const { return bytes_; }
+    Array<unsigned char> take_all() { return std::move(bytes_); }
 
 private:
     void put_bytes(const void* from, size_t count)

@@ -1,18 +1,18 @@
 // Reads planes as the work asks for them, and does the last steps with sums over all ranks.
 #include "parts/rank_mesh.hpp"
 
-#include "background/lattice.hpp"
-#include "background/octree.hpp"
 #include "base/stage.hpp"
 #include "mesh/materials.hpp"
 #include "mesh/strip.hpp"
 #include "parts/held_planes.hpp"
+#include "parts/rank_backgrounds.hpp"
 #include "parts/rank_sums.hpp"
 #include "pipeline/block_seams.hpp"
 #include "pipeline/block_sizes.hpp"
 #include "pipeline/finish.hpp"
 #include "pipeline/mesh_blocks.hpp"
 #include "pipeline/quiet_run.hpp"
+#include "volume/frame.hpp"
 #include "volume/label_planes.hpp"
 #include "volume/label_values.hpp"
 
@@ -79,33 +79,6 @@ VolumeParts read_as_asked(const SharedVoxels& voxels, const LabelCounts& labels,
             }};
 }
 
-// Of the octree, what is around a block.
-BackgroundOfBlock octree_of(const BlockField& sizes, const BlockLayout& layout, Exchange& exchange)
-{
-    const SizeRange range = range_of_all(sizes.range(), exchange);
-    return [&, range](int32_t block, const Run& run) {
-        const double low = layout.start(block), high = layout.start(block + 1);
-        const Planes planes = block < 0 ? Planes{} : octree_slab_planes(layout.grid, range, low, high);
-        const SizingField around = swapped_planes(sizes, planes, exchange);
-        return block < 0 ? TetMesh() : part_in_block(octree_slab(around, range, low, high, run), layout, block);
-    };
-}
-
-// A lattice needs the range of all sizes alone.
-BackgroundOfBlock lattice_of(const BlockField& sizes, const BlockLayout& layout, const LatticeOptions& options,
-                             Exchange& exchange, const Run& run)
-{
-    const SizeRange range = range_of_all(sizes.range(), exchange);
-    check_lattice(layout.grid, range, options, exchange.rank() == 0 ? run : quiet(run));
-    const double size = field_lattice_size(layout.grid, range, options);
-    return [&, size](int32_t block, const Run& of_block) {
-        if (block < 0)
-            return TetMesh();
-        const TetMesh slab = lattice_slab(layout.grid, size, layout.start(block), layout.start(block + 1), of_block);
-        return part_in_block(slab, layout, block);
-    };
-}
-
 void finish(LabelledMesh& mesh, const SharedVoxels& voxels, const LabelCounts& labels, const PipelineOptions& options,
             Exchange& exchange, const Run& run)
 {
@@ -125,7 +98,7 @@ std::string needs_whole_mesh(const PipelineOptions& options, const Grid& grid)
 {
     if (BlockLayout::of(grid, options.block).count == 1)
         return "block is 0, or leaves one block";
-    if (options.background.kind == BackgroundKind::particles)
+    if (options.background.kind == BackgroundKind::particles && !fits_in_one_piece(grid))
         return "the background is of particles";
     if (options.tets > 0)
         return "tets asks for a number";
@@ -158,13 +131,12 @@ LabelCounts labels_of_all(const SharedVoxels& voxels, int32_t block, Exchange& e
 LabelledMesh mesh_of_rank(const SharedVoxels& voxels, const LabelCounts& labels, int smooth,
                           const PipelineOptions& options, Exchange& exchange, const Run& run)
 {
-    Steps steps(run, {{nullptr, 15}, {nullptr, 83}, {nullptr, 2}});
+    const double share = options.background.kind == BackgroundKind::particles ? 10 : 0;
+    Steps steps(run, {{nullptr, 15}, {nullptr, share}, {nullptr, 83 - share}, {nullptr, 2}});
     const BlockLayout layout = BlockLayout::of(voxels.grid, options.block);
     const VolumeParts volume = read_as_asked(voxels, labels, smooth, exchange.scratch(), run);
     const BlockField sizes = sizes_of_own_blocks(volume, layout, options, exchange, steps.next());
-    const BackgroundOfBlock background = options.background.kind == BackgroundKind::lattice
-                                             ? lattice_of(sizes, layout, options.background.lattice, exchange, run)
-                                             : octree_of(sizes, layout, exchange);
+    const BackgroundOfBlock background = backgrounds_of_rank(sizes, layout, options.background, exchange, steps.next());
     LabelledMesh mesh = mesh_own_blocks(volume, layout, background, options, exchange, steps.next());
     finish(mesh, voxels, labels, options, exchange, steps.next());
     return mesh;

@@ -19,11 +19,11 @@ Array<unsigned char> part_of(const Received<unsigned char>& received, int32_t ra
 
 }  // namespace
 
-OwnBlocks own_blocks(int32_t all, const Exchange& exchange)
+OwnBlocks own_blocks(int32_t all, int32_t ranks, int32_t rank)
 {
-    const OwnedNumbers owned(all, exchange.ranks());
-    const auto first = [&](int32_t rank) { return static_cast<int32_t>(owned.first(rank)); };
-    return {first(exchange.rank()), first(exchange.rank() + 1) - first(exchange.rank())};
+    const OwnedNumbers owned(all, ranks);
+    const auto first = static_cast<int32_t>(owned.first(rank));
+    return {first, static_cast<int32_t>(owned.first(rank + 1)) - first};
 }
 
 NeighbourMail::NeighbourMail(int32_t blocks, Exchange& exchange) : exchange_(exchange), below_(-1), above_(-1)

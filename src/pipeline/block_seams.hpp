@@ -14,7 +14,11 @@ struct OwnBlocks {
 
     int32_t end() const { return first + count; }
 };
-OwnBlocks own_blocks(int32_t all, const Exchange& exchange);
+OwnBlocks own_blocks(int32_t all, int32_t ranks, int32_t rank);
+inline OwnBlocks own_blocks(int32_t all, const Exchange& exchange)
+{
+    return own_blocks(all, exchange.ranks(), exchange.rank());
+}
 
 // Work at seams: what is cut out of a block beside a seam (Side), what is done with that of both blocks, and what each
 // block gets for it (Outcome).

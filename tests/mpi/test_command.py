@@ -110,6 +110,23 @@ class Command(unittest.TestCase):
         (self.folder / "a.raw").write_bytes(bytes(1 + (i % 8 > 3) + (i // 640 % 3) for i in range(8 * 8 * 30)))
         return "mesh a.raw --dims 8 8 30 --background octree --block 6"
 
+    def test_memory_is_bounded(self):
+        words = self.write_layers().replace("--block 6", "")
+        refused = {
+            "4X": "--memory: '4X' is no size: give a number and K, M, G or T, such as 4G",
+            "-1G": "--memory: '-1G' is no size: give a number and K, M, G or T, such as 4G",
+        }
+        for size, sentence in refused.items():
+            code, _, errors = self.run_ranks(2, f"$C {words} --memory={size} -o a.vtkhdf")
+            self.assertEqual((code, errors), (2, [f"cleft-mpi mesh: {sentence}"]))
+        code, _, errors = self.run_ranks(2, f"$C {words} --memory 2G -o bounded.vtkhdf")
+        chosen = "--memory 2G leaves room for slabs of 8 planes: the mesh is that of --block 8"
+        self.assertEqual((code, errors), (0, [f"cleft: warning: {chosen}"]))
+        self.assertEqual(self.run_ranks(3, f"$C {words} --block 8 -o free.vtkhdf")[::2], (0, []))
+        self.assertEqual(*((self.folder / f"{name}.vtkhdf").read_bytes() for name in ("bounded", "free")))
+        # Nothing stays beside the output.
+        self.assertEqual(self.names(), {"a.raw", "bounded.vtkhdf", "free.vtkhdf"})
+
     def report_of(self, name):
         return json.loads((self.folder / name).read_text())
 

@@ -256,6 +256,9 @@ static void ranks_share_blocks(void** state)
     compare_blocks(ball, kTall, kFlipped, "12", "lattice");
     compare_blocks(slanted_sheet, kThin, kThirds, "7", "lattice");
     compare_blocks(new_label_a_plane, kTall, kPlain, "12", "octree");
+    compare_blocks(grains, kThin, kThirds, "9", "particles");
+    compare_blocks(slanted_sheet, kTall, kFlipped, "12", "particles");
+    compare_blocks(scattered, kThin, kThirds, "12", "particles");
 }
 
 static int32_t flat_interface(const int64_t at[3]) { return at[2] < 218; }

@@ -62,6 +62,12 @@ void PartsArguments::add_to(CLI::App& parser)
             "Folder for files without names, where a rank keeps the slabs of --block that it\ndoes not work on: "
             "it holds two at a time then")
         ->type_name("FOLDER");
+    parser
+        .add_option("--memory", memory,
+                    "The most memory that a rank may take, such as 4G; one that needs more\n"
+                    "ends the run. Without --scratch, files without names lie beside OUTPUT.\n"
+                    "Without --block, slabs are as thick as the memory allows")
+        ->type_name("SIZE");
     parser.add_flag("--ghosts", ghosts,
                     "Pieces of .pvtu also have the tetrahedra of others at their own\npoints, marked as ghosts");
     options.add_to(parser, {"volume", "mesh"});
@@ -88,6 +94,13 @@ void PartsArguments::add_to(CLI::App& parser)
 bool PartsArguments::is_hdf5() const
 {
     return volume.dims.empty() && (!dataset.empty() || has_extension_of(input(), kHdf5Extensions));
+}
+
+std::string PartsArguments::scratch_folder() const
+{
+    if (!scratch.empty() || memory.empty())
+        return scratch;
+    return cleft_cli::folder_of(outputs.front()).string();
 }
 
 void PartsArguments::check_outputs() const

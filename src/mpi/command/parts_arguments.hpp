@@ -19,12 +19,15 @@ struct PartsArguments {
     std::vector<std::string> outputs;
     std::string dataset;
     std::string scratch;
+    std::string memory;
     bool ghosts = false;
 
     void add_to(CLI::App& parser);
 
     const std::string& input() const { return volume.inputs.front(); }
     bool is_hdf5() const;
+    // Where a rank keeps what it does not work on; empty: in memory.
+    std::string scratch_folder() const;
     // Throws a Failure for outputs that no run could write.
     void check_outputs() const;
 };

@@ -9,6 +9,7 @@
 #include "cli/summary.hpp"
 #include "cli/text.hpp"
 #include "mpi/command/counted_exchange.hpp"
+#include "mpi/command/memory_bound.hpp"
 #include "mpi/command/parts_arguments.hpp"
 #include "mpi/command/parts_report.hpp"
 
@@ -95,12 +96,17 @@ Part make_part(const Session& session, const PartsArguments& arguments, const cl
 {
     CountedExchange counted(session);
     cleft_exchange exchange = counted.exchange();
-    exchange.scratch = arguments.scratch.empty() ? nullptr : arguments.scratch.c_str();
+    const std::string scratch = arguments.scratch_folder();
+    exchange.scratch = scratch.empty() ? nullptr : scratch.c_str();
     cleft_part* made = nullptr;
     const cleft_status status =
         cleft_part_create(session.context(), voxels, options, &exchange, arguments.ghosts ? 1 : 0, &made);
     Part part(made);
     sent = counted.sent();
+    if (status == CLEFT_ERROR_OUT_OF_MEMORY && !arguments.memory.empty())
+        throw Failure(cleft_cli::EXIT_OUT_OF_MEMORY, status,
+                      std::string(cleft_context_last_error(session.context())) + "; --memory is " + arguments.memory +
+                          ": a smaller --block, more ranks or more memory help");
     session.check(status, status == CLEFT_ERROR_FILE || status == CLEFT_ERROR_FORMAT ? cleft_cli::EXIT_CANNOT_READ
                                                                                      : cleft_cli::EXIT_MESHING_FAILED);
     return part;
@@ -118,6 +124,21 @@ cleft_quality measured(const Ranks& ranks, Session& session, const cleft_part* p
         });
     });
     return quality;
+}
+
+// The first rank says which slabs were chosen, since the mesh depends on them.
+void choose_block(const Ranks& ranks, Session& session, const PartsArguments& arguments, const cleft_voxels& voxels,
+                  cleft_options* options)
+{
+    int64_t block = 0;
+    session.check(cleft_options_get_integer(options, CLEFT_OPTION_BLOCK, &block), cleft_cli::EXIT_USAGE);
+    if (arguments.memory.empty() || block > 0)
+        return;
+    block = block_within(bytes_of_size(arguments.memory), arguments.memory, voxels.dims);
+    session.check(cleft_options_set_integer(options, CLEFT_OPTION_BLOCK, block), cleft_cli::EXIT_USAGE);
+    if (ranks.is_first())
+        session.warn("--memory " + arguments.memory + " leaves room for slabs of " + std::to_string(block) +
+                     " planes: the mesh is that of --block " + std::to_string(block));
 }
 
 // Last, so that a report of a success is one.
@@ -144,6 +165,8 @@ void make_and_write(const Ranks& ranks, const PartsArguments& arguments)
     std::vector<Sent> sent;
     ranks.together([&] {
         options = arguments.options.make();
+        if (!arguments.memory.empty())
+            hold_memory_within(bytes_of_size(arguments.memory));
         if (ranks.is_first())
             arguments.check_outputs();
         cleft_cli::RunArguments run = arguments.run;
@@ -151,6 +174,7 @@ void make_and_write(const Ranks& ranks, const PartsArguments& arguments)
         session =
             std::make_unique<Session>(run, std::vector<cleft_cli::Part>{{"mesh", 90}, {"report", 2}, {"write", 8}});
         voxels = open_voxels(*session, arguments);
+        choose_block(ranks, *session, arguments, *voxels, options.get());
     });
     ranks.together([&] {
         session->timed("mesh", "meshing",
