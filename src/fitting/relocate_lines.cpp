@@ -124,7 +124,7 @@ LinePoints relocate_lines(LocalMesh& mesh, const Volume& volume, double floor, c
     auto points =
         collect<int32_t>(run, mesh.point_count(), kLinePointsAtOnce, [&](int64_t begin, int64_t end, auto& list) {
             for (auto v = static_cast<int32_t>(begin); v < end; ++v)
-                if (meetings[v] == Meeting::line)
+                if (meetings[v] == Meeting::line && !mesh.is_settled(v))
                     list.push_back(v);
         });
     LinePoints out;

@@ -50,6 +50,8 @@ public:
             const int32_t a = mesh_.tet(t)[corner_a], b = mesh_.tet(t)[corner_b];
             if (!is_at_interface(meetings[a]) || !is_at_interface(meetings[b]) || !is_long(a, b))
                 continue;
+            if (mesh_.is_settled(a) || mesh_.is_settled(b))
+                continue;
             mesh_.ring(t, corner_a, corner_b, cavity_.ring);
             if (*std::min_element(cavity_.ring.tets.begin(), cavity_.ring.tets.end()) == t && place_on_tie())
                 far.push_back({a, b});

@@ -114,6 +114,13 @@ bool LocalMesh::waits(int32_t t) const
     return std::any_of(corners.begin(), corners.end(), [&](int32_t v) { return (frozen_[v] & kWaits) != 0; });
 }
 
+void LocalMesh::settle(const Array<int32_t>& tets)
+{
+    for (const int32_t t : tets)
+        for (const int32_t v : tet(t))
+            frozen_[v] |= kSettled;
+}
+
 int32_t LocalMesh::tet_at(int32_t v, int32_t w) const
 {
     const auto tets = star(v);

@@ -61,6 +61,9 @@ public:
     void hold(const Array<int32_t>& points, bool until_whole);
     // Searches leave it for later.
     bool waits(int32_t t) const;
+    // The corners of these have the places that they are to have. Searches for better shapes may still move them.
+    void settle(const Array<int32_t>& tets);
+    bool is_settled(int32_t v) const { return (frozen_[v] & kSettled) != 0; }
 
     // From here on shapes are measured by a field, which must outlive the mesh.
     void measure_by(const Measure& measure, const Run& run);
@@ -140,8 +143,8 @@ private:
     Array<Tet> tets_;
     Array<Material> materials_;
     PointStars stars_;
-    static constexpr uint8_t kAllAxes = 7, kHeld = 8, kWaits = 16;
-    Array<uint8_t> frozen_;  // by point: axes, whether it is held, and whether tetrahedra wait for it
+    static constexpr uint8_t kAllAxes = 7, kHeld = 8, kWaits = 16, kSettled = 32;
+    Array<uint8_t> frozen_;  // by point: axes, and whether it is held, waited for, settled
     Measure measure_;
     Array<PointMetric> metrics_;  // by point, if the mesh is measured
     Array<int32_t> free_slots_;

@@ -103,6 +103,26 @@ void no_point_moves_where_shapes_would_suffer(void**)
     assert_true(least_after >= least_before);
 }
 
+// Those of a part of a larger mesh that had their turn before.
+void settled_points_stay(void**)
+{
+    const Volume volume = three_sectors();
+    LocalMesh local(cleave(volume, lattice_background(volume.grid(), 1.5, Run()), {Snap::none}, Run()), Run());
+    const auto before = local.points();
+    Array<int32_t> settled;
+    for (int32_t t = 0; t < local.slot_count(); ++t)
+        if (before[local.tet(t)[0]][2] < 0.5 * kSide)
+            settled.push_back(t);
+    local.settle(settled);
+    relocate_lines(local, volume, 1e-3, find_meetings(local, Run()), Run());
+    int moved = 0;
+    for (int32_t v = 0; v < local.point_count(); ++v) {
+        moved += local.point(v) != before[v];
+        assert_true(!local.is_settled(v) || local.point(v) == before[v]);
+    }
+    assert_true(moved > 3);
+}
+
 }  // namespace
 
 int main()
@@ -110,6 +130,7 @@ int main()
     const CMUnitTest tests[] = {
         cmocka_unit_test(triple_points_of_every_rule_come_to_the_line),
         cmocka_unit_test(no_point_moves_where_shapes_would_suffer),
+        cmocka_unit_test(settled_points_stay),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
