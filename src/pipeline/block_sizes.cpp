@@ -3,6 +3,7 @@
 
 #include "background/octree_tree.hpp"
 #include "base/stage.hpp"
+#include "pipeline/block_limits.hpp"
 #include "pipeline/block_seams.hpp"
 #include "pipeline/quiet_run.hpp"
 #include "sizing/compute.hpp"
@@ -41,23 +42,33 @@ SizingOptions bounded(const SizingOptions& options, const BlockLayout& layout)
 // until they have grown to the greatest one.
 Planes planes_with_a_say(const Grid& grid, Planes block, const SizingOptions& options)
 {
-    // Curvatures are fitted in windows of five voxels, of points that need three on either side.
-    constexpr double kWindows = 16;
+    // Points of interfaces, and which parts are one voxel thick, follow from voxels nearby.
+    constexpr double kBeside = 6;
     const double greatest = std::max(options.size, options.size_max);
     const double reach = greatest * std::max(1 / options.gradation, 2 / options.feature_scale);
-    const double planes = std::min(std::ceil(reach / grid.spacing[2]) + kWindows, static_cast<double>(grid.dims[2]));
+    const double planes = std::min(std::ceil(reach / grid.spacing[2]) + kBeside, static_cast<double>(grid.dims[2]));
     const int32_t first = std::max(0, block.first - static_cast<int32_t>(planes));
     return {first, std::min(grid.dims[2], block.end() + static_cast<int32_t>(planes)) - first};
 }
 
-SizingField sizes_of_block(const VolumeParts& volume, Planes block, SizingOptions options, const Run& run)
+// Those that sizes of all blocks of a rank depend on.
+Planes planes_wanted(const BlockLayout& layout, const OwnBlocks& own, const SizingOptions& options)
+{
+    if (own.count == 0)
+        return {};
+    const int32_t first = layout.planes(own.first).first;
+    return planes_with_a_say(layout.grid, {first, layout.planes(own.end() - 1).end() - first}, options);
+}
+
+SizingField sizes_of_block(const VolumeParts& volume, Planes block, const BlockLimits& limits, SizingOptions options,
+                           const Run& run)
 {
     const Planes planes = planes_with_a_say(volume.grid, block, options);
     const int64_t plane = volume.grid.plane_size();
     if (options.user)
         options.user += planes.first * plane;
     const Volume part = volume.planes(planes)->cropped(planes);
-    SizingField around = compute_sizing(part, options, quiet(run));
+    SizingField around = compute_sizing(part, options, limits.in(planes), quiet(run));
     SizingField own{part.grid(), {}, around.gradation};
     own.grid.dims[2] = block.count;
     const auto first = around.h.begin() + (block.first - planes.first) * plane;
@@ -70,10 +81,12 @@ SizingField sizes_of_block(const VolumeParts& volume, Planes block, SizingOption
 BlockField sizes_of_own_blocks(const VolumeParts& volume, const BlockLayout& layout, const PipelineOptions& options,
                                Exchange& exchange, const Run& run)
 {
-    Stage stage(run, "sizing", {{"sizing: blocks", 1}});
-    const Run of_blocks = stage.next();
     const OwnBlocks own = own_blocks(layout.count, exchange);
     SizingOptions sizing = bounded(options.sizing, layout);
+    const double error = error_of_sizes(sizing);
+    Stage stage(run, "sizing", {{"sizing: curvature", error > 0 ? 1.0 : 0}, {"sizing: blocks", 1}});
+    const BlockLimits limits(volume, layout, error, planes_wanted(layout, own, sizing), exchange, stage.next());
+    const Run of_blocks = stage.next();
     BlockField field(layout.grid, sizing.gradation, exchange.scratch());
     double of_particles = 0;
     const auto expected_at = [&](double raised) {
@@ -82,7 +95,7 @@ BlockField sizes_of_own_blocks(const VolumeParts& volume, const BlockLayout& lay
         Array<double> tets;
         Steps steps(of_blocks, Array<Step>(std::max(own.count, 1), {nullptr, 1}));
         for (int32_t b = own.first; b < own.end(); ++b) {
-            const SizingField of_block = sizes_of_block(volume, layout.planes(b), sizing, steps.next());
+            const SizingField of_block = sizes_of_block(volume, layout.planes(b), limits, sizing, steps.next());
             tets.push_back(expected_particle_tets(of_block));
             field.add(layout.planes(b), of_block.h);
         }
