@@ -6,7 +6,6 @@
 #include "background/octree.hpp"
 #include "base/stage.hpp"
 #include "pipeline/block_parcels.hpp"
-#include "pipeline/block_seams.hpp"
 #include "pipeline/quiet_run.hpp"
 
 namespace cleft
@@ -43,12 +42,12 @@ BackgroundOfBlock lattice_of(const BlockField& sizes, const BlockLayout& layout,
 }
 
 // The parts of a background that the first rank has, for the rank of each block. Each has its blocks in their order.
-Array<TetMesh> dealt_out(TetMesh whole, const BlockLayout& layout, Exchange& exchange)
+Array<TetMesh> dealt_out(TetMesh whole, const BlockLayout& layout, const BlockShares& shares, Exchange& exchange)
 {
     Array<Array<unsigned char>> send(to_size(exchange.ranks()));
     if (exchange.rank() == 0)
         for (int32_t r = 0; r < exchange.ranks(); ++r) {
-            const OwnBlocks of_rank = own_blocks(layout.count, exchange.ranks(), r);
+            const OwnBlocks of_rank = shares.of(r);
             Parcel parcel;
             for (int32_t b = of_rank.first; b < of_rank.end(); ++b)
                 pack(part_in_block(whole, layout, b), parcel);
@@ -56,14 +55,14 @@ Array<TetMesh> dealt_out(TetMesh whole, const BlockLayout& layout, Exchange& exc
         }
     whole = TetMesh();
     Parcel mine(exchange.all_to_all(send).items);
-    Array<TetMesh> parts(own_blocks(layout.count, exchange).count);
+    Array<TetMesh> parts(shares.own(exchange).count);
     for (TetMesh& part : parts)
         unpack(mine, part);
     return parts;
 }
 
-BackgroundOfBlock particles_of(const BlockField& sizes, const BlockLayout& layout, const BackgroundOptions& options,
-                               Exchange& exchange, const Run& run)
+BackgroundOfBlock particles_of(const BlockField& sizes, const BlockLayout& layout, const BlockShares& shares,
+                               const BackgroundOptions& options, Exchange& exchange, const Run& run)
 {
     const Planes wanted{0, exchange.rank() == 0 ? layout.grid.dims[2] : 0};
     TetMesh whole;
@@ -72,8 +71,8 @@ BackgroundOfBlock particles_of(const BlockField& sizes, const BlockLayout& layou
         if (exchange.rank() == 0)
             whole = row_of(options.kind).make(all, options, run);
     }
-    const auto parts = std::make_shared<Array<TetMesh>>(dealt_out(std::move(whole), layout, exchange));
-    const int32_t first = own_blocks(layout.count, exchange).first;
+    const auto parts = std::make_shared<Array<TetMesh>>(dealt_out(std::move(whole), layout, shares, exchange));
+    const int32_t first = shares.own(exchange).first;
     return [=](int32_t block, const Run&) {
         return block < 0 ? TetMesh() : std::exchange((*parts)[block - first], TetMesh());
     };
@@ -81,7 +80,7 @@ BackgroundOfBlock particles_of(const BlockField& sizes, const BlockLayout& layou
 
 }  // namespace
 
-BackgroundOfBlock backgrounds_of_rank(const BlockField& sizes, const BlockLayout& layout,
+BackgroundOfBlock backgrounds_of_rank(const BlockField& sizes, const BlockLayout& layout, const BlockShares& shares,
                                       const BackgroundOptions& options, Exchange& exchange, const Run& run)
 {
     Stage stage(run, "background", {{"background", 1}});
@@ -94,7 +93,7 @@ BackgroundOfBlock backgrounds_of_rank(const BlockField& sizes, const BlockLayout
         case BackgroundKind::particles:
             break;
     }
-    return particles_of(sizes, layout, options, exchange, of_background);
+    return particles_of(sizes, layout, shares, options, exchange, of_background);
 }
 
 }  // namespace cleft

@@ -12,7 +12,7 @@ namespace cleft
 // returned.
 // A rank makes an octree or a lattice around each of its blocks. Particles push each other across the whole box: the
 // first rank makes these from all sizes, and each rank gets the tetrahedra of its blocks.
-BackgroundOfBlock backgrounds_of_rank(const BlockField& sizes, const BlockLayout& layout,
+BackgroundOfBlock backgrounds_of_rank(const BlockField& sizes, const BlockLayout& layout, const BlockShares& shares,
                                       const BackgroundOptions& options, Exchange& exchange, const Run& run);
 
 }  // namespace cleft

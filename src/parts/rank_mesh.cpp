@@ -7,7 +7,7 @@
 #include "parts/held_planes.hpp"
 #include "parts/rank_backgrounds.hpp"
 #include "parts/rank_sums.hpp"
-#include "pipeline/block_seams.hpp"
+#include "pipeline/block_shares.hpp"
 #include "pipeline/block_sizes.hpp"
 #include "pipeline/finish.hpp"
 #include "pipeline/mesh_blocks.hpp"
@@ -110,7 +110,7 @@ std::string needs_whole_mesh(const PipelineOptions& options, const Grid& grid)
 LabelCounts labels_of_all(const SharedVoxels& voxels, int32_t block, Exchange& exchange, const Run& run)
 {
     const BlockLayout layout = BlockLayout::of(voxels.grid, block);
-    const OwnBlocks own = own_blocks(layout.count, exchange);
+    const OwnBlocks own = BlockShares::equal(layout.count, exchange.ranks()).own(exchange);
     LabelSums of_rank;
     for (int32_t b = own.first; b < own.end(); ++b) {
         const Window window = window_of(voxels.grid, layout.planes(b));
@@ -136,8 +136,11 @@ LabelledMesh mesh_of_rank(const SharedVoxels& voxels, const LabelCounts& labels,
     const BlockLayout layout = BlockLayout::of(voxels.grid, options.block);
     const VolumeParts volume = read_as_asked(voxels, labels, smooth, exchange.scratch(), run);
     const BlockField sizes = sizes_of_own_blocks(volume, layout, options, exchange, steps.next());
-    const BackgroundOfBlock background = backgrounds_of_rank(sizes, layout, options.background, exchange, steps.next());
-    LabelledMesh mesh = mesh_own_blocks(volume, layout, background, options, exchange, steps.next());
+    // From here on, ranks have about as many tetrahedra, not as many planes.
+    const BlockShares shares = BlockShares::balanced(sizes.expected_tets(), exchange.ranks());
+    const BackgroundOfBlock background =
+        backgrounds_of_rank(sizes, layout, shares, options.background, exchange, steps.next());
+    LabelledMesh mesh = mesh_own_blocks(volume, layout, shares, background, options, exchange, steps.next());
     finish(mesh, voxels, labels, options, exchange, steps.next());
     return mesh;
 }

@@ -2,7 +2,7 @@
 #include "pipeline/block_limits.hpp"
 
 #include "base/stage.hpp"
-#include "pipeline/block_seams.hpp"
+#include "pipeline/block_shares.hpp"
 #include "pipeline/quiet_run.hpp"
 #include "sizing/surface_sizes.hpp"
 #include "volume/label_planes.hpp"
@@ -49,7 +49,7 @@ BlockLimits::BlockLimits(const VolumeParts& volume, const BlockLayout& layout, d
 {
     if (error <= 0)
         return;
-    const OwnBlocks own = own_blocks(layout.count, exchange);
+    const OwnBlocks own = BlockShares::equal(layout.count, exchange.ranks()).own(exchange);
     Steps steps(run, Array<Step>(std::max(own.count, 1), {nullptr, 1}));
     Array<SizeLimit> found;
     for (int32_t b = own.first; b < own.end(); ++b)

@@ -1,8 +1,6 @@
 // Who has the blocks beside one's own, and parcels to them.
 #include "pipeline/block_seams.hpp"
 
-#include "parts/number_points.hpp"
-
 namespace cleft
 {
 
@@ -19,21 +17,14 @@ Array<unsigned char> part_of(const Received<unsigned char>& received, int32_t ra
 
 }  // namespace
 
-OwnBlocks own_blocks(int32_t all, int32_t ranks, int32_t rank)
+NeighbourMail::NeighbourMail(const BlockShares& shares, Exchange& exchange)
+    : exchange_(exchange), below_(-1), above_(-1)
 {
-    const OwnedNumbers owned(all, ranks);
-    const auto first = static_cast<int32_t>(owned.first(rank));
-    return {first, static_cast<int32_t>(owned.first(rank + 1)) - first};
-}
-
-NeighbourMail::NeighbourMail(int32_t blocks, Exchange& exchange) : exchange_(exchange), below_(-1), above_(-1)
-{
-    const OwnBlocks own = own_blocks(blocks, exchange);
-    const OwnedNumbers owned(blocks, exchange.ranks());
+    const OwnBlocks own = shares.own(exchange);
     if (own.count > 0 && own.first > 0)
-        below_ = owned.owner(own.first - 1);
-    if (own.count > 0 && own.end() < blocks)
-        above_ = owned.owner(own.end());
+        below_ = shares.owner(own.first - 1);
+    if (own.count > 0 && own.end() < shares.blocks())
+        above_ = shares.owner(own.end());
 }
 
 std::pair<Parcel, Parcel> NeighbourMail::swap(const Parcel& down, const Parcel& up)

@@ -4,21 +4,10 @@
 #include "parts/exchange.hpp"
 #include "parts/parcel.hpp"
 #include "pipeline/block_job.hpp"
+#include "pipeline/block_shares.hpp"
 
 namespace cleft
 {
-
-// Blocks first .. first + count - 1 of all. Ranks have blocks one after the other; those without any come last.
-struct OwnBlocks {
-    int32_t first = 0, count = 0;
-
-    int32_t end() const { return first + count; }
-};
-OwnBlocks own_blocks(int32_t all, int32_t ranks, int32_t rank);
-inline OwnBlocks own_blocks(int32_t all, const Exchange& exchange)
-{
-    return own_blocks(all, exchange.ranks(), exchange.rank());
-}
 
 // Work at seams: what is cut out of a block beside a seam (Side), what is done with that of both blocks, and what each
 // block gets for it (Outcome).
@@ -38,7 +27,7 @@ struct SeamWork {
 class NeighbourMail
 {
 public:
-    NeighbourMail(int32_t blocks, Exchange& exchange);
+    NeighbourMail(const BlockShares& shares, Exchange& exchange);
 
     // Sends one parcel down and one up, and returns what came from below and from above; all ranks call it together. A
     // parcel to where nobody is must be empty.
@@ -51,9 +40,10 @@ private:
 
 // The work at all seams. Those of even number come first, then the others: two of a kind have no block in common.
 template <class Side, class Outcome>
-void work_at_seams(const OwnBlocks& own, int32_t blocks, const SeamWork<Side, Outcome>& seams, Exchange& exchange)
+void work_at_seams(const BlockShares& shares, const SeamWork<Side, Outcome>& seams, Exchange& exchange)
 {
-    NeighbourMail mail(blocks, exchange);
+    const OwnBlocks own = shares.own(exchange);
+    NeighbourMail mail(shares, exchange);
     for (int32_t parity = 0; parity < 2; ++parity) {
         const auto has_turn = [&](int32_t lower_block) { return lower_block % 2 == parity; };
         for (int32_t b = own.first; b + 1 < own.end(); ++b)
@@ -68,7 +58,7 @@ void work_at_seams(const OwnBlocks& own, int32_t blocks, const SeamWork<Side, Ou
         if (exchange.ranks() == 1)
             continue;
         const bool below = own.count > 0 && own.first > 0 && has_turn(own.first - 1);
-        const bool above = own.count > 0 && own.end() < blocks && has_turn(own.end() - 1);
+        const bool above = own.count > 0 && own.end() < shares.blocks() && has_turn(own.end() - 1);
         Parcel down, up;
         if (below)
             down.put(seams.places(own.first));

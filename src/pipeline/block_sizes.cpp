@@ -4,7 +4,7 @@
 #include "background/octree_tree.hpp"
 #include "base/stage.hpp"
 #include "pipeline/block_limits.hpp"
-#include "pipeline/block_seams.hpp"
+#include "pipeline/block_shares.hpp"
 #include "pipeline/quiet_run.hpp"
 #include "sizing/compute.hpp"
 #include "sizing/number_limit.hpp"
@@ -81,7 +81,7 @@ SizingField sizes_of_block(const VolumeParts& volume, Planes block, const BlockL
 BlockField sizes_of_own_blocks(const VolumeParts& volume, const BlockLayout& layout, const PipelineOptions& options,
                                Exchange& exchange, const Run& run)
 {
-    const OwnBlocks own = own_blocks(layout.count, exchange);
+    const OwnBlocks own = BlockShares::equal(layout.count, exchange.ranks()).own(exchange);
     SizingOptions sizing = bounded(options.sizing, layout);
     const double error = error_of_sizes(sizing);
     Stage stage(run, "sizing", {{"sizing: curvature", error > 0 ? 1.0 : 0}, {"sizing: blocks", 1}});
@@ -100,8 +100,9 @@ BlockField sizes_of_own_blocks(const VolumeParts& volume, const BlockLayout& lay
             field.add(layout.planes(b), of_block.h);
         }
         // In the order of the blocks, so that the sum is the same for any number of ranks.
-        const Array<double> all = exchange.all_gather(tets);
+        Array<double> all = exchange.all_gather(tets);
         of_particles = std::accumulate(all.begin(), all.end(), 0.0);
+        field.expect(std::move(all));
         if (options.background.kind != BackgroundKind::octree)
             return of_particles;
         return rough_octree_tets(layout.grid.extent(), range_of_all(field.range(), exchange), of_particles);

@@ -27,11 +27,16 @@ public:
     const Grid& grid() const { return grid_; }
     double gradation() const { return gradation_; }
 
+    // The tetrahedra that the sizes ask for, by block: of all blocks.
+    void expect(Array<double>&& tets) { tets_ = std::move(tets); }
+    const Array<double>& expected_tets() const { return tets_; }
+
 private:
     Grid grid_;
     double gradation_;
     SizeRange range_;
     Array<Planes> slabs_;
+    Array<double> tets_;
     KeptBytes sizes_;  // by slab
 };
 

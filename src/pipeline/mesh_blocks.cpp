@@ -17,12 +17,14 @@ namespace
 class BlockRun
 {
 public:
-    BlockRun(const VolumeParts& volume, const BlockLayout& layout, const PipelineOptions& options, Exchange& exchange)
+    BlockRun(const VolumeParts& volume, const BlockLayout& layout, const BlockShares& shares,
+             const PipelineOptions& options, Exchange& exchange)
         : volume_(volume),
           layout_(layout),
+          shares_(shares),
           options_(options),
           exchange_(exchange),
-          own_(own_blocks(layout.count, exchange)),
+          own_(shares.own(exchange)),
           blocks_(own_.first, own_.count, exchange.scratch())
     {
     }
@@ -30,7 +32,7 @@ public:
     void cut_out(const BackgroundOfBlock& background, const Run& run)
     {
         // Ranks make backgrounds together, those with fewer blocks too.
-        const int32_t most = (layout_.count + exchange_.ranks() - 1) / exchange_.ranks();
+        const int32_t most = shares_.greatest_count();
         Steps steps(run, Array<Step>(most, {nullptr, 1}));
         for (int32_t i = 0; i < most; ++i) {
             const bool is_own = i < own_.count;
@@ -60,7 +62,7 @@ public:
         };
         Steps steps = steps_of_blocks(run);
         work_at_seams<NearSnapped, Snapped>(
-            own_, layout_.count,
+            shares_,
             {[&](int32_t b) { return places_of_cut(block(b)); }, cut_out,
              [&](int32_t, const NearSnapped& lower, const NearSnapped& upper) {
                  return snap_seam(volume_, lower.side, upper.side, options_, steps.next());
@@ -82,7 +84,7 @@ public:
         const BoundingBox box = layout_.box();
         Steps steps = steps_of_blocks(run);
         work_at_seams<LabelledMesh, LabelledMesh>(
-            own_, layout_.count,
+            shares_,
             {[&](int32_t b) { return places_of_cut(block(b).mesh, box, run); },
              [&](int32_t b, const Array<Vec3>& places) { return taken_near(block(b).mesh, places, box, run); },
              [&](int32_t b, LabelledMesh lower, const LabelledMesh& upper) {
@@ -111,6 +113,7 @@ private:
 
     const VolumeParts& volume_;
     const BlockLayout& layout_;
+    const BlockShares& shares_;
     const PipelineOptions& options_;
     Exchange& exchange_;
     OwnBlocks own_;
@@ -119,11 +122,12 @@ private:
 
 }  // namespace
 
-LabelledMesh mesh_own_blocks(const VolumeParts& volume, const BlockLayout& layout, const BackgroundOfBlock& background,
-                             const PipelineOptions& options, Exchange& exchange, const Run& run)
+LabelledMesh mesh_own_blocks(const VolumeParts& volume, const BlockLayout& layout, const BlockShares& shares,
+                             const BackgroundOfBlock& background, const PipelineOptions& options, Exchange& exchange,
+                             const Run& run)
 {
     Stage stage(run, "blocks", {{nullptr, 5}, {nullptr, 20}, {nullptr, 4}, {nullptr, 60}, {nullptr, 15}});
-    BlockRun blocks(volume, layout, options, exchange);
+    BlockRun blocks(volume, layout, shares, options, exchange);
     blocks.cut_out(background, stage.next());
     blocks.snap(stage.next());
     blocks.snap_seams(stage.next());
@@ -139,7 +143,8 @@ LabelledMesh mesh_in_blocks(const Volume& volume, const TetMesh& background, con
     Exchange alone = Exchange::alone();
     const BlockLayout layout = BlockLayout::of(volume.grid(), options.block);
     const auto of_block = [&](int32_t block, const Run&) { return part_in_block(background, layout, block); };
-    return mesh_own_blocks(parts_of(volume), layout, of_block, options, alone, run);
+    const BlockShares shares = BlockShares::equal(layout.count, 1);
+    return mesh_own_blocks(parts_of(volume), layout, shares, of_block, options, alone, run);
 }
 
 TetMesh part_in_block(const TetMesh& background, const BlockLayout& layout, int32_t block)

@@ -121,7 +121,7 @@ class Command(unittest.TestCase):
             self.assertEqual((code, errors), (2, [f"cleft-mpi mesh: {sentence}"]))
         code, _, errors = self.run_ranks(2, f"$C {words} --memory 2G -o bounded.vtkhdf")
         chosen = "--memory 2G leaves room for slabs of 8 planes: the mesh is that of --block 8"
-        self.assertEqual((code, errors), (0, [f"cleft: warning: {chosen}"]))
+        self.assertEqual((code, errors), (0, [f"cleft-mpi: warning: {chosen}"]))
         self.assertEqual(self.run_ranks(3, f"$C {words} --block 8 -o free.vtkhdf")[::2], (0, []))
         self.assertEqual(*((self.folder / f"{name}.vtkhdf").read_bytes() for name in ("bounded", "free")))
         # Nothing stays beside the output.
