@@ -48,7 +48,8 @@ private:
         const bool cancel = context_.progress(begin + (end - begin) * fraction_, stage_, context_.progress_user) != 0;
         // After the callback: a slow one must not be due again at once.
         last_ = Clock::now();
-        return cancel;
+        // It may have asked by cleft_context_cancel(), and nobody looks after the last report.
+        return cancel || context_.cancel;
     }
 
     cleft_context& context_;

@@ -9,6 +9,7 @@ typedef struct {
     double last;
     int calls, faults;
     int cancels_at_end;
+    cleft_context* asks; /* cancels at the end by a call, not by the answer */
 } watch;
 
 static int watching(double fraction, const char* stage, void* user)
@@ -17,6 +18,8 @@ static int watching(double fraction, const char* stage, void* user)
     w->faults += !(fraction >= w->last && fraction <= 1) || !stage || !*stage;
     w->last = fraction;
     ++w->calls;
+    if (w->asks && fraction >= 1)
+        return cleft_context_cancel(w->asks) != CLEFT_OK;
     return w->cancels_at_end && fraction >= 1;
 }
 
@@ -136,6 +139,9 @@ static void a_call_may_be_cancelled_at_its_very_end(void** state)
     (void)state;
     w.cancels_at_end = 1;
     assert_ok(context, cleft_context_set_progress(context, watching, &w));
+    assert_fails(context, CLEFT_ERROR_CANCELLED, cleft_mesh_volume(context, volume, NULL, NULL, NULL, &mesh));
+    assert_null(mesh);
+    w = (watch){.asks = context};
     assert_fails(context, CLEFT_ERROR_CANCELLED, cleft_mesh_volume(context, volume, NULL, NULL, NULL, &mesh));
     assert_null(mesh);
     cleft_volume_destroy(volume);

@@ -52,6 +52,7 @@ class Mesh(CommandTest):
             serial = metrics[name + ".serial_seconds"]
             self.assertTrue(0 <= serial <= metrics[name + ".cpu_seconds"], name)
 
+    @unittest.skipIf(os.environ.get("SANITIZERS"), "sanitizers take memory of their own")
     def test_memory_is_that_of_the_command_alone(self):
         held = bytearray(os.urandom(4096) * 75000)  # of the program that starts it: 300 MB
         report = self.mesh(self.volume)
