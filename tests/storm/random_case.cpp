@@ -317,7 +317,8 @@ private:
     {
         option("block", std::to_string(made_.dims[2] >= 100 && one_in(2) ? pick(20, 60) : pick(1, 20)));
         if (!one_in(30)) {
-            option("background", "octree");
+            static const char* const kShared[] = {"particles", "lattice", "octree", "octree"};
+            option("background", kShared[random_.below(std::size(kShared))]);
             option("tets", "0");
             option("strict", "0");
         }
