@@ -1,4 +1,5 @@
 /* Meshes in parts: put together, they are the mesh of one process, whatever the number of ranks. */
+#include "broken_exchange.h"
 #include "compare_parts.h"
 #include "ranks.h"
 
@@ -405,19 +406,6 @@ static void scratch_needs_a_folder(void** state)
     }
     cleft_options_destroy(options);
     free(voxels);
-}
-
-static int send_nothing(const int64_t* send, int64_t* receive, void* user)
-{
-    (void)send, (void)receive, (void)user;
-    return 1;
-}
-
-static int send_no_bytes(const void* send, const int64_t* send_sizes, void* receive, const int64_t* receive_sizes,
-                         void* user)
-{
-    (void)send, (void)send_sizes, (void)receive, (void)receive_sizes, (void)user;
-    return 1;
 }
 
 static void an_exchange_can_break(void** state)

@@ -1,4 +1,5 @@
 /* Reports on a mesh in parts: all ranks hear of the whole mesh what one process would, whatever their number. */
+#include "broken_exchange.h"
 #include "ranks.h"
 #include "support/capi.h"
 
@@ -312,19 +313,6 @@ static void what_one_gives_wrong_all_hear(void** state)
     destroy_parts(others, 3);
     cleft_options_destroy(options);
     free(voxels);
-}
-
-static int send_nothing(const int64_t* send, int64_t* receive, void* user)
-{
-    (void)send, (void)receive, (void)user;
-    return 1;
-}
-
-static int send_no_bytes(const void* send, const int64_t* send_sizes, void* receive, const int64_t* receive_sizes,
-                         void* user)
-{
-    (void)send, (void)send_sizes, (void)receive, (void)receive_sizes, (void)user;
-    return 1;
 }
 
 static void arguments_are_looked_at(void** state)
