@@ -9,6 +9,7 @@
 #include "sizing/compute.hpp"
 #include "sizing/number_limit.hpp"
 #include "sizing/volume_sizing.hpp"
+#include "volume/label_planes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,8 +48,7 @@ Planes planes_with_a_say(const Grid& grid, Planes block, const SizingOptions& op
     const double greatest = std::max(options.size, options.size_max);
     const double reach = greatest * std::max(1 / options.gradation, 2 / options.feature_scale);
     const double planes = std::min(std::ceil(reach / grid.spacing[2]) + kBeside, static_cast<double>(grid.dims[2]));
-    const int32_t first = std::max(0, block.first - static_cast<int32_t>(planes));
-    return {first, std::min(grid.dims[2], block.end() + static_cast<int32_t>(planes)) - first};
+    return planes_around(grid, block, static_cast<int32_t>(planes));
 }
 
 // Those that sizes of all blocks of a rank depend on.
