@@ -122,11 +122,7 @@ def stage_row(names, one, many, tetgen):
 
 def stages_of(run):
     """The stages of one background: its own steps where it has some."""
-    has_steps = any(name.startswith("background.") for name in run["stages"])
-    order = [name for name in speed.STAGES if name in run["stages"]]
-    if not has_steps:
-        order.insert(order.index("sizing") + 1, "background")
-    return order
+    return speed.without_parents(list(run["stages"]))
 
 
 def stages_table(data):
@@ -187,8 +183,9 @@ def growth_table(data):
         growth = steps[2]["tets"] / steps[0]["tets"]
         rows.append(growth_row(program, "all", *steps, growth))
         for stage in stages_of(steps[0]) if program in BACKGROUNDS else ():
-            parts = [step["stages"][stage] for step in steps]
-            if min(part["cpu_seconds"] for part in parts) > LEAST_SECONDS:
+            # Some volumes need no surfaces_again, say.
+            parts = [step["stages"][stage] for step in steps if stage in step["stages"]]
+            if len(parts) == len(steps) and min(part["cpu_seconds"] for part in parts) > LEAST_SECONDS:
                 rows.append(growth_row(program, stage, *parts, growth))
     return table(columns, rows)
 

@@ -6,8 +6,22 @@ import matplotlib.pyplot as plt
 
 # Text stays text: small files. Names and dates that change with each run would make each picture a new one.
 plt.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "cleft", "font.size": 9, "font.family": "sans-serif"})
-STAGES = ("volume", "sizing", "background", "cleaving", "improving", "fitting", "finish", "refine", "perturb", "exude")
-COLOURS = ("#8c8c8c", "#c9b458", "#4c72b0", "#55a868", "#c44e52", "#8172b2", "#937860", "#2f4b7c", "#dd8452", "#da8bc3")
+COLOURS = {
+    "volume": "#8c8c8c",
+    "sizing": "#c9b458",
+    "background": "#4c72b0",
+    "cleaving": "#55a868",
+    "surfaces": "#64b5cd",
+    "improving": "#c44e52",
+    "surfaces_again": "#3a7d8c",
+    "fitting": "#8172b2",
+    "finish": "#937860",
+    "result_check": "#ccb974",
+    "refine": "#2f4b7c",
+    "perturb": "#dd8452",
+    "exude": "#da8bc3",
+}
+OTHER_COLOUR = "#000000"
 
 
 def save(figure, path):
@@ -22,9 +36,17 @@ def bars_of_stages(data, path):
     runs = {name[:-3]: run for name, run in volume["runs"].items() if name.endswith(", 1") and "TetGen" not in name}
     figure, axes = plt.subplots(figsize=(7.5, 2.6))
     left = dict.fromkeys(runs, 0)
-    for stage, colour in zip(STAGES, COLOURS):
+    named = dict.fromkeys(stage for run in runs.values() for stage in run["stages"] if "." not in stage)
+    for stage in named:
         widths = [1e6 * run["stages"].get(stage, {}).get("cpu_seconds", 0) / run["tets"] for run in runs.values()]
-        axes.barh(list(runs), widths, left=list(left.values()), color=colour, label=stage, height=0.7)
+        axes.barh(
+            list(runs),
+            widths,
+            left=list(left.values()),
+            color=COLOURS.get(stage, OTHER_COLOUR),
+            label=stage,
+            height=0.7,
+        )
         left = {name: begin + width for (name, begin), width in zip(left.items(), widths)}
     axes.invert_yaxis()
     axes.set_xlabel("%s, one thread: CPU microseconds a tetrahedron" % volume["name"])

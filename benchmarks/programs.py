@@ -64,11 +64,13 @@ def sums(stages):
     return {**total, "peak_bytes": stages[-1]["peak_bytes"]}
 
 
-def serial_seconds(whole, metrics):
+def serial_seconds(whole, report):
     """Of a whole run on one thread: what is not in a shared loop of one of its stages, between the stages too."""
-    parts = ("volume", "sizing", "background", "cleaving", "improving", "fitting", "finish", "result_check")
-    noted = [metrics[part + ".cpu_seconds"] - metrics[part + ".serial_seconds"] for part in parts]
-    return whole["cpu_seconds"] - sum(noted)
+    metrics = report["metrics"]
+    # The steps of a stage are in its own figures.
+    parts = ["volume"] + [stage["name"] for stage in report["stages"] if stage["part_of"] == "mesh"]
+    shared = [metrics[part + ".cpu_seconds"] - metrics[part + ".serial_seconds"] for part in parts]
+    return whole["cpu_seconds"] - sum(shared)
 
 
 def run_cleft(cleft, case, background, threads, engine="cleft"):
@@ -82,8 +84,8 @@ def run_cleft(cleft, case, background, threads, engine="cleft"):
         "points": metrics["background.points"],
         "min_dihedral": report["quality"]["min_dihedral"],
         **whole,
-        "serial_seconds": serial_seconds(whole, metrics),
-        "stages": figures_of_stages(metrics, (*speed.STAGES, "background")),
+        "serial_seconds": serial_seconds(whole, report),
+        "stages": figures_of_stages(metrics, speed.stages_of(report)),
     }
 
 
