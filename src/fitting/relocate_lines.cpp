@@ -4,6 +4,7 @@
 #include "base/collect.hpp"
 #include "base/per_worker.hpp"
 #include "fitting/room_maker.hpp"
+#include "remeshing/claimed_visits.hpp"
 #include "remeshing/point_levels.hpp"
 #include "remeshing/smoothing.hpp"
 #include "volume/tie.hpp"
@@ -37,26 +38,49 @@ public:
 
     enum class Found : uint8_t { on_tie, off_tie, without_tie };
 
-    // `looks_around`: also seeks further for the tie, and moves the points around. Not for several threads then.
-    Found relocate(int32_t v, bool looks_around)
+    // Brings the point nearer to its tie. No other changes.
+    Found relocate(int32_t v)
+    {
+        Vec3 on_tie;
+        const Found found = find_tie(v, false, on_tie);
+        return found == Found::off_tie ? move_towards(v, on_tie) : found;
+    }
+    // Where the tie is, if the point is off it. `looks_around`: also seeks further for it. Changes nothing.
+    Found find_tie(int32_t v, bool looks_around, Vec3& on_tie)
     {
         star_.load(mesh_, v);
+        if (star_.empty())  // another point has taken it in
+            return Found::on_tie;
         const auto materials = materials_of(star_.tets(), mesh_.materials());
         if (!materials)
             return Found::without_tie;
-        const Vec3 from = mesh_.point(v);
+        const Vec3& from = mesh_.point(v);
         const double reach = star_.reach(from);
-        const auto on_tie = tie_near(from, *materials, mesh_.frozen(v), reach, looks_around);
-        if (!on_tie)
+        const auto found = tie_near(from, *materials, mesh_.frozen(v), reach, looks_around);
+        if (!found)
             return Found::without_tie;
-        if ((*on_tie - from).norm() < kLeastStep * reach)
-            return Found::on_tie;
+        on_tie = *found;
+        return (on_tie - from).norm() < kLeastStep * reach ? Found::on_tie : Found::off_tie;
+    }
+    // Brings the point onto its tie, or nearer. May move the points around, and contract edges: see
+    // RoomMaker::settle().
+    Found settle(int32_t v, const Vec3& on_tie, int worker, Array<int32_t>& unused)
+    {
+        star_.load(mesh_, v);
+        const double least = std::min(floor_, star_.worst_at(mesh_.point(v), -1));
+        return room_.settle(v, on_tie, least, worker, unused) ? Found::on_tie : move_towards(v, on_tie);
+    }
+    RoomMaker& room() { return room_; }
+
+private:
+    // The star that is loaded is that of the point.
+    Found move_towards(int32_t v, const Vec3& on_tie)
+    {
+        const Vec3 from = mesh_.point(v);
         const double least = std::min(floor_, star_.worst_at(from, -1));
-        if (looks_around && room_.settle(v, *on_tie, least))
-            return Found::on_tie;
         // Each needs one look at the star, and what is left comes in the next round.
         for (const double share : kStepShares) {
-            const Vec3 x = from + share * (*on_tie - from);
+            const Vec3 x = from + share * (on_tie - from);
             if (star_.worst_at(x, least) > least) {
                 mesh_.move(v, x);
                 return share == 1 ? Found::on_tie : Found::off_tie;
@@ -65,7 +89,6 @@ public:
         return Found::off_tie;
     }
 
-private:
     std::optional<Vec3> tie_near(const Vec3& x, const MaterialSet& materials, uint8_t frozen, double reach,
                                  bool looks_around)
     {
@@ -115,12 +138,93 @@ private:
     Samples samples_;
 };
 
+using Found = LineRelocator::Found;
+
+// One round: what was found of each point.
+Array<Found> relocated(const LocalMesh& mesh, const Array<int32_t>& points, PerWorker<LineRelocator>& relocators,
+                       const Run& run)
+{
+    Array<Found> found(points.size(), Found::on_tie);
+    levels_of_points(
+        mesh, points.count(), [&](int64_t i) { return points[i]; }, run)
+        .visit_all(run, [&](int worker, int64_t i) { found[i] = relocators[worker].relocate(points[i]); });
+    return found;
+}
+
+// Rounds in which the mesh around the points changes as well.
+class SettlingRounds
+{
+public:
+    SettlingRounds(LocalMesh& mesh, PerWorker<LineRelocator>& relocators)
+        : mesh_(mesh),
+          relocators_(relocators),
+          visits_(mesh),
+          changed_(mesh.slot_count(), 0),
+          tried_(mesh.point_count(), 0)
+    {
+    }
+
+    // What was found of each point.
+    Array<Found> settle(const Array<int32_t>& points, const Run& run)
+    {
+        Array<Found> found(points.size(), Found::off_tie);
+        Array<Vec3> on_tie(points.size(), Vec3(0, 0, 0));
+        Array<Array<int32_t>> unused(points.size());
+        visits_.visit_all(
+            run, points.count(),
+            [&](int worker, int64_t i, Array<int32_t>& tets) {
+                const int32_t v = points[i];
+                found[i] = relocators_[worker].find_tie(v, true, on_tie[i]);
+                if (found[i] != Found::off_tie)
+                    return;
+                relocators_[worker].room().add_touched_tets(v, on_tie[i], tets);
+                if (!is_worth_trying(v, tets))
+                    tets.clear();
+            },
+            [&](int worker, int64_t i) {
+                const int32_t v = points[i];
+                const Vec3 from = mesh_.point(v);
+                found[i] = relocators_[worker].settle(v, on_tie[i], worker, unused[i]);
+                tried_[v] = visits_.round();
+                if (mesh_.point(v) != from)
+                    note_move(v);
+                for (const PointMove& move : relocators_[worker].room().moved())
+                    note_move(move.point);
+            },
+            [&](int64_t i) {
+                mesh_.release(unused[i], 0);
+                unused[i] = {};
+            });
+        return found;
+    }
+
+private:
+    // Something around has changed since nothing helped. Others change nothing around in the same round.
+    bool is_worth_trying(int32_t v, const Array<int32_t>& touched) const
+    {
+        return tried_[v] == 0 ||
+               std::any_of(touched.begin(), touched.end(), [&](int32_t t) { return changed_[t] >= tried_[v]; });
+    }
+
+    // The new tetrahedra of a contraction are at the point that has settled.
+    void note_move(int32_t v)
+    {
+        for (const int32_t t : mesh_.star(v))
+            changed_[t] = visits_.round();
+    }
+
+    LocalMesh& mesh_;
+    PerWorker<LineRelocator>& relocators_;
+    ClaimedVisits visits_;
+    Array<uint32_t> changed_;  // by tetrahedron: in which round one of its corners moved last
+    Array<uint32_t> tried_;    // by point: in which round it was to settle last; 0 if never
+};
+
 }  // namespace
 
 LinePoints relocate_lines(LocalMesh& mesh, const Volume& volume, double floor, const Meetings& meetings, const Run& run,
                           bool looks_around)
 {
-    using Found = LineRelocator::Found;
     auto points =
         collect<int32_t>(run, mesh.point_count(), kLinePointsAtOnce, [&](int64_t begin, int64_t end, auto& list) {
             for (auto v = static_cast<int32_t>(begin); v < end; ++v)
@@ -129,20 +233,15 @@ LinePoints relocate_lines(LocalMesh& mesh, const Volume& volume, double floor, c
         });
     LinePoints out;
     PerWorker<LineRelocator> relocators(run, mesh, volume, floor);
+    std::optional<SettlingRounds> settling;
     // Most points find their tie without a look around.
     const int first_around = looks_around ? 1 : kLineRounds;
     const int rounds = looks_around ? 1 + kLineRounds : kLineRounds;
     for (int round = 0; round < rounds; ++round) {
         const bool around = round >= first_around;
-        Array<Found> found(points.size(), Found::on_tie);
-        const auto visit = [&](int worker, int64_t i) { found[i] = relocators[worker].relocate(points[i], around); };
-        // Who makes room around a point moves others, and changes connections.
-        if (around)
-            run.for_each(points.count(), [&](int64_t i) { visit(0, i); });
-        else
-            levels_of_points(
-                mesh, points.count(), [&](int64_t i) { return points[i]; }, run)
-                .visit_all(run, visit);
+        if (around && !settling)
+            settling.emplace(mesh, relocators);
+        const Array<Found> found = around ? settling->settle(points, run) : relocated(mesh, points, relocators, run);
         Array<int32_t> left;
         for (int64_t i = 0; i < points.count(); ++i) {
             if (found[i] == Found::off_tie)

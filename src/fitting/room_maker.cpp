@@ -19,14 +19,29 @@ constexpr double kContractedShare = 0.1;
 
 }  // namespace
 
-bool RoomMaker::settle(int32_t v, const Vec3& on_tie, double least)
+bool RoomMaker::settle(int32_t v, const Vec3& on_tie, double least, int worker, Array<int32_t>& unused)
 {
+    moves_.clear();
     star_.load(mesh_, v);
     if (star_.worst_at(on_tie, least) > least) {
-        mesh_.move(v, on_tie);
+        moves_.apply(mesh_, v, on_tie);
         return true;
     }
-    return settle_here(v, on_tie, least) || settle_without_neighbour(v, on_tie, least);
+    return settle_here(v, on_tie, least) || settle_without_neighbour(v, on_tie, least, worker, unused);
+}
+
+void RoomMaker::add_touched_tets(int32_t v, const Vec3& on_tie, Array<int32_t>& tets) const
+{
+    Array<int32_t> touched = points_around(v);
+    const int64_t count = touched.count();
+    // A contraction makes the points around the one that goes neighbours of this one.
+    for (int64_t i = 0; i < count; ++i)
+        if (is_beside(touched[i], v, on_tie)) {
+            const Array<int32_t> further = points_around(touched[i]);
+            touched.insert(touched.end(), further.begin(), further.end());
+        }
+    for (const int32_t w : touched)
+        tets.insert(tets.end(), mesh_.star(w).begin(), mesh_.star(w).end());
 }
 
 bool RoomMaker::settle_here(int32_t v, const Vec3& on_tie, double least)
@@ -44,22 +59,30 @@ bool RoomMaker::settle_here(int32_t v, const Vec3& on_tie, double least)
 }
 
 // Often the place is taken: a point of an interface lies there, which cleaving has snapped. The point takes it in.
-bool RoomMaker::settle_without_neighbour(int32_t v, const Vec3& on_tie, double least)
+bool RoomMaker::settle_without_neighbour(int32_t v, const Vec3& on_tie, double least, int worker,
+                                         Array<int32_t>& unused)
 {
     for (const int32_t w : points_around(v)) {
-        if ((mesh_.point(w) - on_tie).norm() > kBeside * (mesh_.point(w) - mesh_.point(v)).norm())
+        if (!is_beside(w, v, on_tie))
             continue;
         const int32_t t = mesh_.tet_at(v, w);
         if (!contraction_.find(mesh_, t, mesh_.corner_of(t, w), mesh_.corner_of(t, v), cavity_, kContractedShare))
             continue;
-        cavity_.apply(mesh_);
+        cavity_.apply_in_place(mesh_, worker);
         star_.load(mesh_, v);
-        if (settle_here(v, on_tie, least))
+        if (settle_here(v, on_tie, least)) {
+            unused.assign(cavity_.old_tets.begin() + cavity_.created.count(), cavity_.old_tets.end());
             return true;
-        cavity_.undo(mesh_);
+        }
+        cavity_.undo_in_place(mesh_, worker);
         star_.load(mesh_, v);
     }
     return false;
+}
+
+bool RoomMaker::is_beside(int32_t w, int32_t v, const Vec3& on_tie) const
+{
+    return (mesh_.point(w) - on_tie).norm() <= kBeside * (mesh_.point(w) - mesh_.point(v)).norm();
 }
 
 // The star that is loaded is that of the point.

@@ -50,14 +50,22 @@ struct Cavity {
     // Keeps the old tetrahedra first, so that undo() can put them back. The caller has made sure of positive volumes.
     void apply(LocalMesh& mesh)
     {
-        taken_tets.clear();
-        taken_materials.clear();
-        for (const int32_t t : old_tets) {
-            taken_tets.push_back(mesh.tet(t));
-            taken_materials.push_back(mesh.material(t));
-        }
+        keep_taken(mesh);
         CLEFT_ASSERT(fills_the_same(mesh));
         mesh.replace(old_tets, new_tets, new_materials, created);
+    }
+    // The same for several threads at once, for operations that put in no more tetrahedra than they take out: the slots
+    // of the others stay taken until release(). `worker`: see LocalMesh::refill().
+    void apply_in_place(LocalMesh& mesh, int worker)
+    {
+        CLEFT_ASSERT(new_tets.size() <= old_tets.size());
+        keep_taken(mesh);
+        reserve(mesh);
+        refill(mesh, worker);
+    }
+    void undo_in_place(LocalMesh& mesh, int worker)
+    {
+        mesh.refill(created, taken_tets, taken_materials, old_tets, worker);
     }
     // apply() in the steps of LocalMesh::replace(); for changes that are not taken back.
     void reserve(LocalMesh& mesh) { mesh.reserve(old_tets, new_tets.size(), created); }
@@ -71,6 +79,15 @@ struct Cavity {
     void undo(LocalMesh& mesh) { mesh.replace(created, taken_tets, taken_materials, old_tets); }
 
 private:
+    void keep_taken(const LocalMesh& mesh)
+    {
+        taken_tets.clear();
+        taken_materials.clear();
+        for (const int32_t t : old_tets) {
+            taken_tets.push_back(mesh.tet(t));
+            taken_materials.push_back(mesh.material(t));
+        }
+    }
     // The new tetrahedra are positive, and have the volume of the old ones, up to rounding.
     bool fills_the_same(const LocalMesh& mesh) const
     {

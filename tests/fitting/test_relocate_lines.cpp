@@ -1,11 +1,14 @@
 // Three sectors that meet in a straight line: their triple points come to lie on it.
 #include "support/cmocka.hpp"
+#include "support/random.hpp"
+#include "support/runs.hpp"
 
 #include "background/lattice.hpp"
 #include "checking/validate.hpp"
 #include "cleaving/cleave.hpp"
 #include "fitting/relocate_lines.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -123,6 +126,51 @@ void settled_points_stay(void**)
     assert_true(moved > 3);
 }
 
+// Cells of random seeds, whose walls meet in many lines.
+constexpr int32_t kBox = 24;
+
+Volume grains()
+{
+    constexpr size_t kSeeds = 60;
+    const Grid grid{{kBox, kBox, kBox}, Vec3(1, 1, 1)};
+    cleft_test::Random random(7);
+    std::vector<std::vector<double>> fields(kSeeds);
+    Array<const double*> all;
+    for (auto& field : fields) {
+        const Vec3 seed = kBox * Vec3{random.unit(), random.unit(), random.unit()};
+        for (int32_t k = 0; k < kBox; ++k)
+            for (int32_t j = 0; j < kBox; ++j)
+                for (int32_t i = 0; i < kBox; ++i)
+                    field.push_back(-(grid.centre(i, j, k) - seed).norm());
+        all.push_back(field.data());
+    }
+    return Volume::from_indicators(all, grid, {}, Run());
+}
+
+// Where the mesh around makes room, with contractions too.
+void looking_around_gives_one_mesh_for_any_threads(void**)
+{
+    const Volume volume = grains();
+    const LabelledMesh cleaved = cleave(volume, lattice_background(volume.grid(), 0.7, Run()), {Snap::quality}, Run());
+    LabelledMesh first;
+    for (const int threads : {1, 2, 5}) {
+        const Run run = cleft_test::with_threads(threads);
+        LocalMesh local(LabelledMesh(cleaved), run);
+        const Meetings meetings = find_meetings(local, run);
+        const int64_t lines = std::count(meetings.begin(), meetings.end(), Meeting::line);
+        const LinePoints left = relocate_lines(local, volume, 0.26, meetings, run, true);
+        const LabelledMesh mesh = local.take(run);
+        assert_true(lines > 2000 && left.off < lines / 4);
+        assert_true(mesh.points.size() < cleaved.points.size());
+        const Validation found = validate(mesh, true, run);
+        assert_string_equal(found.first_fault.c_str(), "");
+        assert_true(std::abs(found.volume - kBox * kBox * kBox) < 1e-6);
+        if (threads == 1)
+            first = mesh;
+        assert_true(mesh.points == first.points && mesh.tets == first.tets && mesh.material == first.material);
+    }
+}
+
 }  // namespace
 
 int main()
@@ -131,6 +179,7 @@ int main()
         cmocka_unit_test(triple_points_of_every_rule_come_to_the_line),
         cmocka_unit_test(no_point_moves_where_shapes_would_suffer),
         cmocka_unit_test(settled_points_stay),
+        cmocka_unit_test(looking_around_gives_one_mesh_for_any_threads),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
