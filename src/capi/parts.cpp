@@ -28,7 +28,6 @@ using namespace cleft::capi;
 using cleft::Array;
 using cleft::Error;
 using cleft::Exchange;
-using cleft::LabelledMesh;
 using cleft::Run;
 
 namespace
@@ -95,15 +94,15 @@ void require_alike(uint64_t own, Exchange& exchange)
             throw Error(CLEFT_ERROR_ARGUMENT, "the ranks do not give the same volume, options and ghosts");
 }
 
-// What a rank makes of the mesh, with labels in the place of materials, and what the whole volume has.
-struct Piece {
-    LabelledMesh mesh;
+// What a rank makes of the mesh, and what the whole volume has.
+struct Made {
+    cleft::MeshPieces pieces;
     cleft::LabelCounts labels;
 };
 
 // The mesh of the whole volume.
-Piece whole_mesh(const cleft::Frame& frame, const cleft::VoxelSource& source, const cleft_options* options,
-                 const Run& run)
+Made whole_mesh(const cleft::Frame& frame, const cleft::VoxelSource& source, const cleft_options* options,
+                const Run& run)
 {
     const Array<unsigned char> voxels = read_window(source, {{0, 0, 0}, frame.grid.dims});
     const int kernel = static_cast<int>(option_value(options, CLEFT_OPTION_SMOOTH));
@@ -112,15 +111,12 @@ Piece whole_mesh(const cleft::Frame& frame, const cleft::VoxelSource& source, co
     const cleft::PipelineOptions p = pipeline_options(options, volume);
     warn_of_unknown_labels(volume.volume.labels(), options, "volume", run);
     warn_of_unknown_sizes(volume.volume.labels(), options, run);
-    LabelledMesh mesh = cleft::mesh_from_volume(volume.volume, p, run);
-    for (cleft::Material& m : mesh.material)
-        m = number_of(volume.volume.labels()[m]);
-    return {std::move(mesh), volume.volume.label_counts()};
+    return {cleft::MeshPieces::of(mesh_from_volume(volume.volume, p, run)), volume.volume.label_counts()};
 }
 
 // The blocks of this rank.
-Piece mesh_of_own_blocks(const cleft::SharedVoxels& voxels, const cleft_options* options, Exchange& exchange,
-                         const Run& run)
+Made mesh_of_own_blocks(const cleft::SharedVoxels& voxels, const cleft_options* options, Exchange& exchange,
+                        const Run& run)
 {
     const auto block = static_cast<int32_t>(option_value(options, CLEFT_OPTION_BLOCK));
     const int kernel = static_cast<int>(option_value(options, CLEFT_OPTION_SMOOTH));
@@ -130,15 +126,13 @@ Piece mesh_of_own_blocks(const cleft::SharedVoxels& voxels, const cleft_options*
         warn_of_unknown_labels(labels.labels, options, "volume", run);
         warn_of_unknown_sizes(labels.labels, options, run);
     }
-    LabelledMesh mesh = mesh_of_rank(voxels, labels, kernel, p, exchange, run);
-    for (cleft::Material& m : mesh.material)
-        m = number_of(labels.labels[m]);
-    return {std::move(mesh), std::move(labels)};
+    cleft::MeshPieces pieces = mesh_of_rank(voxels, labels, kernel, p, exchange, run);
+    return {std::move(pieces), std::move(labels)};
 }
 
 // What a rank makes of the mesh, before it is shared out.
-Piece piece_of_rank(const cleft::SharedVoxels& voxels, const cleft::Frame& frame, const cleft_options* options,
-                    Exchange& exchange, const Run& run)
+Made made_by_rank(const cleft::SharedVoxels& voxels, const cleft::Frame& frame, const cleft_options* options,
+                  Exchange& exchange, const Run& run)
 {
     const cleft::PipelineOptions p = pipeline_options(options);
     const std::string reason = needs_whole_mesh(p, voxels.grid);
@@ -149,14 +143,14 @@ Piece piece_of_rank(const cleft::SharedVoxels& voxels, const cleft::Frame& frame
             CLEFT_ERROR_TOO_LARGE,
             "the volume has more than 2147483647 voxels, too many to mesh in one piece, which is needed since " +
                 reason);
-    Piece piece;
+    Made made;
     if (exchange.rank() == 0) {
         if (exchange.ranks() > 1)
             run.warn("the first rank makes the whole mesh alone, since " + reason);
-        piece = whole_mesh(frame, voxels.source, options, run);
+        made = whole_mesh(frame, voxels.source, options, run);
     }
-    piece.labels = {exchange.all_gather(piece.labels.labels), exchange.all_gather(piece.labels.voxels)};
-    return piece;
+    made.labels = {exchange.all_gather(made.labels.labels), exchange.all_gather(made.labels.voxels)};
+    return made;
 }
 
 // What each label has in the mesh and in the volume, in the world.
@@ -211,10 +205,10 @@ cleft_part part_of(const cleft_voxels* given, const cleft_options* options, bool
     const cleft::VoxelSource source = source_of(voxels);
     cleft::Steps steps(run, {{"mesh", 9}, {nullptr, 1}});
     const Run of_mesh = steps.next();
-    Piece piece = piece_of_rank({frame.grid, source}, frame, options, exchange, of_mesh);
+    const Made made = made_by_rank({frame.grid, source}, frame, options, exchange, of_mesh);
     const cleft::BoundingBox box{cleft::Vec3::Zero(), frame.grid.extent()};
-    cleft::MeshPart part = share_mesh(std::move(piece.mesh), box, ghosts, exchange, steps.next());
-    auto labels = labels_in_world(piece.labels, frame, options, part, exchange);
+    cleft::MeshPart part = share_mesh(made.pieces, made.labels.labels, box, ghosts, exchange, steps.next());
+    auto labels = labels_in_world(made.labels, frame, options, part, exchange);
     to_user(frame, part, exchange, run);
     return made_part(std::move(part), std::move(labels), exchange);
 }

@@ -3,7 +3,9 @@
 
 #include "mesh/bounding_box.hpp"
 #include "mesh/interfaces.hpp"
+#include "mesh/user_label.hpp"
 #include "parts/exchange.hpp"
+#include "parts/mesh_pieces.hpp"
 
 namespace cleft
 {
@@ -41,8 +43,11 @@ struct MeshPart {
 // CLEFT_ERROR_TOO_LARGE if numbers of 32 bits are too few for a part.
 void check_size_of_part(int64_t points, int64_t tets);
 
-// Gives each rank its part of a mesh that ranks have in pieces: each tetrahedron is in the piece of one rank. A piece
-// may be empty. `box`: that of the volume. With `ghosts`, a part has all tetrahedra at its own points.
-MeshPart share_mesh(LabelledMesh piece, const BoundingBox& box, bool ghosts, Exchange& exchange, const Run& run);
+// Gives each rank its part of a mesh that ranks have in pieces, and empties these. A rank may have none. `labels`: of
+// the materials of the pieces; parts have them as numbers in the place of materials. `box`: that of the volume. With
+// `ghosts`, a part has all tetrahedra at its own points. With a scratch folder, what arrives is in a file until the
+// part is made of it.
+MeshPart share_mesh(const MeshPieces& pieces, const Array<UserLabel>& labels, const BoundingBox& box, bool ghosts,
+                    Exchange& exchange, const Run& run);
 
 }  // namespace cleft

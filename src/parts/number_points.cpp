@@ -1,6 +1,7 @@
 // A sort over ranks: pieces of the curve go to one rank each, which sorts and counts what it gets.
 #include "parts/number_points.hpp"
 
+#include "base/large_pages.hpp"
 #include "mesh/curve_order.hpp"
 
 #include <algorithm>
@@ -52,13 +53,31 @@ Array<uint64_t> ends_of_pieces(const Array<OnCurve>& sorted, Exchange& exchange)
     return ends;
 }
 
-Array<OnCurve> places_of(const Array<Vec3>& points, const BoundingBox& box)
+// The points of all pieces on the curve.
+Array<OnCurve> places_of(const MeshPieces& pieces, const BoundingBox& box, Array<int64_t>& start)
 {
     Array<OnCurve> places;
-    places.reserve(points.size());
-    for (const Vec3& x : points)
-        places.push_back({place_on_curve(x, box), {x[0], x[1], x[2]}});
+    for (int32_t i = 0; i < pieces.count; ++i) {
+        start.push_back(places.count());
+        const Array<Vec3>& points = pieces.at(i).points;
+        make_room(places, points.size());
+        for (const Vec3& x : points)
+            places.push_back({place_on_curve(x, box), {x[0], x[1], x[2]}});
+    }
     return places;
+}
+
+// `order`: where each was before.
+Array<OnCurve> sorted_places(const Array<OnCurve>& places, Array<int64_t>& order)
+{
+    order.resize(places.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](int64_t a, int64_t b) { return places[a] < places[b]; });
+    Array<OnCurve> sorted;
+    sorted.reserve(places.size());
+    for (const int64_t p : order)
+        sorted.push_back(places[p]);
+    return sorted;
 }
 
 bool are_one(const OnCurve& a, const OnCurve& b) { return !(a < b) && !(b < a); }
@@ -85,17 +104,11 @@ Array<int64_t> numbers_of(const Array<OnCurve>& received, int64_t& all, Exchange
 
 }  // namespace
 
-NumberedPoints number_points(const Array<Vec3>& points, const BoundingBox& box, Exchange& exchange)
+NumberedPoints number_points(const MeshPieces& pieces, const BoundingBox& box, Exchange& exchange)
 {
-    const Array<OnCurve> places = places_of(points, box);
-    Array<int64_t> order(places.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](int64_t a, int64_t b) { return places[a] < places[b]; });
-    Array<OnCurve> sorted;
-    sorted.reserve(places.size());
-    for (const int64_t p : order)
-        sorted.push_back(places[p]);
-
+    NumberedPoints out;
+    Array<int64_t> order;
+    Array<OnCurve> sorted = sorted_places(places_of(pieces, box, out.start), order);
     const Array<uint64_t> ends = ends_of_pieces(sorted, exchange);
     Array<int64_t> counts(to_size(exchange.ranks()), 0);
     int32_t piece = 0;
@@ -104,15 +117,16 @@ NumberedPoints number_points(const Array<Vec3>& points, const BoundingBox& box, 
             ++piece;
         ++counts[piece];
     }
-    const Received<OnCurve> received = exchange.all_to_all(sorted, counts);
-    NumberedPoints out;
+    Received<OnCurve> received = exchange.all_to_all(sorted, counts);
+    sorted = Array<OnCurve>();
     const Array<int64_t> numbers = numbers_of(received.items, out.all, exchange);
+    received.items = Array<OnCurve>();
     // Back on the way that the points came.
     Array<int64_t> came(to_size(exchange.ranks()));
     for (int32_t r = 0; r < exchange.ranks(); ++r)
         came[r] = received.start[r + 1] - received.start[r];
     const Array<int64_t> back = exchange.all_to_all(numbers, came).items;
-    out.of_points.resize(points.size());
+    out.of_points.resize(order.size());
     for (int64_t i = 0; i < order.count(); ++i)
         out.of_points[order[i]] = back[i];
     return out;

@@ -3,18 +3,22 @@
 
 #include "mesh/bounding_box.hpp"
 #include "parts/exchange.hpp"
+#include "parts/mesh_pieces.hpp"
 
 namespace cleft
 {
 
 struct NumberedPoints {
-    Array<int64_t> of_points;  // of this rank's piece
+    Array<int64_t> of_points;  // of this rank's pieces, one after the other
+    Array<int64_t> start;      // by piece: where its points begin
     int64_t all = 0;           // points of the whole mesh
+
+    const int64_t* of_piece(int32_t piece) const { return of_points.data() + start[piece]; }
 };
 
 // Numbers points along the Hilbert curve through `box`, as order_spatially() does. Points with the same coordinates are
 // one point, on one rank or on several.
-NumberedPoints number_points(const Array<Vec3>& points, const BoundingBox& box, Exchange& exchange);
+NumberedPoints number_points(const MeshPieces& pieces, const BoundingBox& box, Exchange& exchange);
 
 // Which rank owns which numbers: each the same share of them, one after the other.
 class OwnedNumbers

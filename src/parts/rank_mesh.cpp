@@ -16,6 +16,7 @@
 #include "volume/label_planes.hpp"
 #include "volume/label_values.hpp"
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace cleft
@@ -79,17 +80,34 @@ VolumeParts read_as_asked(const SharedVoxels& voxels, const LabelCounts& labels,
             }};
 }
 
-void finish(LabelledMesh& mesh, const SharedVoxels& voxels, const LabelCounts& labels, const PipelineOptions& options,
-            Exchange& exchange, const Run& run)
+// What is told of the pieces of all ranks. What is not kept is taken out of them.
+void finish(const MeshPieces& pieces, const SharedVoxels& voxels, const LabelCounts& labels,
+            const PipelineOptions& options, Exchange& exchange, const Run& run)
 {
-    require_kept(sum_of_ranks(kept_tets(mesh, options.kept), exchange));
-    const Array<double> volumes =
-        sums_of_ranks(material_volumes(mesh, static_cast<Material>(labels.labels.size()), run), exchange);
-    if (exchange.rank() == 0)
-        warn_of_volume_differences(voxels.grid, labels, volumes, options.kept, run);
-    warn_of_missed_goal(voxels.grid, mesh, options, exchange, run);
-    if (!options.kept.all())
-        strip(mesh.points, mesh.tets, mesh.material, [&](Material m) { return options.kept.has(m); });
+    const bool tells = tells_of_missed_goal(options, exchange, run);
+    int64_t kept = 0;
+    Array<double> volumes(labels.labels.size(), 0.0);
+    MissedGoal missed;
+    for (int32_t i = 0; i < pieces.count; ++i) {
+        LabelledMesh& piece = pieces.at(i);
+        kept += kept_tets(piece, options.kept);
+        const Array<double> more = material_volumes(piece, static_cast<Material>(volumes.size()), run);
+        std::transform(more.begin(), more.end(), volumes.begin(), volumes.begin(), std::plus<>());
+        if (tells)
+            missed.join(missed_goal(piece, options, run));
+        if (!options.kept.all())
+            strip(piece.points, piece.tets, piece.material, [&](Material m) { return options.kept.has(m); });
+    }
+    require_kept(sum_of_ranks(kept, exchange));
+    volumes = sums_of_ranks(volumes, exchange);
+    const Array<MissedGoal> of_ranks = exchange.all_gather(Array<MissedGoal>{missed});
+    if (exchange.rank() > 0)
+        return;
+    warn_of_volume_differences(voxels.grid, labels, volumes, options.kept, run);
+    for (int32_t r = 1; r < exchange.ranks(); ++r)
+        missed.join(of_ranks[r]);
+    if (tells)
+        warn_of_missed_goal(missed, voxels.grid, options, run);
 }
 
 }  // namespace
@@ -128,8 +146,8 @@ LabelCounts labels_of_all(const SharedVoxels& voxels, int32_t block, Exchange& e
     return of_all.take();
 }
 
-LabelledMesh mesh_of_rank(const SharedVoxels& voxels, const LabelCounts& labels, int smooth,
-                          const PipelineOptions& options, Exchange& exchange, const Run& run)
+MeshPieces mesh_of_rank(const SharedVoxels& voxels, const LabelCounts& labels, int smooth,
+                        const PipelineOptions& options, Exchange& exchange, const Run& run)
 {
     const double share = options.background.kind == BackgroundKind::particles ? 10 : 0;
     Steps steps(run, {{nullptr, 15}, {nullptr, share}, {nullptr, 83 - share}, {nullptr, 2}});
@@ -140,9 +158,9 @@ LabelledMesh mesh_of_rank(const SharedVoxels& voxels, const LabelCounts& labels,
     const BlockShares shares = BlockShares::balanced(sizes.expected_tets(), exchange.ranks());
     const BackgroundOfBlock background =
         backgrounds_of_rank(sizes, layout, shares, options.background, exchange, steps.next());
-    LabelledMesh mesh = mesh_own_blocks(volume, layout, shares, background, options, exchange, steps.next());
-    finish(mesh, voxels, labels, options, exchange, steps.next());
-    return mesh;
+    MeshPieces pieces = mesh_own_blocks(volume, layout, shares, background, options, exchange, steps.next());
+    finish(pieces, voxels, labels, options, exchange, steps.next());
+    return pieces;
 }
 
 }  // namespace cleft

@@ -1,14 +1,14 @@
-// Points and tetrahedra go to the ranks that own a corner; what a rank gets is its part.
+// Tetrahedra go to the ranks that own a corner, piece by piece; what a rank gets is its part.
 #include "parts/mesh_part.hpp"
 
 #include "base/stage.hpp"
 #include "mesh/face_buckets.hpp"
 #include "mesh/order.hpp"
-#include "parts/number_points.hpp"
+#include "parts/share_triangles.hpp"
+#include "parts/sorted_runs.hpp"
 
 #include <algorithm>
 #include <string>
-#include <tuple>
 
 namespace cleft
 {
@@ -30,20 +30,13 @@ struct SentPoint {
     bool operator<(const SentPoint& o) const { return number < o.number; }
 };
 
-struct SentTriangle {
-    int32_t side;
-    std::array<int32_t, 2> regions;
-    FixedArray<int64_t, 3> corners;  // numbers in the whole mesh
-    bool operator<(const SentTriangle& o) const
-    {
-        return std::tie(side, regions, corners) < std::tie(o.side, o.regions, o.corners);
-    }
-};
-
-// What arrives at this rank.
+// What arrives at this rank, and about how much: a point that several pieces have counts for each.
 struct Arrived {
-    Array<SentTet> tets;
-    Array<SentPoint> points;
+    explicit Arrived(const std::string& scratch) : tets(scratch), points(scratch) {}
+
+    SortedRuns<SentTet> tets;
+    SortedRuns<SentPoint> points;
+    int64_t own_tets = 0, other_tets = 0, other_points = 0;
 };
 
 // The owners of the corners of a tetrahedron, each once.
@@ -58,48 +51,78 @@ void for_each_owner(const Owner& owner, const Visit& visit)
     }
 }
 
-template <class T>
-void sort_and_drop_repeated(Array<T>& items)
+// Sends pieces to those who get something of them.
+class Sender
 {
-    std::sort(items.begin(), items.end());
-    const auto same = [](const T& a, const T& b) { return !(a < b) && !(b < a); };
-    items.erase(std::unique(items.begin(), items.end(), same), items.end());
-}
+public:
+    Sender(const OwnedNumbers& owned, bool ghosts, Exchange& exchange)
+        : owned_(owned), ghosts_(ghosts), exchange_(exchange)
+    {
+    }
 
-Arrived send(const LabelledMesh& piece, const NumberedPoints& numbers, Exchange& exchange)
-{
-    const OwnedNumbers owned(numbers.all, exchange.ranks());
-    Array<Array<SentTet>> tets(to_size(exchange.ranks()));
-    Array<Array<SentPoint>> points(to_size(exchange.ranks()));
-    Array<Array<int32_t>> needed(to_size(exchange.ranks()));
-    for (int64_t t = 0; t < piece.tets.count(); ++t) {
-        const Tet& local = piece.tets[t];
-        WideTet corners{};
-        for (size_t i = 0; i < 4; ++i)
-            corners[i] = numbers.of_points[local[i]];
-        const SentTet sent{least_corners_first(corners), piece.material[t]};
-        for_each_owner([&](size_t i) { return owned.owner(corners[i]); },
-                       [&](int32_t rank) {
-                           tets[rank].push_back(sent);
-                           needed[rank].insert(needed[rank].end(), local.begin(), local.end());
-                       });
+    // The points have these numbers. All ranks call it together.
+    void send(const LabelledMesh& piece, const int64_t* numbers, Arrived& arrived)
+    {
+        needed_.assign(to_size(exchange_.ranks()), Array<int32_t>());
+        Array<SentTet> tets = exchange_.all_to_all(tets_by_rank(piece, numbers)).items;
+        for (const SentTet& t : tets)
+            ++(owned_.owner(t.corners[0]) == exchange_.rank() ? arrived.own_tets : arrived.other_tets);
+        arrived.tets.add(std::move(tets));
+        Array<SentPoint> points = exchange_.all_to_all(points_by_rank(piece, numbers)).items;
+        for (const SentPoint& p : points)
+            arrived.other_points += owned_.owner(p.number) != exchange_.rank();
+        arrived.points.add(std::move(points));
     }
-    for (int32_t r = 0; r < exchange.ranks(); ++r) {
-        sort_and_drop_repeated(needed[r]);
-        for (const int32_t p : needed[r]) {
-            const Vec3& x = piece.points[p];
-            points[r].push_back({numbers.of_points[p], {x[0], x[1], x[2]}});
+
+private:
+    // To the owner, and to those whose ghosts they are. Notes the points of others that each rank needs for that.
+    Array<Array<SentTet>> tets_by_rank(const LabelledMesh& piece, const int64_t* numbers)
+    {
+        Array<Array<SentTet>> out(to_size(exchange_.ranks()));
+        for (int64_t t = 0; t < piece.tets.count(); ++t) {
+            const Tet& local = piece.tets[t];
+            WideTet corners{};
+            for (size_t i = 0; i < 4; ++i)
+                corners[i] = numbers[local[i]];
+            const SentTet sent{least_corners_first(corners), piece.material[t]};
+            const auto send_to = [&](int32_t rank) {
+                out[rank].push_back(sent);
+                for (const int32_t p : local)
+                    if (owned_.owner(numbers[p]) != rank)
+                        needed_[rank].push_back(p);
+            };
+            if (ghosts_)
+                for_each_owner([&](size_t i) { return owned_.owner(corners[i]); }, send_to);
+            else
+                send_to(owned_.owner(sent.corners[0]));
         }
-        needed[r] = Array<int32_t>();
+        return out;
     }
-    Arrived arrived;
-    arrived.tets = exchange.all_to_all(tets).items;
-    tets = Array<Array<SentTet>>();
-    arrived.points = exchange.all_to_all(points).items;
-    std::sort(arrived.tets.begin(), arrived.tets.end());
-    sort_and_drop_repeated(arrived.points);
-    return arrived;
-}
+
+    Array<Array<SentPoint>> points_by_rank(const LabelledMesh& piece, const int64_t* numbers)
+    {
+        Array<Array<SentPoint>> out(to_size(exchange_.ranks()));
+        const auto send_to = [&](int32_t rank, int32_t p) {
+            const Vec3& x = piece.points[p];
+            out[rank].push_back({numbers[p], {x[0], x[1], x[2]}});
+        };
+        for (int32_t p = 0; p < piece.points.count(); ++p)
+            send_to(owned_.owner(numbers[p]), p);
+        for (int32_t r = 0; r < exchange_.ranks(); ++r) {
+            Array<int32_t>& points = needed_[r];
+            std::sort(points.begin(), points.end());
+            points.erase(std::unique(points.begin(), points.end()), points.end());
+            for (const int32_t p : points)
+                send_to(r, p);
+        }
+        return out;
+    }
+
+    const OwnedNumbers& owned_;
+    bool ghosts_;
+    Exchange& exchange_;
+    Array<Array<int32_t>> needed_;  // by rank: points of the piece that others own
+};
 
 Share share_of(int64_t owned, Exchange& exchange)
 {
@@ -112,18 +135,27 @@ Share share_of(int64_t owned, Exchange& exchange)
     return share;
 }
 
-// Its own first.
-void take_points(const Array<SentPoint>& arrived, const OwnedNumbers& owned, int32_t rank, MeshPart& part)
+// The numbers of its own follow each other, so each has its place. Others come behind them.
+void take_points(const Arrived& arrived, const OwnedNumbers& owned, int32_t rank, MeshPart& part)
 {
-    for (const bool own : {true, false})
-        for (const SentPoint& p : arrived) {
-            const int32_t owner = owned.owner(p.number);
-            if ((owner == rank) != own)
-                continue;
-            part.points.emplace_back(p.x[0], p.x[1], p.x[2]);
+    const Share& own = part.of_points;
+    part.points.reserve(own.owned + arrived.other_points);
+    part.numbers.reserve(own.owned + arrived.other_points);
+    part.owners.reserve(own.owned + arrived.other_points);
+    part.points.resize(own.owned);
+    part.numbers.resize(own.owned);
+    part.owners.resize(own.owned, rank);
+    arrived.points.visit_all([&](const SentPoint& p) {
+        const Vec3 x(p.x[0], p.x[1], p.x[2]);
+        if (const int32_t owner = owned.owner(p.number); owner != rank) {
+            part.points.push_back(x);
             part.numbers.push_back(p.number);
             part.owners.push_back(owner);
+        } else {
+            part.points[p.number - own.first] = x;
+            part.numbers[p.number - own.first] = p.number;
         }
+    });
 }
 
 // The local number of each point that this part has.
@@ -146,67 +178,28 @@ private:
     const Share& owned_;
 };
 
-void take_tets(const Array<SentTet>& arrived, const LocalNumbers& local, const OwnedNumbers& owned, int32_t rank,
+void take_tets(const Arrived& arrived, const LocalNumbers& local, const OwnedNumbers& owned, int32_t rank,
                MeshPart& part)
 {
-    for (const bool own : {true, false})
-        for (const SentTet& t : arrived) {
-            const int32_t owner = owned.owner(t.corners[0]);
-            if ((owner == rank) != own)
-                continue;
-            Tet tet{};
-            for (size_t i = 0; i < 4; ++i)
-                tet[i] = local.of(t.corners[i]);
-            part.tets.push_back(tet);
-            part.material.push_back(t.material);
-            part.tet_owners.push_back(owner);
-            part.of_tets.owned += own;
-        }
+    const int64_t all = arrived.own_tets + arrived.other_tets;
+    part.tets.resize(all);
+    part.material.resize(all);
+    part.tet_owners.resize(all);
+    int64_t own = 0, other = arrived.own_tets;
+    arrived.tets.visit_all([&](const SentTet& t) {
+        const int32_t owner = owned.owner(t.corners[0]);
+        const int64_t at = owner == rank ? own++ : other++;
+        for (size_t i = 0; i < 4; ++i)
+            part.tets[at][i] = local.of(t.corners[i]);
+        part.material[at] = t.material;
+        part.tet_owners[at] = owner;
+    });
+    CLEFT_ASSERT(own == arrived.own_tets && other == all);
+    part.of_tets.owned = own;
 }
 
-// The corner of the least number first, as triangles of a whole mesh have it.
-Triangle least_first(const MeshPart& part, Triangle corners)
+void take_triangles(const Array<SentTriangle>& arrived, const LocalNumbers& local, Exchange& exchange, MeshPart& part)
 {
-    std::rotate(corners.begin(),
-                std::min_element(corners.begin(), corners.end(),
-                                 [&](int32_t a, int32_t b) { return part.numbers[a] < part.numbers[b]; }),
-                corners.end());
-    return corners;
-}
-
-// The owner of a tetrahedron is that of its first corner, and so is the order of the numbers: the lower of two has the
-// first corner of lower number.
-int32_t owner_of_lower(const MeshPart& part, int32_t a, int32_t b)
-{
-    const int32_t first = part.tets[a][0], second = part.tets[b][0];
-    return part.owners[part.numbers[first] < part.numbers[second] ? first : second];
-}
-
-// By rank: the triangles whose corner of the least number is owned. All tetrahedra there have arrived, so both sides
-// are known.
-Array<Array<SentTriangle>> found_triangles(const BoundingBox& box, const MeshPart& part, const Exchange& exchange,
-                                           const Run& run)
-{
-    const Interfaces all = extract_interfaces({part.points, part.tets, part.material}, box.lo, box.hi, run);
-    Array<Array<SentTriangle>> out(to_size(exchange.ranks()));
-    const auto add = [&](const Triangle& corners, const std::array<int32_t, 2>& regions, int32_t side, int32_t owner) {
-        const Triangle t = least_first(part, corners);
-        if (part.owners[t[0]] == exchange.rank())
-            out[owner].push_back({side, regions, {part.numbers[t[0]], part.numbers[t[1]], part.numbers[t[2]]}});
-    };
-    for (int64_t i = 0; i < all.triangles.count(); ++i)
-        add(all.triangles[i], all.pairs[i], -1, owner_of_lower(part, all.tets[i][0], all.tets[i][1]));
-    for (int64_t i = 0; i < all.hull.count(); ++i)
-        add(all.hull[i], {all.hull_region[i], all.hull_region[i]}, static_cast<int32_t>(all.hull_side[i]),
-            part.tet_owners[all.hull_tet[i]]);
-    return out;
-}
-
-void take_triangles(const BoundingBox& box, MeshPart& part, Exchange& exchange, const Run& run)
-{
-    Array<SentTriangle> arrived = exchange.all_to_all(found_triangles(box, part, exchange, run)).items;
-    std::sort(arrived.begin(), arrived.end());
-    const LocalNumbers local(part);
     part.triangles.reserve(arrived.size());
     for (const SentTriangle& t : arrived)
         part.triangles.push_back(
@@ -234,34 +227,16 @@ void take_tet_numbers(MeshPart& part, bool ghosts, Exchange& exchange)
     part.tet_numbers.insert(part.tet_numbers.end(), others.begin(), others.end());
 }
 
-// Leaves the tetrahedra that are owned, and the points that are owned or at one of these. All triangles bound these.
-void drop_ghosts(MeshPart& part)
+// What a rank works with at a time: a piece, with labels in the place of materials; an empty one where it has no more.
+// Nobody needs it afterwards.
+LabelledMesh taken_piece(const MeshPieces& pieces, int32_t i, const Array<UserLabel>& labels)
 {
-    part.tets.resize(part.of_tets.owned);
-    part.material.resize(part.of_tets.owned);
-    part.tet_owners.resize(part.of_tets.owned);
-    Array<int32_t> new_number(part.points.size(), -1);
-    for (const Tet& tet : part.tets)
-        for (const int32_t p : tet)
-            new_number[p] = 0;
-    int32_t kept = 0;
-    for (int64_t p = 0; p < part.points.count(); ++p) {
-        if (p >= part.of_points.owned && new_number[p] < 0)
-            continue;
-        part.points[kept] = part.points[p];
-        part.numbers[kept] = part.numbers[p];
-        part.owners[kept] = part.owners[p];
-        new_number[p] = kept++;
-    }
-    part.points.resize(kept);
-    part.numbers.resize(kept);
-    part.owners.resize(kept);
-    for (Tet& tet : part.tets)
-        for (int32_t& p : tet)
-            p = new_number[p];
-    for (PartTriangle& t : part.triangles)
-        for (int32_t& p : t.corners)
-            p = new_number[p];
+    if (i >= pieces.count)
+        return {};
+    LabelledMesh piece = std::exchange(pieces.at(i), LabelledMesh());
+    for (Material& m : piece.material)
+        m = number_of(labels[m]);
+    return piece;
 }
 
 }  // namespace
@@ -278,26 +253,35 @@ void check_size_of_part(int64_t points, int64_t tets)
     check(points, INT32_MAX, "points");
 }
 
-MeshPart share_mesh(LabelledMesh piece, const BoundingBox& box, bool ghosts, Exchange& exchange, const Run& run)
+MeshPart share_mesh(const MeshPieces& pieces, const Array<UserLabel>& labels, const BoundingBox& box, bool ghosts,
+                    Exchange& exchange, const Run& run)
 {
-    Stage stage(run, "sharing", {{"sharing: numbers", 3}, {"sharing: parts", 4}, {"sharing: triangles", 3}});
+    Stage stage(run, "sharing", {{"sharing: numbers", 3}, {"sharing: pieces", 5}, {"sharing: parts", 2}});
     stage.next();
-    const NumberedPoints numbers = number_points(piece.points, box, exchange);
-    stage.next();
-    const Arrived arrived = send(piece, numbers, exchange);
-    piece = LabelledMesh();
+    const NumberedPoints numbers = number_points(pieces, box, exchange);
     const OwnedNumbers owned(numbers.all, exchange.ranks());
     const int32_t rank = exchange.rank();
-    // Before ghosts are dropped, if nobody wants them: triangles are found among all.
-    check_size_of_part(arrived.points.count(), arrived.tets.count());
+    Arrived arrived(exchange.scratch());
+    SharedTriangles triangles(box, owned, exchange);
+    Sender sender(owned, ghosts, exchange);
+    const Array<int64_t> counts = exchange.all_gather(int64_t{pieces.count});
+    const auto rounds = static_cast<int32_t>(*std::max_element(counts.begin(), counts.end()));
+    Steps steps(stage.next(), Array<Step>(rounds, {nullptr, 1}));
+    for (int32_t i = 0; i < rounds; ++i) {
+        const LabelledMesh piece = taken_piece(pieces, i, labels);
+        const int64_t* of_piece = i < pieces.count ? numbers.of_piece(i) : nullptr;
+        sender.send(piece, of_piece, arrived);
+        triangles.add(piece, of_piece, steps.next());
+    }
+    stage.next();
     MeshPart part;
-    take_points(arrived.points, owned, rank, part);
     part.of_points = {owned.first(rank + 1) - owned.first(rank), owned.first(rank), numbers.all};
-    take_tets(arrived.tets, LocalNumbers(part), owned, rank, part);
+    check_size_of_part(part.of_points.owned + arrived.other_points, arrived.own_tets + arrived.other_tets);
+    take_points(arrived, owned, rank, part);
+    const LocalNumbers local(part);
+    take_tets(arrived, local, owned, rank, part);
     part.of_tets = share_of(part.of_tets.owned, exchange);
-    take_triangles(box, part, exchange, stage.next());
-    if (!ghosts)
-        drop_ghosts(part);
+    take_triangles(triangles.take(), local, exchange, part);
     take_tet_numbers(part, ghosts, exchange);
     return part;
 }

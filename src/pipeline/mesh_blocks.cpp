@@ -25,7 +25,7 @@ public:
           options_(options),
           exchange_(exchange),
           own_(shares.own(exchange)),
-          blocks_(own_.first, own_.count, exchange.scratch())
+          blocks_(std::make_shared<BlockStore>(own_.first, own_.count, exchange.scratch()))
     {
     }
 
@@ -75,8 +75,13 @@ public:
     void mesh(const Run& run)
     {
         Steps steps = steps_of_blocks(run);
-        for (int32_t b = own_.first; b < own_.end(); ++b)
+        for (int32_t b = own_.first; b < own_.end(); ++b) {
             mesh_block(volume_, block(b), options_, steps.next());
+            // Nothing that comes later needs the rest.
+            LabelledMesh mesh = std::exchange(block(b).mesh, LabelledMesh());
+            block(b) = Block();
+            block(b).mesh = std::move(mesh);
+        }
     }
 
     void improve_seams(const Run& run)
@@ -95,16 +100,16 @@ public:
             exchange_);
     }
 
-    LabelledMesh joined_blocks(const Run& run)
+    MeshPieces pieces() const
     {
-        LabelledMesh whole;
-        for (int32_t b = own_.first; b < own_.end(); ++b)
-            whole = joined(std::move(whole), std::exchange(block(b).mesh, LabelledMesh()), run);
-        return whole;
+        const auto at = [blocks = blocks_, first = own_.first](int32_t piece) -> LabelledMesh& {
+            return blocks->at(first + piece).mesh;
+        };
+        return {own_.count, at};
     }
 
 private:
-    Block& block(int32_t b) { return blocks_.at(b); }
+    Block& block(int32_t b) { return blocks_->at(b); }
     // A rank works at no more seams than it has blocks.
     Steps steps_of_blocks(const Run& run) const
     {
@@ -117,14 +122,14 @@ private:
     const PipelineOptions& options_;
     Exchange& exchange_;
     OwnBlocks own_;
-    BlockStore blocks_;
+    std::shared_ptr<BlockStore> blocks_;  // shared with the pieces
 };
 
 }  // namespace
 
-LabelledMesh mesh_own_blocks(const VolumeParts& volume, const BlockLayout& layout, const BlockShares& shares,
-                             const BackgroundOfBlock& background, const PipelineOptions& options, Exchange& exchange,
-                             const Run& run)
+MeshPieces mesh_own_blocks(const VolumeParts& volume, const BlockLayout& layout, const BlockShares& shares,
+                           const BackgroundOfBlock& background, const PipelineOptions& options, Exchange& exchange,
+                           const Run& run)
 {
     Stage stage(run, "blocks", {{nullptr, 5}, {nullptr, 20}, {nullptr, 4}, {nullptr, 60}, {nullptr, 15}});
     BlockRun blocks(volume, layout, shares, options, exchange);
@@ -134,7 +139,7 @@ LabelledMesh mesh_own_blocks(const VolumeParts& volume, const BlockLayout& layou
     blocks.mesh(stage.next());
     blocks.improve_seams(stage.next());
     run.note("blocks.count", layout.count);
-    return blocks.joined_blocks(run);
+    return blocks.pieces();
 }
 
 LabelledMesh mesh_in_blocks(const Volume& volume, const TetMesh& background, const PipelineOptions& options,
@@ -144,7 +149,11 @@ LabelledMesh mesh_in_blocks(const Volume& volume, const TetMesh& background, con
     const BlockLayout layout = BlockLayout::of(volume.grid(), options.block);
     const auto of_block = [&](int32_t block, const Run&) { return part_in_block(background, layout, block); };
     const BlockShares shares = BlockShares::equal(layout.count, 1);
-    return mesh_own_blocks(parts_of(volume), layout, shares, of_block, options, alone, run);
+    const MeshPieces blocks = mesh_own_blocks(parts_of(volume), layout, shares, of_block, options, alone, run);
+    LabelledMesh whole;
+    for (int32_t i = 0; i < blocks.count; ++i)
+        whole = joined(std::move(whole), std::exchange(blocks.at(i), LabelledMesh()), run);
+    return whole;
 }
 
 TetMesh part_in_block(const TetMesh& background, const BlockLayout& layout, int32_t block)

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "parts/exchange.hpp"
+#include "parts/mesh_pieces.hpp"
 #include "pipeline/block_layout.hpp"
 #include "pipeline/block_shares.hpp"
 #include "pipeline/pipeline.hpp"
@@ -22,11 +23,10 @@ TetMesh part_in_block(const TetMesh& background, const BlockLayout& layout, int3
 // Makes them. All ranks call it together and equally often; -1 stands for no block.
 using BackgroundOfBlock = std::function<TetMesh(int32_t block, const Run& run)>;
 
-// The mesh of this rank's blocks. With a scratch folder, two of them are in memory at
-// a time, until the last are done.
-LabelledMesh mesh_own_blocks(const VolumeParts& volume, const BlockLayout& layout, const BlockShares& shares,
-                             const BackgroundOfBlock& background, const PipelineOptions& options, Exchange& exchange,
-                             const Run& run);
+// The mesh of this rank's blocks, each of them a piece. With a scratch folder, two of them are in memory at a time.
+MeshPieces mesh_own_blocks(const VolumeParts& volume, const BlockLayout& layout, const BlockShares& shares,
+                           const BackgroundOfBlock& background, const PipelineOptions& options, Exchange& exchange,
+                           const Run& run);
 
 // Cleaving, improving and fitting of a whole background, block by block, in one process.
 LabelledMesh mesh_in_blocks(const Volume& volume, const TetMesh& background, const PipelineOptions& options,

@@ -28,50 +28,21 @@ struct Goal {
 
 Goal goal_of(double target) { return {sine_of(target) * (1 - kRounding), greatest_ratio(target) * (1 + kRounding)}; }
 
-// Some tetrahedra, and the worst of them.
-struct Missed {
-    int64_t tets = 0;
-    double least_quality = 1;
-    Vec3 worst = Vec3::Zero();  // the centroid of the first tetrahedron of that quality
-
-    void join(const Missed& next)
-    {
-        if (next.least_quality < least_quality) {
-            least_quality = next.least_quality;
-            worst = next.worst;
-        }
-        tets += next.tets;
+void add_if_missed(const std::array<Vec3, 4>& x, const MetricField* metric, const Goal& goal, MissedGoal& out)
+{
+    const Vec3 centroid = (x[0] + x[1] + x[2] + x[3]) / 4;
+    const auto y = metric ? measured(x, *metric) : x;
+    const double quality = angle_quality(y[0], y[1], y[2], y[3]), ratio = radius_ratio(y[0], y[1], y[2], y[3]);
+    if (quality < goal.quality) {
+        const auto found = dihedral_angles(y[0], y[1], y[2], y[3]);
+        const auto [low, high] = std::minmax_element(found.begin(), found.end());
+        out.least = std::min(out.least, *low);
+        out.greatest = std::max(out.greatest, *high);
+        out.angles.join({1, quality, centroid});
+    } else if (ratio > goal.ratio) {
+        out.ratios.join({1, 1 / ratio, centroid});
     }
-};
-
-struct MissedGoal {
-    Missed angles, ratios;  // the second where the angles are met
-    double least = 180, greatest = 0;
-
-    void add_if_missed(const std::array<Vec3, 4>& x, const MetricField* metric, const Goal& goal)
-    {
-        const Vec3 centroid = (x[0] + x[1] + x[2] + x[3]) / 4;
-        const auto y = metric ? measured(x, *metric) : x;
-        const double quality = angle_quality(y[0], y[1], y[2], y[3]), ratio = radius_ratio(y[0], y[1], y[2], y[3]);
-        if (quality < goal.quality) {
-            const auto found = dihedral_angles(y[0], y[1], y[2], y[3]);
-            const auto [low, high] = std::minmax_element(found.begin(), found.end());
-            least = std::min(least, *low);
-            greatest = std::max(greatest, *high);
-            angles.join({1, quality, centroid});
-        } else if (ratio > goal.ratio) {
-            ratios.join({1, 1 / ratio, centroid});
-        }
-    }
-
-    void join(const MissedGoal& next)
-    {
-        angles.join(next.angles);
-        ratios.join(next.ratios);
-        least = std::min(least, next.least);
-        greatest = std::max(greatest, next.greatest);
-    }
-};
+}
 
 std::array<Vec3, 4> corners_of(const LabelledMesh& mesh, int64_t t)
 {
@@ -98,24 +69,6 @@ Array<double> qualities_of(const LabelledMesh& mesh, const MetricField* metric, 
     return qualities;
 }
 
-MissedGoal missed_goal(const LabelledMesh& mesh, const MetricField* metric, double target, const KeptMaterials& kept,
-                       const Run& run)
-{
-    constexpr int64_t kTetsAtOnce = 4096;
-    const Goal goal = goal_of(target);
-    Array<MissedGoal> parts(chunk_count(mesh.tets.count(), kTetsAtOnce));
-    parallel_chunks(run, mesh.tets.count(), kTetsAtOnce, [&](int64_t chunk, int64_t begin, int64_t end) {
-        const Array<double> qualities = qualities_of(mesh, metric, begin, end);
-        for (int64_t t = begin; t < end; ++t)
-            if (qualities[t - begin] < goal.quality && kept.has(mesh.material[t]))
-                parts[chunk].add_if_missed(corners_of(mesh, t), metric, goal);
-    });
-    MissedGoal missed;
-    for (const MissedGoal& part : parts)
-        missed.join(part);
-    return missed;
-}
-
 // "(12, 0, 7)": the indices of the voxel along the axes of the volume, from 0. They need no frame.
 std::string voxel_text(const Vec3& x, const Grid& grid)
 {
@@ -136,21 +89,49 @@ std::string place_text(const Missed& missed, const Grid& grid)
 
 }  // namespace
 
-void warn_of_missed_goal(const Grid& grid, const LabelledMesh& mesh, const PipelineOptions& options, Exchange& exchange,
-                         const Run& run)
+bool tells_of_missed_goal(const PipelineOptions& options, const Exchange& exchange, const Run& run)
 {
-    // Who leaves out improving knows that angles will be bad, and without a caller for warnings or figures there is
-    // nobody to tell. Of several ranks, others may have one.
-    const bool is_heard = run.on_warning || run.metrics || exchange.ranks() > 1;
-    if (options.improve.effort == Effort::off || !is_heard)
-        return;
-    const double target = target_angle(options.improve);
+    return options.improve.effort != Effort::off && (run.on_warning || run.metrics || exchange.ranks() > 1);
+}
+
+void Missed::join(const Missed& next)
+{
+    if (next.least_quality < least_quality) {
+        least_quality = next.least_quality;
+        worst = next.worst;
+    }
+    tets += next.tets;
+}
+
+void MissedGoal::join(const MissedGoal& next)
+{
+    angles.join(next.angles);
+    ratios.join(next.ratios);
+    least = std::min(least, next.least);
+    greatest = std::max(greatest, next.greatest);
+}
+
+MissedGoal missed_goal(const LabelledMesh& mesh, const PipelineOptions& options, const Run& run)
+{
+    constexpr int64_t kTetsAtOnce = 4096;
+    const MetricField* metric = options.cleave.metric;
+    const Goal goal = goal_of(target_angle(options.improve));
+    Array<MissedGoal> parts(chunk_count(mesh.tets.count(), kTetsAtOnce));
+    parallel_chunks(run, mesh.tets.count(), kTetsAtOnce, [&](int64_t chunk, int64_t begin, int64_t end) {
+        const Array<double> qualities = qualities_of(mesh, metric, begin, end);
+        for (int64_t t = begin; t < end; ++t)
+            if (qualities[t - begin] < goal.quality && options.kept.has(mesh.material[t]))
+                add_if_missed(corners_of(mesh, t), metric, goal, parts[chunk]);
+    });
     MissedGoal missed;
-    for (const MissedGoal& of_rank :
-         exchange.all_gather(Array<MissedGoal>{missed_goal(mesh, options.cleave.metric, target, options.kept, run)}))
-        missed.join(of_rank);
-    if (exchange.rank() > 0)
-        return;
+    for (const MissedGoal& part : parts)
+        missed.join(part);
+    return missed;
+}
+
+void warn_of_missed_goal(const MissedGoal& missed, const Grid& grid, const PipelineOptions& options, const Run& run)
+{
+    const double target = target_angle(options.improve);
     run.note("improving.target_angle", target);
     run.note("improving.tets_missed", static_cast<double>(missed.angles.tets));
     run.note("improving.ratios_missed", static_cast<double>(missed.ratios.tets));

@@ -111,8 +111,8 @@ LabelledMesh finished(const Volume& volume, LabelledMesh mesh, const PipelineOpt
     if (run.on_warning)
         warn_of_volume_differences(volume.grid(), volume.label_counts(),
                                    material_volumes(mesh, volume.material_count(), run), options.kept, run);
-    Exchange alone = Exchange::alone();
-    warn_of_missed_goal(volume.grid(), mesh, options, alone, run);
+    if (tells_of_missed_goal(options, Exchange::alone(), run))
+        warn_of_missed_goal(missed_goal(mesh, options, run), volume.grid(), options, run);
     Stage stage(run, "finish", {{nullptr, 1}});
     // Last, since stages before number points as they make them. It changes no place, so what was reported stays true.
     order_spatially(mesh, stage.next());
