@@ -1,9 +1,9 @@
 // The uniform background: a body-centred cubic lattice that ends exactly at the walls of the box.
 #pragma once
 
+#include "base/grid.hpp"
 #include "base/run.hpp"
 #include "mesh/tet_mesh.hpp"
-#include "volume/grid.hpp"
 
 namespace cleft
 {

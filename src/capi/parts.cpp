@@ -2,6 +2,7 @@
 #include "cleft/cleft_parts.h"
 
 #include "base/stage.hpp"
+#include "blocks/rank_mesh.hpp"
 #include "capi/firewall.hpp"
 #include "capi/kept_labels.hpp"
 #include "capi/mesh_frame.hpp"
@@ -11,7 +12,6 @@
 #include "parts/mesh_part.hpp"
 #include "parts/part_quality.hpp"
 #include "parts/part_ranks.hpp"
-#include "parts/rank_mesh.hpp"
 #include "parts/repeated_places.hpp"
 #include "parts/voxel_source.hpp"
 

@@ -20,7 +20,7 @@ inline bool has_corner(const Tet& tet, int32_t point) { return std::find(tet.beg
 using Material = int32_t;
 
 // A background mesh: knows nothing of materials.
-// Points are in the local frame (volume/grid.hpp).
+// Points are in the local frame (base/grid.hpp).
 struct TetMesh {
     Array<Vec3> points;
     Array<Tet> tets;

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/array.hpp"
+#include "base/grid.hpp"
 #include "metric/tensor.hpp"
-#include "volume/grid.hpp"
 
 #include <array>
 

@@ -1,45 +1,11 @@
 // The stages one after the other.
 #pragma once
 
-#include "background/kinds.hpp"
-#include "base/array.hpp"
-#include "cleaving/cleave.hpp"
-#include "improving/improve.hpp"
-#include "mesh/bounding_box.hpp"
+#include "finishing/improve_and_fit.hpp"
 #include "pipeline/scaled_sizing.hpp"
-#include "sizing/sizing_options.hpp"
-#include "volume/kept_materials.hpp"
-#include "volume/volume.hpp"
-
-#include <functional>
 
 namespace cleft
 {
-
-// A part of the volume that stages work on, which was cut out of a larger mesh.
-struct Region {
-    BoundingBox box;        // of the whole; hull triangles in none of its sides are held
-    Array<double> volumes;  // that each material is to have in the part
-    bool is_cut_open;       // work on the larger mesh comes later where the part was cut out
-};
-
-struct PipelineOptions {
-    SizingOptions sizing;
-    BackgroundOptions background;
-    CleaveOptions cleave;
-    ImproveOptions improve;
-    double repair_angle = 30;  // degrees; 0: a user's background is cleaved as it is
-    int64_t tets = 0;          // wanted number of tetrahedra of the kept materials; 0: as the sizing field says
-    double max_tets = 0;       // bounds all tetrahedra where `tets` counts some of them; 0: no limit
-    bool strict = false;
-    bool asks_surface_error = false;  // the user does, so that a warning says where it has no effect
-    int32_t block = 0;                // planes of voxels across a block, see mesh_blocks.hpp; 0: no blocks
-    const Region* region = nullptr;   // null: all of the volume
-    KeptMaterials kept;               // the tetrahedra of others are left out of the finished mesh
-};
-
-// These options, with lengths and shapes measured by the metric, if there is one. It must outlive them.
-PipelineOptions measured_by(const MetricField* metric, const PipelineOptions& options);
 
 // The sizing field of the volume. max_tets limits the tetrahedra of the background that the options name.
 SizingField sizes_of(const Volume& volume, const PipelineOptions& options, const Run& run);
@@ -62,13 +28,6 @@ LabelledMesh repair_and_cleave(const Volume& volume, TetMesh background, const P
 // Cleaving, improving and fitting, without the final checks and the ordering.
 LabelledMesh cleave_improve_and_fit(const Volume& volume, const TetMesh& background, const PipelineOptions& options,
                                     const Run& run);
-
-// Gives a cleaved mesh, the same one whenever it is called: improving may need it again, and need not hold it.
-using Cleaved = std::function<LabelledMesh(const Run& run)>;
-
-// Improving and fitting of a cleaved mesh, without the final checks and the ordering.
-LabelledMesh improve_and_fit(const Volume& volume, const Cleaved& cleaved, const PipelineOptions& options,
-                             const Run& run);
 
 // The last stage: angles and volumes of a cleaved mesh are improved, what was missed is reported (with `strict`,
 // refused), and the mesh is ordered.

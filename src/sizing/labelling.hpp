@@ -3,8 +3,8 @@
 
 #include "base/array.hpp"
 #include "base/fixed_array.hpp"
+#include "base/grid.hpp"
 #include "mesh/tet_mesh.hpp"
-#include "volume/grid.hpp"
 
 #include <algorithm>
 #include <functional>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/counting_sort.hpp"
+#include "base/grid.hpp"
 #include "sizing/surface_curvature.hpp"
-#include "volume/grid.hpp"
 
 #include <algorithm>
 #include <cstdint>

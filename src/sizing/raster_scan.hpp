@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/fixed_array.hpp"
-#include "volume/grid.hpp"
+#include "base/grid.hpp"
 
 #include <cstdint>
 

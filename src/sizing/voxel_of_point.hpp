@@ -1,7 +1,7 @@
 // The voxel that a point of the box lies in.
 #pragma once
 
-#include "volume/grid.hpp"
+#include "base/grid.hpp"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // Small helpers that the passes over the voxels share: coordinates of a voxel number, chunks of rows.
 #pragma once
 
+#include "base/grid.hpp"
 #include "base/parallel.hpp"
-#include "volume/grid.hpp"
 
 #include <algorithm>
 #include <cstdint>

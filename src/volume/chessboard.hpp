@@ -1,8 +1,8 @@
 // The distance in the maximum norm (moves of a king in chess), in bytes.
 #pragma once
 
+#include "base/grid.hpp"
 #include "base/run.hpp"
-#include "volume/grid.hpp"
 
 #include <cstdint>
 

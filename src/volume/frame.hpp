@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/fixed_array.hpp"
+#include "base/grid.hpp"
 #include "base/placement.hpp"
-#include "volume/grid.hpp"
 
 namespace cleft
 {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/array.hpp"
+#include "base/grid.hpp"
 #include "base/run.hpp"
-#include "volume/grid.hpp"
 
 namespace cleft
 {

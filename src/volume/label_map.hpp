@@ -11,8 +11,8 @@
 #pragma once
 
 #include "base/array.hpp"
+#include "base/grid.hpp"
 #include "mesh/tet_mesh.hpp"
-#include "volume/grid.hpp"
 #include "volume/hann.hpp"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // From positions in the local frame of a grid to positions among its voxels.
 #pragma once
 
-#include "volume/grid.hpp"
+#include "base/grid.hpp"
 
 #include <algorithm>
 

@@ -5,10 +5,10 @@
 #pragma once
 
 #include "base/array.hpp"
+#include "base/grid.hpp"
 #include "base/run.hpp"
 #include "mesh/tet_mesh.hpp"
 #include "mesh/user_label.hpp"
-#include "volume/grid.hpp"
 
 #include <functional>
 #include <memory>

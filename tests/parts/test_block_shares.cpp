@@ -1,5 +1,5 @@
 // Which rank gets which blocks: all of them once, in order, and as evenly as can be.
-#include "pipeline/block_shares.hpp"
+#include "blocks/block_shares.hpp"
 #include "support/cmocka.hpp"
 #include "support/random.hpp"
 

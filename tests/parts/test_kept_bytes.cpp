@@ -1,6 +1,6 @@
 // What is kept comes back, in memory and on disk, and a field that is made again takes the room of the one before.
+#include "blocks/block_sizes.hpp"
 #include "parts/kept_bytes.hpp"
-#include "pipeline/block_sizes.hpp"
 #include "support/cmocka.hpp"
 
 #include <filesystem>

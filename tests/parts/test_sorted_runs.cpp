@@ -51,7 +51,7 @@ void items_of_all_runs_come_in_order(void**)
         check_runs(scratch, {}, 1);
         check_runs(scratch, {0, 0}, 1);
         check_runs(scratch, {1, 0, 1}, 1);
-        check_runs(scratch, {3, 2000, 0, 7000, 1}, 100);     // most of them many times
+        check_runs(scratch, {3, 2000, 0, 7000, 1}, 100);      // most of them many times
         check_runs(scratch, {2048, 2049, 4096}, 1000000000);  // runs that end with what is read at once, and beyond it
     }
 }

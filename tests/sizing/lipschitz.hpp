@@ -1,7 +1,7 @@
 // The steepest slope of a field between any two of 26 neighbours.
 #pragma once
 
-#include "volume/grid.hpp"
+#include "base/grid.hpp"
 
 #include <cmath>
 #include <vector>
