@@ -18,7 +18,7 @@ public:
     // Puts the point on its tie, and there to where the shapes let it stay: along its line, and with the points around
     // moving as well. No tetrahedron around gets worse than `least` (of shape_quality). If that cannot be, the mesh is
     // as it was. For several threads at once, `worker` being one of those that the mesh was made with, if no two have
-    // one of touched_tets() in common. `unused`: slots that a contraction leaves, for LocalMesh::release().
+    // one of add_touched_tets() in common. `unused`: slots that a contraction leaves, for LocalMesh::release().
     bool settle(int32_t v, const Vec3& on_tie, double least, int worker, Array<int32_t>& unused);
     // What settle() has moved, if it did.
     const Array<PointMove>& moved() const { return moves_.made; }

@@ -134,13 +134,12 @@ void Rounds::make_all(const Made& made, const Run& run)
         for (int64_t i = begin; i < end; ++i) {
             Proposal& proposal = proposals_[chosen_[i]];
             proposal.make(mesh_, worker);
-            bad_.mark(mesh_, proposal.changed());
+            bad_.note_change(mesh_, proposal.changed(), worker);
         }
     });
     for (const size_t i : chosen_) {
         Proposal& proposal = proposals_[i];
         proposal.end(mesh_);
-        bad_.list(proposal.changed());
         made(proposal);
     }
 }

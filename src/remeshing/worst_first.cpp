@@ -13,16 +13,19 @@ namespace
 
 // Tetrahedra that a thread looks at. The number changes the time alone.
 constexpr int64_t kTetsAtOnce = 1 << 14;
+// The same, of those in the next pass, whose qualities are not known.
+constexpr int64_t kNextAtOnce = 1 << 10;
 
 }  // namespace
 
 void WorstFirst::collect_all(const LocalMesh& mesh, double target, const Run& run)
 {
     threads_.threads = run.threads;
-    next_.clear();
-    tried_ = array_with_room(mesh.slot_count(), kNotListed);
+    threads_.loop_time = run.loop_time;
+    next_.assign(worker_count(run), {});
+    tried_ = array_with_room(run, mesh.slot_count(), kNotListed);
     // Items start with `tried` 0, before this time, so each is worth a first try.
-    changed_ = array_with_room(mesh.point_count(), now_);
+    changed_ = array_with_room(run, mesh.point_count(), now_);
     if (!measure_)
         mesh.find_qualities(run);
     list_ = collect<Item>(run, mesh.slot_count(), kTetsAtOnce, [&](int64_t begin, int64_t end, Array<Item>& list) {
@@ -37,35 +40,41 @@ void WorstFirst::collect_left(const LocalMesh& mesh, double target)
 {
     for (const Item& item : list_)
         list_next(item.tet, 0);
-    for (const int32_t t : next_)
-        tried_[t] = 0;
+    for (const Array<int32_t>& next : next_)
+        for (const int32_t t : next)
+            tried_[t] = 0;
     collect_next(mesh, target);
 }
 
 void WorstFirst::collect_next(const LocalMesh& mesh, double target)
 {
+    const Array<int32_t> next =
+        joined<int32_t>(threads_, next_, [](Array<int32_t>& part) -> Array<int32_t>& { return part; });
     // Each tetrahedron is listed once, so no two threads find the quality of the same one.
-    list_ = collect<Item>(threads_, next_.count(), kTetsAtOnce, [&](int64_t begin, int64_t end, Array<Item>& list) {
+    list_ = collect<Item>(threads_, next.count(), kNextAtOnce, [&](int64_t begin, int64_t end, Array<Item>& list) {
         for (int64_t i = begin; i < end; ++i) {
-            const int32_t t = next_[i];
+            const int32_t t = next[i];
             const uint32_t tried = std::exchange(tried_[t], kNotListed);
             if (const double good = mesh.alive(t) ? goodness(mesh, t) : target; is_for_search(mesh, t, good, target))
                 list.push_back({good, t, tried});
         }
     });
-    next_.clear();
     sort_list();
 }
 
-// Of several times the last one counts.
-void WorstFirst::list_next(int32_t t, uint32_t tried)
+void WorstFirst::make_room_for(int64_t tets)
 {
-    if (t >= tried_.count()) {
-        make_room(tried_, to_size(t + 1 - tried_.count()));
-        tried_.resize(t + 1, kNotListed);
-    }
+    if (tets <= tried_.count())
+        return;
+    make_room(tried_, to_size(tets - tried_.count()));
+    tried_.resize(tets, kNotListed);
+}
+
+// Of several times the last one counts.
+void WorstFirst::list_next(int32_t t, uint32_t tried, int worker)
+{
     if (tried_[t] == kNotListed)
-        next_.push_back(t);
+        next_[worker].push_back(t);
     if (tried_[t] == kNotListed || tried_[t] < tried)
         tried_[t] = tried;
 }
@@ -91,8 +100,7 @@ bool WorstFirst::worth_trying(const LocalMesh& mesh, size_t i, double target) co
 void WorstFirst::changed(const LocalMesh& mesh, const Array<int32_t>& tets)
 {
     begin_changes(mesh);
-    mark(mesh, tets);
-    list(tets);
+    note_change(mesh, tets, 0);
 }
 
 void WorstFirst::begin_changes(const LocalMesh& mesh)
@@ -100,23 +108,22 @@ void WorstFirst::begin_changes(const LocalMesh& mesh)
     ++now_;
     make_room(changed_, to_size(mesh.point_count() - changed_.count()));
     changed_.resize(mesh.point_count(), now_);
+    make_room_for(mesh.slot_count());
 }
 
-void WorstFirst::mark(const LocalMesh& mesh, const Array<int32_t>& tets)
+void WorstFirst::note_change(const LocalMesh& mesh, const Array<int32_t>& tets, int worker)
 {
-    for (const int32_t t : tets)
+    for (const int32_t t : tets) {
         for (const int32_t v : mesh.tet(t))
             changed_[v] = now_;
-}
-
-void WorstFirst::list(const Array<int32_t>& tets)
-{
-    for (const int32_t t : tets)
-        list_next(t, 0);
+        list_next(t, 0, worker);
+    }
 }
 
 void WorstFirst::renumbered(const Array<int32_t>& tets)
 {
+    if (!tets.empty())
+        make_room_for(int64_t{*std::max_element(tets.begin(), tets.end())} + 1);
     for (const int32_t t : tets)
         // The stars are what they were, so the time is kept and they are not tried again.
         list_next(t, now_);

@@ -34,11 +34,10 @@ public:
 
     // These are new or have been moved.
     void changed(const LocalMesh& mesh, const Array<int32_t>& tets);
-    // Its three steps, for several changes at once. The second may be taken by several threads at once for changes that
-    // have no point in common.
+    // Its two steps, for several changes at once. The second may be taken by several threads at once for changes that
+    // have no point in common. `worker`: of the threads of the run that the search started with.
     void begin_changes(const LocalMesh& mesh);
-    void mark(const LocalMesh& mesh, const Array<int32_t>& tets);
-    void list(const Array<int32_t>& tets);
+    void note_change(const LocalMesh& mesh, const Array<int32_t>& tets, int worker);
     // These took the place of others for which nothing helped.
     void renumbered(const Array<int32_t>& tets);
     // Gives the i-th one back for the next pass. `tried`: it was tried and nothing helped.
@@ -58,16 +57,18 @@ private:
     {
         return good < target && !mesh.waits(t);
     }
-    void list_next(int32_t t, uint32_t tried);
+    void make_room_for(int64_t tets);
+    void list_next(int32_t t, uint32_t tried, int worker = 0);
     void sort_list();
 
     Measure measure_;
     Array<Item> list_;
-    Array<int32_t> next_;      // each once
+    // By worker, each tetrahedron once. Which worker has which does not matter, since the list is sorted.
+    Array<Array<int32_t>> next_ = Array<Array<int32_t>>(1);
     Array<uint32_t> tried_;    // by tetrahedron in next_: when nothing helped it; of others kNotListed
     Array<uint32_t> changed_;  // by point: when something in its star changed last
     uint32_t now_ = 1;
-    Run threads_;  // those of the search, without its callbacks
+    Run threads_;  // those of the search and its clock, without its callbacks
 };
 
 }  // namespace cleft
