@@ -67,6 +67,13 @@ CLEFT_NODISCARD CLEFT_MPI_API cleft_status cleft_mpi_quality(cleft_context* cont
  *  CLEFT_ERROR_ARGUMENT if the part is of another rank or of another number of ranks. \since 0.1 */
 CLEFT_NODISCARD CLEFT_MPI_API cleft_status cleft_mpi_write(cleft_context* context, MPI_Comm comm,
                                                            const cleft_part* part, const char* path) CLEFT_NOEXCEPT;
+/** Writes `count` files, or none if one of them fails: what was there before stays. Each is what cleft_mpi_write()
+ *  writes to its path. The paths and the count of rank 0 count; others may give NULL and 0.
+ *
+ *  Errors: those of cleft_mpi_write(), and CLEFT_ERROR_ARGUMENT if rank 0 gives no path. \since 0.1 */
+CLEFT_NODISCARD CLEFT_MPI_API cleft_status cleft_mpi_write_all(cleft_context* context, MPI_Comm comm,
+                                                               const cleft_part* part, const char* const* paths,
+                                                               int64_t count) CLEFT_NOEXCEPT;
 
 /** Opens a label map in an HDF5 file, and fills `out`, whose struct_size the caller sets. Each rank reads by itself, so
  *  the function needs no communicator. `dataset` is the path of the data set in the file. NULL: the only one with three

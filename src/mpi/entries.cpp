@@ -78,28 +78,72 @@ Writer writer_of(const std::string& path)
         "'" + path + "': meshes in parts are written as .vtkhdf, .hdf, .pvtu or .mfem, by the extension of the path");
 }
 
-// The path counts on rank 0, and so does the writer, as all have the name from there.
-void write_part(const PartView& part, const char* path, SharedStage& stage, MpiExchange& mpi, Exchange& exchange,
-                cleft_context* context)
+// Files that all ranks write, until they have their names.
+class SharedOutputs
 {
-    std::string target;
-    if (exchange.rank() == 0) {
-        target = io::required(path, "path");
-        writer_of(target);
+public:
+    SharedOutputs(const PartView& part, MpiExchange& mpi, Exchange& exchange, cleft_context* context)
+        : part_(part), mpi_(mpi), exchange_(exchange), context_(context)
+    {
     }
-    stage.open(target, exchange);
-    const auto report = [&](double fraction) {
-        io::check(context, cleft_context_report(context, fraction, fraction, "writing"));
-    };
-    try {
-        const std::vector<std::string> names = writer_of(stage.name())(part, {stage, mpi, exchange, report});
+
+    // The path of rank 0 counts, and so does its writer, as all have the name from there.
+    void write(const std::string& path, double from, double to)
+    {
+        stages_.push_back(std::make_unique<SharedStage>());
+        SharedStage& stage = *stages_.back();
+        stage.open(path, exchange_);
+        const auto report = [&](double fraction) {
+            const double done = from + (to - from) * fraction;
+            io::check(context_, cleft_context_report(context_, done, done, "writing"));
+        };
+        try {
+            written_.push_back({stage, writer_of(stage.name())(part_, {stage, mpi_, exchange_, report})});
+        } catch (const Error& error) {
+            throw Error(error.status(), stage.with_final_names(error.what()));
+        }
+    }
+
+    void commit()
+    {
         // All ranks have written.
-        exchange.all_gather(int64_t{0});
-        if (exchange.rank() == 0)
-            stage.commit(names);
-    } catch (const Error& error) {
-        throw Error(error.status(), stage.with_final_names(error.what()));
+        exchange_.all_gather(int64_t{0});
+        if (exchange_.rank() == 0)
+            cleft::mpi::commit(written_);
     }
+
+private:
+    const PartView& part_;
+    MpiExchange& mpi_;
+    Exchange& exchange_;
+    cleft_context* context_;
+    std::vector<std::unique_ptr<SharedStage>> stages_;
+    std::vector<StagedFiles> written_;
+};
+
+// Of rank 0; others need none. What is wrong with one is found before any is written.
+std::vector<std::string> checked_paths(const char* const* paths, int64_t count, const Exchange& exchange)
+{
+    std::vector<std::string> out;
+    if (exchange.rank() > 0)
+        return out;
+    if (count < 1)
+        throw Error(CLEFT_ERROR_ARGUMENT, "count is " + std::to_string(count) + "; it must be at least 1");
+    io::required(paths, "paths");
+    for (int64_t i = 0; i < count; ++i) {
+        out.emplace_back(io::required(paths[i], "path"));
+        writer_of(out.back());
+    }
+    return out;
+}
+
+void write_all(SharedOutputs& outputs, const char* const* paths, int64_t count, Exchange& exchange)
+{
+    const std::vector<std::string> mine = checked_paths(paths, count, exchange);
+    const int64_t all = exchange.all_gather(static_cast<int64_t>(mine.size()))[0];
+    for (int64_t i = 0; i < all; ++i)
+        outputs.write(mine.empty() ? "" : mine[to_size(i)], double(i) / double(all), double(i + 1) / double(all));
+    outputs.commit();
 }
 
 }  // namespace
@@ -153,14 +197,22 @@ cleft_status cleft_mpi_quality(cleft_context* context, MPI_Comm comm, const clef
 
 cleft_status cleft_mpi_write(cleft_context* context, MPI_Comm comm, const cleft_part* part, const char* path) noexcept
 {
+    return cleft_mpi_write_all(context, comm, part, &path, 1);
+}
+
+cleft_status cleft_mpi_write_all(cleft_context* context, MPI_Comm comm, const cleft_part* part,
+                                 const char* const* paths, int64_t count) noexcept
+{
     return cleft::io::entry(context, {part}, [&] {
         MpiExchange mpi(comm);
-        // It goes when all ranks have ended their work in it.
-        cleft::mpi::SharedStage stage;
         Exchange exchange(mpi.messenger());
+        // Stages go when all ranks have ended their work in them.
+        std::unique_ptr<cleft::mpi::SharedOutputs> outputs;
+        cleft::mpi::PartView view{};
         exchange.together([&] {
-            const auto view = cleft::mpi::view_of(cleft::io::required(part, "part"), exchange, context);
-            cleft::mpi::write_part(view, path, stage, mpi, exchange, context);
+            view = cleft::mpi::view_of(cleft::io::required(part, "part"), exchange, context);
+            outputs = std::make_unique<cleft::mpi::SharedOutputs>(view, mpi, exchange, context);
+            cleft::mpi::write_all(*outputs, paths, count, exchange);
         });
     });
 }

@@ -110,12 +110,21 @@ void SharedStage::open(const std::string& target, Exchange& exchange)
                     "cannot write '" + said_ + name() + "': this rank does not see the folder that rank 0 writes to");
 }
 
-void SharedStage::commit(const std::vector<std::string>& names)
+std::string SharedStage::with_final_names(std::string sentence) const
+{
+    const std::string prefix = folder_.string() + "/";
+    for (size_t at; !folder_.empty() && (at = sentence.find(prefix)) != std::string::npos;)
+        sentence.replace(at, prefix.size(), said_);
+    return sentence;
+}
+
+void commit(const std::vector<StagedFiles>& files)
 {
     std::vector<Renaming> all;
-    all.reserve(names.size());
-    for (const std::string& name : names)
-        all.emplace_back(folder_ / name, target_.parent_path() / name, folder_ / ("old-" + std::to_string(all.size())));
+    for (const StagedFiles& staged : files)
+        for (const std::string& name : staged.names)
+            all.emplace_back(staged.stage.place(name), staged.stage.final_place(name),
+                             staged.stage.place("old-" + std::to_string(all.size())));
     size_t done = 0;
     try {
         for (; done < all.size(); ++done)
@@ -125,14 +134,6 @@ void SharedStage::commit(const std::vector<std::string>& names)
             all[--done].take_back();
         throw;
     }
-}
-
-std::string SharedStage::with_final_names(std::string sentence) const
-{
-    const std::string prefix = folder_.string() + "/";
-    for (size_t at; !folder_.empty() && (at = sentence.find(prefix)) != std::string::npos;)
-        sentence.replace(at, prefix.size(), said_);
-    return sentence;
 }
 
 }  // namespace cleft::mpi

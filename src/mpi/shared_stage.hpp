@@ -29,9 +29,8 @@ public:
     // Where a file is written that is to lie beside the target, or to be it.
     std::string place(const std::string& name) const { return (folder_ / name).string(); }
 
-    // On rank 0 alone, when all ranks have written: gives the files their names, in this order. All or none: if one
-    // fails, what was there before is put back.
-    void commit(const std::vector<std::string>& names);
+    // Where it lies in the end.
+    std::filesystem::path final_place(const std::string& name) const { return target_.parent_path() / name; }
 
     // A sentence about a file in the folder becomes one about the file that the user knows.
     std::string with_final_names(std::string sentence) const;
@@ -41,5 +40,15 @@ private:
     std::string said_;  // the folder of the target as the user says it, up to its last "/"
     bool is_mine_ = false;
 };
+
+// The names of files in a stage.
+struct StagedFiles {
+    const SharedStage& stage;
+    std::vector<std::string> names;
+};
+
+// On rank 0 alone, when all ranks have written: gives the files their names, in this order. All or none: if one fails,
+// what was there before is put back.
+void commit(const std::vector<StagedFiles>& files);
 
 }  // namespace cleft::mpi

@@ -185,6 +185,34 @@ static void failures_are_those_of_all(void** state)
     cleft_context_destroy(context);
 }
 
+static void all_files_are_written_or_none(void** state)
+{
+    cleft_context* context = new_context();
+    labels user = {4, 0};
+    const cleft_voxels voxels = voxels_of(&user);
+    cleft_part* part = NULL;
+    char first[256], second[256];
+    const char* paths[2] = {first, second};
+    (void)state;
+    strcpy(first, own_path("all.vtkhdf"));
+    strcpy(second, path_of("none/all.pvtu"));
+    assert_ok(context, cleft_mpi_mesh(context, MPI_COMM_WORLD, &voxels, NULL, 0, &part));
+    assert_int_equal(cleft_mpi_write_all(context, MPI_COMM_WORLD, part, paths, 2), CLEFT_ERROR_FILE);
+    assert_int_not_equal(access(first, F_OK), 0);
+    strcpy(second, own_path("all.obj"));
+    assert_int_equal(cleft_mpi_write_all(context, MPI_COMM_WORLD, part, paths, 2), CLEFT_ERROR_UNSUPPORTED);
+    assert_int_not_equal(access(first, F_OK), 0);
+    assert_int_equal(cleft_mpi_write_all(context, MPI_COMM_WORLD, part, paths, 0), CLEFT_ERROR_ARGUMENT);
+    assert_int_equal(cleft_mpi_write_all(context, MPI_COMM_WORLD, part, NULL, 2), CLEFT_ERROR_NULL);
+    strcpy(second, own_path("all.pvtu"));
+    // Those of rank 0 count.
+    assert_ok(context, cleft_mpi_write_all(context, MPI_COMM_WORLD, part, rank == 0 ? paths : NULL, rank == 0 ? 2 : 0));
+    assert_int_equal(access(first, F_OK), 0);
+    assert_int_equal(access(second, F_OK), 0);
+    cleft_part_destroy(part);
+    cleft_context_destroy(context);
+}
+
 static void a_part_belongs_to_its_ranks(void** state)
 {
     cleft_context* context = new_context();
@@ -348,6 +376,7 @@ int main(int argc, char** argv)
         cmocka_unit_test(parts_are_the_whole),
         cmocka_unit_test(some_ranks_have_nothing),
         cmocka_unit_test(failures_are_those_of_all),
+        cmocka_unit_test(all_files_are_written_or_none),
         cmocka_unit_test(a_part_belongs_to_its_ranks),
         cmocka_unit_test(hdf5_volumes_are_read),
         cmocka_unit_test(a_volume_is_left),

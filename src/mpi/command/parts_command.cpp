@@ -141,6 +141,19 @@ void choose_block(const Ranks& ranks, Session& session, const PartsArguments& ar
                      " planes: the mesh is that of --block " + std::to_string(block));
 }
 
+// All of them, or none.
+void write_outputs(Session& session, const PartsArguments& arguments, const cleft_part* part)
+{
+    std::vector<const char*> paths;
+    for (const std::string& path : arguments.outputs)
+        paths.push_back(path.c_str());
+    session.timed("write", "writing", [&] {
+        session.check(cleft_mpi_write_all(session.context(), MPI_COMM_WORLD, part, paths.data(),
+                                          static_cast<int64_t>(paths.size())),
+                      cleft_cli::EXIT_CANNOT_WRITE);
+    });
+}
+
 // Last, so that a report of a success is one.
 void report_run(const Ranks& ranks, const Session& session, const PartsArguments& arguments,
                 const cleft_options* options, const cleft_voxels& voxels, const cleft_part* part,
@@ -182,13 +195,7 @@ void make_and_write(const Ranks& ranks, const PartsArguments& arguments)
     });
     // Also if this rank tells nobody: others may.
     const cleft_quality quality = measured(ranks, *session, part.get());
-    for (const std::string& path : arguments.outputs)
-        ranks.together([&] {
-            session->timed("write", "writing", [&] {
-                session->check(cleft_mpi_write(session->context(), MPI_COMM_WORLD, part.get(), path.c_str()),
-                               cleft_cli::EXIT_CANNOT_WRITE);
-            });
-        });
+    ranks.together([&] { write_outputs(*session, arguments, part.get()); });
     session->clear_progress();
     if (!arguments.run.json.empty())
         report_run(ranks, *session, arguments, options.get(), *voxels, part.get(), quality, sent);
