@@ -39,7 +39,7 @@ Grid grid_of(Bytes& bytes)
     for (int64_t& n : grid.dims)
         n = 1 + bytes.below(most_voxels_a_side);
     if (bytes.one_in(64))
-        grid.dims[0] = -bytes.any<int64_t>();
+        grid.dims[0] = std::min<int64_t>(0, bytes.any<int64_t>());  // not more than there are voxels
     const int kind = bytes.below(4);
     for (size_t row = 0; row < 3; ++row)
         for (size_t column = 0; column < 4; ++column) {
