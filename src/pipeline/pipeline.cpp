@@ -77,6 +77,7 @@ void repair_background(TetMesh& background, const SizingField* adapted_to, const
 
 LabelledMesh finished(const Volume& volume, LabelledMesh mesh, const PipelineOptions& options, const Run& run)
 {
+    Stage stage(run, "finish", {{nullptr, 1}});
     // Before anything is reported: the sentence of this error says more than warnings about an empty mesh.
     require_kept(kept_tets(mesh, options.kept));
     if (options.strict)
@@ -86,7 +87,6 @@ LabelledMesh finished(const Volume& volume, LabelledMesh mesh, const PipelineOpt
                                    material_volumes(mesh, volume.material_count(), run), options.kept, run);
     if (tells_of_missed_goal(options, 1, run))
         warn_of_missed_goal(missed_goal(mesh, options, run), volume.grid(), options, run);
-    Stage stage(run, "finish", {{nullptr, 1}});
     // Last, since stages before number points as they make them. It changes no place, so what was reported stays true.
     order_spatially(mesh, stage.next());
     return mesh;

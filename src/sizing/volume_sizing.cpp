@@ -11,6 +11,8 @@ SizingField compute_sizing(const Volume& volume, const SizingOptions& options, c
 {
     check_size("surface_error", options.surface_error);
     const double error = error_of_sizes(options);
+    // Of the curvature too: it replaces the figures of the stage within.
+    const StageTimer timer(run, "sizing");
     Steps steps(run, {{error > 0 ? "sizing: curvature" : nullptr, error > 0 ? 1.0 : 0}, {nullptr, 1}});
     const Run of_curvature = steps.next();
     return compute_sizing(volume, options,
