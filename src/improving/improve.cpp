@@ -2,6 +2,7 @@
 #include "improving/improve.hpp"
 
 #include "base/degrees.hpp"
+#include "base/parallel.hpp"
 #include "base/stage.hpp"
 #include "improving/improver.hpp"
 #include "remeshing/angle_notes.hpp"
@@ -15,6 +16,9 @@ namespace cleft
 
 namespace
 {
+
+// Tetrahedra that a thread looks at. The number changes the time alone.
+constexpr int64_t kTetsCounted = 1 << 14;
 
 // Most tetrahedra are helped at no price. For the few that are left, an interface may give way by a little, more and
 // more, and then expensive attempts are made, at last with the tetrahedra around as well.
@@ -47,13 +51,19 @@ void note_counts(const SearchCounts& counts, const Run& run)
 
 Shortfall shortfall(const LocalMesh& mesh, double target, const Run& run)
 {
+    Array<Shortfall> parts(chunk_count(mesh.slot_count(), kTetsCounted));
+    parallel_chunks(run, mesh.slot_count(), kTetsCounted, [&](int64_t chunk, int64_t begin, int64_t end) {
+        for (auto t = static_cast<int32_t>(begin); t < end; ++t) {
+            if (!mesh.alive(t) || mesh.quality(t) >= target || mesh.waits(t))
+                continue;
+            ++parts[chunk].tets;
+            parts[chunk].least = std::min(parts[chunk].least, mesh.quality(t));
+        }
+    });
     Shortfall found;
-    for (int32_t t = 0; t < mesh.slot_count(); ++t) {
-        run.check_at(t);
-        if (!mesh.alive(t) || mesh.quality(t) >= target || mesh.waits(t))
-            continue;
-        ++found.tets;
-        found.least = std::min(found.least, mesh.quality(t));
+    for (const Shortfall& part : parts) {
+        found.tets += part.tets;
+        found.least = std::min(found.least, part.least);
     }
     return found;
 }
