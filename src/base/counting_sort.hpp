@@ -15,13 +15,14 @@ struct Groups {
     Array<Value> values;
 };
 
+// All tables together have at most two entries an item, about half of what they help to sort in a mesh.
+inline int64_t most_parts(int64_t items, int64_t keys) { return 1 + 2 * items / std::max<int64_t>(1, keys); }
+
 // How many items a thread takes where each part of a loop needs a table of all keys. This cut depends on the number of
 // threads: only for loops whose result is the same for every cut.
 inline int64_t items_of_part(const Run& run, int64_t items, int64_t keys)
 {
-    // All tables together have at most two entries an item, about half of what they help to sort in a mesh.
-    const int64_t most = 1 + 2 * items / std::max<int64_t>(1, keys);
-    const int64_t parts = std::min<int64_t>(std::max(1, run.threads), most);
+    const int64_t parts = std::min<int64_t>(std::max(1, run.threads), most_parts(items, keys));
     return std::max<int64_t>(1, (items + parts - 1) / parts);
 }
 
@@ -36,13 +37,13 @@ public:
         const int64_t grain = items_of_part(run, items, keys);
         places_.resize(std::max<int64_t>(1, chunk_count(items, grain)));
         places_[places_.size() - 1].resize(keys + 1);
-        parallel_chunks(run, items, grain, [&](int64_t part, int64_t begin, int64_t end) {
+        for_parts(run, items, keys, grain, [&](int64_t part, int64_t begin, int64_t end) {
             Array<Number>& counts = places_[part];
             counts.resize(keys + 1);
             for_items(run, begin, end, visit, [&](int64_t key, const Value&) { ++counts[key + 1]; });
         });
         Array<Value> values = array_with_room<Value>(run, find_places(run, keys));
-        parallel_chunks(run, items, grain, [&](int64_t part, int64_t begin, int64_t end) {
+        for_parts(run, items, keys, grain, [&](int64_t part, int64_t begin, int64_t end) {
             Array<Number>& places = places_[part];
             for_items(run, begin, end, visit,
                       [&](int64_t key, const Value& value) { values[places[key + 1]++] = value; });
@@ -52,6 +53,14 @@ public:
     }
 
 private:
+    template <class Body>
+    static void for_parts(const Run& run, int64_t items, int64_t keys, int64_t grain, const Body& body)
+    {
+        // One thread has one part, which more threads would share.
+        const LoopTimer timer(run, grain < items ? 1 : most_parts(items, keys));
+        parallel_chunks(run, items, grain, body);
+    }
+
     template <class Visit, class Give>
     static void for_items(const Run& run, int64_t begin, int64_t end, const Visit& visit, const Give& give)
     {
