@@ -126,8 +126,9 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_context_create(cleft_context** out)
 /** Destroys a context; NULL is allowed. Handles made with it stay valid. \since 0.1 */
 CLEFT_API void cleft_context_destroy(cleft_context* context) CLEFT_NOEXCEPT;
 
-/** Returns the sentence of the last failure on this context, "" if there was none. The text is borrowed until the
- *  next call on the context. \since 0.1 */
+/** Returns the sentence of the last failure on this context, "" if there was none. It is one line of UTF-8: bytes of a
+ *  file's name that are no text are question marks in it. The text is borrowed until the next call on the context.
+ *  \since 0.1 */
 CLEFT_API const char* cleft_context_last_error(const cleft_context* context) CLEFT_NOEXCEPT;
 /** Stores a sentence as the last error of the context and returns `status`, or CLEFT_ERROR_BUSY. It is meant for
  *  components that build on this library. \since 0.1 */

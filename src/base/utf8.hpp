@@ -49,15 +49,27 @@ inline std::string_view beginning_of(std::string_view text, size_t bytes)
     return text.substr(0, bytes);
 }
 
-// What came from outside stands in sentences, which must be text nevertheless.
+// Calls put(characters) for a text from outside, which may be no text, until that is false. What a sentence cannot have
+// is a question mark.
+template <class Put>
+void for_each_printable(std::string_view text, const Put& put)
+{
+    while (!text.empty()) {
+        const Character next = first_character(text);
+        const bool is_plain = next.bytes > 0 && !next.is_control();
+        if (!put(is_plain ? text.substr(0, next.bytes) : std::string_view("?")))
+            return;
+        text.remove_prefix(std::max<size_t>(next.bytes, 1));
+    }
+}
+
 inline std::string printable(std::string_view text)
 {
     std::string clean;
-    while (!text.empty()) {
-        const Character next = first_character(text);
-        clean += next.bytes == 0 || next.is_control() ? "?" : text.substr(0, next.bytes);
-        text.remove_prefix(std::max<size_t>(next.bytes, 1));
-    }
+    for_each_printable(text, [&](std::string_view character) {
+        clean += character;
+        return true;
+    });
     return clean;
 }
 

@@ -14,10 +14,16 @@ void set_message(Message* message, const char* sentence) noexcept
     // Entries without a context have nowhere to put one.
     if (!message)
         return;
-    // Cut, not refused: the beginning of a sentence names the fault.
-    const std::string_view kept = beginning_of(sentence ? sentence : "", message->size() - 1);
-    std::copy(kept.begin(), kept.end(), message->begin());
-    (*message)[kept.size()] = '\0';
+    // Names of files and words of callers stand in sentences, which are text nevertheless. They are cut, not refused:
+    // the beginning of a sentence names the fault.
+    size_t size = 0;
+    cleft::for_each_printable(sentence ? sentence : "", [&](std::string_view character) {
+        const bool has_room = size + character.size() < message->size();
+        if (has_room)
+            size += character.copy(message->data() + size, character.size());
+        return has_room;
+    });
+    (*message)[size] = '\0';
 }
 
 }  // namespace cleft::capi

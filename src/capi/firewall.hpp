@@ -4,6 +4,7 @@
 
 #include "base/run.hpp"
 #include "base/status_of.hpp"
+#include "base/utf8.hpp"
 #include "capi/handles.hpp"
 #include "capi/reporter.hpp"
 
@@ -153,14 +154,14 @@ inline void begin(cleft_context& context) noexcept
     }
 }
 
-// Hands a sentence to the caller's log, if there is one.
+// Hands a sentence to the caller's log, if there is one, as set_message() keeps it, but whole.
 inline void say(cleft_context& context, int32_t level, const char* sentence)
 {
     // While it runs, the context answers CLEFT_ERROR_BUSY: a call from within would change what the outer one works
     // with.
     const Occupancy::Callback callback(context.occupancy);
     if (context.log)
-        context.log(level, sentence, context.log_user);
+        context.log(level, printable(sentence).c_str(), context.log_user);
 }
 
 // An entry that may run long: clears the last message and cancel request, and gives the body a Run. `stage` is what

@@ -3,7 +3,6 @@
 
 #include "base/number_text.hpp"
 #include "base/struct_size.hpp"
-#include "base/utf8.hpp"
 #include "capi/firewall.hpp"
 #include "capi/kept_labels.hpp"
 #include "sizing/compute.hpp"
@@ -37,7 +36,7 @@ const OptionRow& checked_row(int row, const std::string& what)
 {
     if (row < 0)
         // The name comes from a command line or a script, and may hold anything.
-        throw Error(CLEFT_ERROR_OPTION, "there is no option " + printable(what));
+        throw Error(CLEFT_ERROR_OPTION, "there is no option " + what);
     return kOptionTable[row];
 }
 
@@ -68,8 +67,7 @@ double choice_number(const OptionRow& row, const char* text)
     const size_t at = all.find(wanted);
     // A bar in the text would match two choices at once.
     if (*text == '\0' || std::strchr(text, '|') || at == std::string::npos)
-        throw Error(CLEFT_ERROR_OPTION,
-                    std::string(row.name) + " is " + printable(text) + ", which is none of " + row.choices);
+        throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is " + text + ", which is none of " + row.choices);
     double number = 0;
     for (size_t i = 0; i < at; ++i)
         number += all[i] == '|';
@@ -97,11 +95,11 @@ double parsed(const OptionRow& row, const char* text)
     double value = 0;
     const bool is_number = reads_number(text, value);
     if (row.type == CLEFT_OPTION_TYPE_FLAG && !is_number)
-        throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is neither true nor false: " + printable(text));
+        throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is neither true nor false: " + text);
     if (!is_number)
-        throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is not a number: " + printable(text));
+        throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is not a number: " + text);
     if (row.type != CLEFT_OPTION_TYPE_REAL && value != std::floor(value))
-        throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is not a whole number: " + printable(text));
+        throw Error(CLEFT_ERROR_OPTION, std::string(row.name) + " is not a whole number: " + text);
     return value;
 }
 

@@ -5,6 +5,7 @@
 #include "blocks/rank_mesh.hpp"
 #include "capi/firewall.hpp"
 #include "capi/kept_labels.hpp"
+#include "capi/made_volume.hpp"
 #include "capi/mesh_frame.hpp"
 #include "capi/options.hpp"
 #include "capi/report_rows.hpp"

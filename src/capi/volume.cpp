@@ -1,6 +1,7 @@
 // Volumes from the arrays of a caller: all that is uncertain about them is refused here, before a stage sees it.
 #include "capi/firewall.hpp"
 #include "capi/kept_labels.hpp"
+#include "capi/made_volume.hpp"
 #include "capi/options.hpp"
 #include "capi/voxel_type.hpp"
 
@@ -29,26 +30,6 @@ cleft::Volume indicators(const void* const* fields, int64_t count, const cleft::
 
 namespace cleft::capi
 {
-
-// A switch, not a cast: the number comes from a caller and may be any.
-VoxelType voxel_type(cleft_type type)
-{
-    switch (type) {
-        case CLEFT_TYPE_UINT8:
-            return VoxelType::uint8;
-        case CLEFT_TYPE_UINT16:
-            return VoxelType::uint16;
-        case CLEFT_TYPE_INT16:
-            return VoxelType::int16;
-        case CLEFT_TYPE_UINT32:
-            return VoxelType::uint32;
-        case CLEFT_TYPE_INT32:
-            return VoxelType::int32;
-        default:
-            throw Error(CLEFT_ERROR_ARGUMENT,
-                        "type is " + std::to_string(type) + ", which is no type of a label map's voxels");
-    }
-}
 
 // Lists for the caller are made once, for the functions that lend them may be called from many threads.
 cleft_volume made_volume(const Frame& frame, Volume&& volume)

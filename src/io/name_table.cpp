@@ -3,6 +3,7 @@
 // words alone are different names. Of the first two, some lines may be odd; each is told.
 #include "io/name_table.hpp"
 
+#include "base/utf8.hpp"
 #include "io/header_values.hpp"
 #include "io/text_scanner.hpp"
 

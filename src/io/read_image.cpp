@@ -50,7 +50,7 @@ const Reader& reader_of(const FileHead& head)
     throw Error(CLEFT_ERROR_FILE, "it is in no format of volumes that can be read, or it is damaged");
 }
 
-// Notes, names and messages may carry text of the file. Control characters in it could change what a terminal shows.
+// Notes and names may carry text of the file. Control characters in it could change what a terminal shows.
 void make_printable(Image& image)
 {
     for (std::string& note : image.notes)
@@ -63,48 +63,36 @@ void make_printable(Image& image)
 
 Image read_image(const std::string& path)
 {
-    try {
-        const FileHead head = read_head(path);
-        Image image = reader_of(head).read(path, head);
-        make_printable(image);
-        return image;
-    } catch (const Error& error) {
-        throw Error(error.status(), printable(error.what()));
-    }
+    const FileHead head = read_head(path);
+    Image image = reader_of(head).read(path, head);
+    make_printable(image);
+    return image;
 }
 
 StoredImage locate_image(const std::string& path)
 {
-    try {
-        const FileHead head = read_head(path);
-        const Reader& reader = reader_of(head);
-        if (!reader.locate && reader.read == refuse_foreign_format)
-            refuse_foreign_format(path, head);
-        if (!reader.locate)
-            throw Error(CLEFT_ERROR_UNSUPPORTED,
-                        std::string("it is ") + reader.name + ", which cannot be read by parts: " + way_to_parts(path));
-        StoredImage stored = reader.locate(path, head);
-        make_printable(stored.image);
-        return stored;
-    } catch (const Error& error) {
-        throw Error(error.status(), printable(error.what()));
-    }
+    const FileHead head = read_head(path);
+    const Reader& reader = reader_of(head);
+    if (!reader.locate && reader.read == refuse_foreign_format)
+        refuse_foreign_format(path, head);
+    if (!reader.locate)
+        throw Error(CLEFT_ERROR_UNSUPPORTED,
+                    std::string("it is ") + reader.name + ", which cannot be read by parts: " + way_to_parts(path));
+    StoredImage stored = reader.locate(path, head);
+    make_printable(stored.image);
+    return stored;
 }
 
 TensorImage read_tensor_image(const std::string& path)
 {
-    try {
-        const FileHead head = read_head(path);
-        const Reader& reader = reader_of(head);
-        if (!reader.read_tensors)
-            throw Error(CLEFT_ERROR_UNSUPPORTED,
-                        "a metric can be read from NRRD, NIfTI and VTK (legacy and .vti), and it is none");
-        TensorImage tensors = reader.read_tensors(path, head);
-        make_printable(tensors.image);
-        return tensors;
-    } catch (const Error& error) {
-        throw Error(error.status(), printable(error.what()));
-    }
+    const FileHead head = read_head(path);
+    const Reader& reader = reader_of(head);
+    if (!reader.read_tensors)
+        throw Error(CLEFT_ERROR_UNSUPPORTED,
+                    "a metric can be read from NRRD, NIfTI and VTK (legacy and .vti), and it is none");
+    TensorImage tensors = reader.read_tensors(path, head);
+    make_printable(tensors.image);
+    return tensors;
 }
 
 }  // namespace cleft::io

@@ -54,7 +54,7 @@ std::string path_of_source(const std::string& list, const std::string& source)
     std::error_code error;
     const auto kind = std::filesystem::status(path, error).type();
     if (kind != std::filesystem::file_type::regular && kind != std::filesystem::file_type::not_found)
-        throw Error(CLEFT_ERROR_FILE, "'" + printable(path) + "' is a piece, and must be a regular file");
+        throw Error(CLEFT_ERROR_FILE, "'" + path + "' is a piece, and must be a regular file");
     return path;
 }
 

@@ -81,12 +81,9 @@ std::string TextScanner::place() const
     return "'" + path_ + "', line " + std::to_string(line) + ": ";
 }
 
-void TextScanner::fail(const std::string& what) const { throw Error(CLEFT_ERROR_FORMAT, place() + printable(what)); }
+void TextScanner::fail(const std::string& what) const { throw Error(CLEFT_ERROR_FORMAT, place() + what); }
 
-void TextScanner::unsupported(const std::string& what) const
-{
-    throw Error(CLEFT_ERROR_UNSUPPORTED, place() + printable(what));
-}
+void TextScanner::unsupported(const std::string& what) const { throw Error(CLEFT_ERROR_UNSUPPORTED, place() + what); }
 
 void TextScanner::skip_blanks()
 {

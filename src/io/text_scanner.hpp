@@ -2,7 +2,6 @@
 #pragma once
 
 #include "base/error.hpp"
-#include "base/utf8.hpp"
 
 #include <cstdint>
 #include <string>
@@ -15,15 +14,14 @@ namespace cleft::io
 std::string read_whole_file(const std::string& path);
 
 // Runs `body`, whose Errors do not name the file, and names it.
-// Only Errors get the name; std::bad_alloc passes through as it is. The text is made printable, as
-// it may quote the file.
+// Only Errors get the name; std::bad_alloc passes through as it is.
 template <class Body>
 auto naming_file(const std::string& path, const Body& body)
 {
     try {
         return body();
     } catch (const Error& error) {
-        throw Error(error.status(), "'" + path + "': " + printable(error.what()));
+        throw Error(error.status(), "'" + path + "': " + error.what());
     }
 }
 

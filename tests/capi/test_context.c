@@ -95,6 +95,22 @@ static void hear(int32_t level, const char* sentence, void* user)
     snprintf(last->sentence, sizeof last->sentence, "%s", sentence);
 }
 
+/* Names of files are bytes. A sentence is text, on its way to the caller by the log, too. */
+static void sentences_are_text(void** state)
+{
+    cleft_context* context = new_context();
+    heard last = {0, ""};
+    const char* given = "g\x92 \xc3\xa9 \n\x1b[2m \xed\xa0\x80 \xc3";
+    const char* kept = "g? \xc3\xa9 ??[2m ??? ?";
+    (void)state;
+    assert_int_equal(cleft_context_set_error(context, CLEFT_ERROR_FILE, given), CLEFT_ERROR_FILE);
+    assert_string_equal(cleft_context_last_error(context), kept);
+    assert_ok(context, cleft_context_set_log(context, hear, &last));
+    assert_ok(context, cleft_context_log(context, CLEFT_LOG_INFO, given));
+    assert_string_equal(last.sentence, kept);
+    cleft_context_destroy(context);
+}
+
 static void components_reach_the_log(void** state)
 {
     cleft_context* context = new_context();
@@ -145,6 +161,7 @@ int main(void)
         cmocka_unit_test(threads_are_checked_and_zero_means_the_machine),
         cmocka_unit_test(a_long_sentence_is_cut_not_lost),
         cmocka_unit_test(a_long_sentence_ends_with_a_whole_character),
+        cmocka_unit_test(sentences_are_text),
         cmocka_unit_test(components_reach_the_log),
         cmocka_unit_test(null_and_foreign_handles_are_statuses),
     };

@@ -1,6 +1,7 @@
 // Tensors and their logarithms, and metrics between voxel centres.
 #include "metric/metric_field.hpp"
 #include "support/cmocka.hpp"
+#include "support/random.hpp"
 #include "support/runs.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -13,16 +14,10 @@ using namespace cleft_test;
 namespace
 {
 
-double random_in(uint64_t& state, double least, double greatest)
+Tensor random_log(Random& random, double range)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    return least + (greatest - least) * static_cast<double>(state >> 11) / 9007199254740992.0;
-}
-
-Tensor random_log(uint64_t& state, double range)
-{
-    return {random_in(state, -range, range), random_in(state, -range, range), random_in(state, -range, range),
-            random_in(state, -range, range), random_in(state, -range, range), random_in(state, -range, range)};
+    return {random.between(-range, range), random.between(-range, range), random.between(-range, range),
+            random.between(-range, range), random.between(-range, range), random.between(-range, range)};
 }
 
 double difference(const Tensor& a, const Tensor& b) { return (a.matrix() - b.matrix()).norm(); }
@@ -31,9 +26,9 @@ double difference(const Tensor& a, const Tensor& b) { return (a.matrix() - b.mat
 
 static void exponentials_and_logarithms_are_inverse(void**)
 {
-    uint64_t state = 1;
+    Random random(1);
     for (int i = 0; i < 1000; ++i) {
-        const Tensor log_before = random_log(state, 3);
+        const Tensor log_before = random_log(random, 3);
         assert_true(difference(log(exp(log_before)), log_before) < 1e-5);
         // That of no trace keeps volumes.
         assert_float_equal(unit_exp(log_before).matrix().determinant(), 1, 1e-6);
@@ -43,9 +38,9 @@ static void exponentials_and_logarithms_are_inverse(void**)
 
 static void eigenvalues_are_those_of_the_matrix(void**)
 {
-    uint64_t state = 2;
+    Random random(2);
     for (int i = 0; i < 1000; ++i) {
-        const Tensor tensor = random_log(state, 5);
+        const Tensor tensor = random_log(random, 5);
         const Eigen::SelfAdjointEigenSolver<Mat3> solver(tensor.matrix());
         assert_true((eigenvalues(tensor) - solver.eigenvalues()).norm() < 1e-6);
     }

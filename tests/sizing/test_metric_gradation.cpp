@@ -1,6 +1,7 @@
 // The gradation of metrics, and what it is made of.
 #include "sizing/metric_gradation.hpp"
 #include "support/cmocka.hpp"
+#include "support/random.hpp"
 #include "support/runs.hpp"
 
 #include <cmath>
@@ -11,16 +12,10 @@ using namespace cleft_test;
 namespace
 {
 
-double random_in(uint64_t& state, double least, double greatest)
+Tensor random_metric(Random& random)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    return least + (greatest - least) * static_cast<double>(state >> 11) / 9007199254740992.0;
-}
-
-Tensor random_metric(uint64_t& state)
-{
-    return exp({random_in(state, -2, 2), random_in(state, -2, 2), random_in(state, -2, 2), random_in(state, -2, 2),
-                random_in(state, -2, 2), random_in(state, -2, 2)});
+    return exp({random.between(-2, 2), random.between(-2, 2), random.between(-2, 2), random.between(-2, 2),
+                random.between(-2, 2), random.between(-2, 2)});
 }
 
 }  // namespace
@@ -28,9 +23,9 @@ Tensor random_metric(uint64_t& state)
 // Nowhere less than either, and no greater than needed: in each common axis it equals one of the two.
 static void intersections_are_the_least_that_cover_both(void**)
 {
-    uint64_t state = 3;
+    Random random(3);
     for (int i = 0; i < 500; ++i) {
-        const Tensor a = random_metric(state), b = random_metric(state), both = intersection(a, b);
+        const Tensor a = random_metric(random), b = random_metric(random), both = intersection(a, b);
         assert_true(covers(1.0001 * both, a) && covers(1.0001 * both, b));
         // Where it touches one of them, a direction is left in which it is no greater.
         const double above_a = (both.matrix() - a.matrix()).determinant();
@@ -61,13 +56,13 @@ static void sizes_grow_from_voxel_to_voxel(void**)
 
 static void no_neighbour_asks_for_less_than_there_is(void**)
 {
-    uint64_t state = 5;
+    Random random(5);
     Grid grid;
     grid.dims = {9, 8, 7};
     grid.spacing = Vec3(1, 0.5, 2);
     Array<Tensor> metric;
     for (int64_t v = 0; v < grid.size(); ++v)
-        metric.push_back(random_metric(state));
+        metric.push_back(random_metric(random));
     const Array<Tensor> before = metric;
     Array<Tensor> by_threads = metric;
     limit_metric_gradation(grid, 0.3, metric, Run{});
