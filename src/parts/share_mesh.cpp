@@ -1,6 +1,7 @@
 // Tetrahedra go to the ranks that own a corner, piece by piece; what a rank gets is its part.
 #include "parts/mesh_part.hpp"
 
+#include "base/quiet_run.hpp"
 #include "base/stage.hpp"
 #include "mesh/face_buckets.hpp"
 #include "mesh/order.hpp"
@@ -271,7 +272,7 @@ MeshPart share_mesh(const MeshPieces& pieces, const Array<UserLabel>& labels, co
         const LabelledMesh piece = taken_piece(pieces, i, labels);
         const int64_t* of_piece = i < pieces.count ? numbers.of_piece(i) : nullptr;
         sender.send(piece, of_piece, arrived);
-        triangles.add(piece, of_piece, steps.next());
+        triangles.add(piece, of_piece, uncounted(steps.next()));
     }
     stage.next();
     MeshPart part;

@@ -36,7 +36,7 @@ void append(const Array<T>& items, Array<T>& to)
 }  // namespace
 
 SharedTriangles::SharedTriangles(const BoundingBox& box, const OwnedNumbers& owned, Exchange& exchange)
-    : box_(box), owned_(owned), exchange_(exchange), cut_(to_size(exchange.ranks()))
+    : box_(box), owned_(owned), exchange_(exchange)
 {
 }
 
@@ -54,7 +54,7 @@ void SharedTriangles::add(const LabelledMesh& piece, const int64_t* numbers, con
         const int32_t region = found.hull_region[i];
         const int64_t of_tet = least(found.hull_tet[i]);
         if (found.hull_side[i] == Side::other)
-            cut_[owned_.owner(corners[0])].push_back({corners, of_tet, region});
+            cut_.push_back({corners, of_tet, region});
         else
             to_owner[owned_.owner(of_tet)].push_back(
                 {static_cast<int32_t>(found.hull_side[i]), {region, region}, corners});
@@ -62,31 +62,37 @@ void SharedTriangles::add(const LabelledMesh& piece, const int64_t* numbers, con
     append(exchange_.all_to_all(to_owner).items, arrived_);
 }
 
-void SharedTriangles::match(const HalfCut* halves, int64_t count, ByRank& to_owner) const
+Array<SharedTriangles::HalfCut> SharedTriangles::match(Array<HalfCut> halves, ByRank& to_owner) const
 {
-    if (count > 2)
-        throw Error(CLEFT_ERROR_INTERNAL, "pieces of a mesh overlap: a face has more than two tetrahedra");
-    const bool is_hull = count == 1;
-    const HalfCut &first = halves[is_hull || halves[0].region < halves[1].region ? 0 : 1],
-                  &second = halves[is_hull || &first == halves + 1 ? 0 : 1];
-    if (!is_hull && first.region == second.region)
-        return;
-    const int32_t owner = owned_.owner(std::min(first.least_of_tet, second.least_of_tet));
-    to_owner[owner].push_back(
-        {is_hull ? static_cast<int32_t>(Side::other) : -1, {first.region, second.region}, first.corners});
+    std::sort(halves.begin(), halves.end());
+    Array<HalfCut> single;
+    for (int64_t first = 0, next = 0; first < halves.count(); first = next) {
+        while (next < halves.count() && halves[next].face() == halves[first].face())
+            ++next;
+        if (next - first > 2)
+            throw Error(CLEFT_ERROR_INTERNAL, "pieces of a mesh overlap: a face has more than two tetrahedra");
+        if (next - first == 1) {
+            single.push_back(halves[first]);
+            continue;
+        }
+        const bool in_order = halves[first].region < halves[first + 1].region;
+        const HalfCut &lesser = halves[in_order ? first : first + 1], &greater = halves[in_order ? first + 1 : first];
+        if (lesser.region != greater.region)
+            to_owner[owned_.owner(std::min(lesser.least_of_tet, greater.least_of_tet))].push_back(
+                {-1, {lesser.region, greater.region}, lesser.corners});
+    }
+    return single;
 }
 
 Array<SentTriangle> SharedTriangles::take()
 {
-    Array<HalfCut> cut = exchange_.all_to_all(cut_).items;
-    cut_.clear();
-    std::sort(cut.begin(), cut.end());
     ByRank to_owner(to_size(exchange_.ranks()));
-    for (int64_t first = 0, next = 0; first < cut.count(); first = next) {
-        while (next < cut.count() && cut[next].face() == cut[first].face())
-            ++next;
-        match(cut.data() + first, next - first, to_owner);
-    }
+    Array<Array<HalfCut>> single(to_size(exchange_.ranks()));
+    for (const HalfCut& half : match(std::move(cut_), to_owner))
+        single[owned_.owner(half.corners[0])].push_back(half);
+    for (const HalfCut& hull : match(exchange_.all_to_all(single).items, to_owner))
+        to_owner[owned_.owner(hull.least_of_tet)].push_back(
+            {static_cast<int32_t>(Side::other), {hull.region, hull.region}, hull.corners});
     append(exchange_.all_to_all(to_owner).items, arrived_);
     std::sort(arrived_.begin(), arrived_.end());
     return std::move(arrived_);

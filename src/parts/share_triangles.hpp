@@ -22,7 +22,7 @@ struct SentTriangle {
 };
 
 // Triangles inside a piece and in the sides of the box are found there. A face where a piece ends elsewhere is in the
-// surface of another piece, too, or is hull: who owns its least corner compares.
+// surface of another piece, too, or is hull: its rank compares, and then the one that owns its least corner.
 class SharedTriangles
 {
 public:
@@ -52,12 +52,13 @@ private:
     };
     using ByRank = Array<Array<SentTriangle>>;
 
-    void match(const HalfCut* halves, int64_t count, ByRank& to_owner) const;
+    // Sends the triangles among faces that two pieces have, and returns the faces that one has.
+    Array<HalfCut> match(Array<HalfCut> halves, ByRank& to_owner) const;
 
     BoundingBox box_;
     const OwnedNumbers& owned_;
     Exchange& exchange_;
-    Array<Array<HalfCut>> cut_;  // by the rank that owns the least corner
+    Array<HalfCut> cut_;
     Array<SentTriangle> arrived_;
 };
 
