@@ -78,10 +78,11 @@ typedef struct cleft_part cleft_part; /**< the part of a mesh that a rank has; i
  * background of particles, and holds all sizes then. Without `block`, or with `tets`, `strict` or an `anisotropy`
  * above 1, the first rank makes the whole mesh; a warning says why.
  *
- *  If ranks make it and `scratch` of the exchange is not NULL, a rank holds two of its blocks at a time, until it
- * joins them. It keeps the others, sizes and weights of voxels in files of that folder without names, which take about
- * eight bytes a voxel and five times its mesh. The mesh is the same. Ranks may have folders of their own. A file that
- * cannot be written is CLEFT_ERROR_FILE.
+ *  If ranks make it and `scratch` of the exchange is not NULL, a rank holds two of its blocks at a time. It keeps the
+ * others, sizes, weights of voxels, and tetrahedra on their way to their parts in files of that folder without names,
+ * which take about eight bytes a voxel and 170 a tetrahedron. The part itself is in memory, with 40 bytes for each
+ * tetrahedron. The mesh is the same. Ranks may have folders of their own. A file that cannot be written is
+ * CLEFT_ERROR_FILE.
  *
  *  A volume that ranks share may have more than 2^31 voxels. A rank holds the planes of a block and those around it
  * that have a say. If these are more than 2^31 voxels, the error is CLEFT_ERROR_TOO_LARGE; a smaller `block` helps.
