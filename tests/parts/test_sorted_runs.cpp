@@ -29,7 +29,7 @@ void check_runs(const std::string& scratch, const Array<int64_t>& sizes, int64_t
 {
     SortedRuns<Item> runs(scratch);
     Array<int64_t> expected;
-    Random random(1 + range);
+    Random random(1 + static_cast<uint64_t>(range));
     for (const int64_t size : sizes) {
         Array<Item> items;
         for (int64_t i = 0; i < size; ++i) {
