@@ -126,6 +126,9 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_part_count(const cleft_part* part, 
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_part_quality(cleft_context* context, const cleft_part* part,
                                                           const cleft_exchange* exchange,
                                                           cleft_quality* out) CLEFT_NOEXCEPT;
+/** Measures the tetrahedra that the part owns. It needs no other rank. \since 0.1 */
+CLEFT_NODISCARD CLEFT_API cleft_status cleft_part_own_quality(cleft_context* context, const cleft_part* part,
+                                                              cleft_quality* out) CLEFT_NOEXCEPT;
 
 /** Returns the number of labels of the volume, the same on all ranks; 0 for NULL. \since 0.1 */
 CLEFT_API int64_t cleft_part_label_count(const cleft_part* part) CLEFT_NOEXCEPT;

@@ -269,6 +269,17 @@ cleft_status cleft_part_quality(cleft_context* context, const cleft_part* part, 
     });
 }
 
+cleft_status cleft_part_own_quality(cleft_context* context, const cleft_part* part, cleft_quality* out) noexcept
+{
+    return guarded_run(context, "quality", [&](const Run& run) {
+        const auto from = held(part, "part");
+        cleft::check_struct_size(*required(out, "out"), "cleft_quality");
+        const cleft::Quality quality = own_quality(from->part, run);
+        run.report(1);
+        cleft::copy_out(row_of(quality), *out);
+    });
+}
+
 int64_t cleft_part_label_count(const cleft_part* part) noexcept { return is_sound(part) ? part->labels.count() : 0; }
 
 cleft_status cleft_part_label(const cleft_part* part, int64_t index, cleft_label_report* out) noexcept

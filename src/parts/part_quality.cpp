@@ -109,4 +109,11 @@ Quality part_quality(const MeshPart& part, Exchange& exchange, const Run& run)
     return finished(all, percentiles_of_all(own.ratios, exchange));
 }
 
+Quality own_quality(const MeshPart& part, const Run& run)
+{
+    const MeasuredTets own = measure_tets(part.points, part.tets, part.of_tets.owned, run);
+    Exchange alone = Exchange::alone();
+    return finished(own.sums, percentiles_of_all(own.ratios, alone));
+}
+
 }  // namespace cleft

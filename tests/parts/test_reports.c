@@ -93,6 +93,26 @@ static void destroy_parts(job* jobs, int32_t ranks)
 
 static int is_near(double a, double b) { return fabs(a - b) <= 1e-12 * fabs(b); }
 
+/* Each part is measured by itself. All together are the whole. */
+static void assert_own_are_shares(const job* jobs, int32_t ranks, const cleft_quality* whole)
+{
+    int64_t tets = 0;
+    double least = 180;
+    cleft_context* context = new_context();
+    for (int32_t r = 0; r < ranks; ++r) {
+        cleft_quality own;
+        own.struct_size = sizeof own;
+        assert_ok(context, cleft_part_own_quality(context, jobs[r].part, &own));
+        assert_true(own.radius_ratio_95 <= whole->radius_ratio_max);
+        tets += own.tet_count;
+        if (own.tet_count > 0 && own.min_dihedral < least)
+            least = own.min_dihedral;
+    }
+    assert_int_equal(tets, whole->tet_count);
+    assert_true(least == whole->min_dihedral);
+    cleft_context_destroy(context);
+}
+
 /* Equal but for the last digits of the sums. */
 static void assert_same_quality(cleft_quality found, const cleft_quality* expected)
 {
@@ -200,6 +220,7 @@ static findings compare(const int32_t* voxels, const int64_t dims[3], const char
             assert_memory_equal(&jobs[r].quality, &jobs[0].quality, sizeof jobs[r].quality);
             assert_same_labels(jobs[r].part, &expected);
         }
+        assert_own_are_shares(jobs, kRanks[i], &expected.quality);
         destroy_parts(jobs, kRanks[i]);
     }
     cleft_options_destroy(options);

@@ -154,19 +154,15 @@ void write_outputs(Session& session, const PartsArguments& arguments, const clef
     });
 }
 
-// Last, so that a report of a success is one.
-void report_run(const Ranks& ranks, const Session& session, const PartsArguments& arguments,
-                const cleft_options* options, const cleft_voxels& voxels, const cleft_part* part,
-                const cleft_quality& quality, const std::vector<Sent>& sent)
+// What each rank reports, if anybody asks. Before files have their names: it may take memory that there is not.
+std::vector<std::string> reports_of_ranks(const Ranks& ranks, const Session& session, const PartsArguments& arguments,
+                                          const cleft_part* part, const std::vector<Sent>& sent)
 {
+    if (arguments.run.json.empty())
+        return {};
     std::string own;
     ranks.together([&] { own = rank_report(session, part, sent); });
-    const std::vector<std::string> all = ranks.gather(own);
-    ranks.together([&] {
-        if (ranks.is_first())
-            cleft_cli::write_json(parts_report(session, arguments, options, voxels, part, quality, all),
-                                  arguments.run.json);
-    });
+    return ranks.gather(own);
 }
 
 void make_and_write(const Ranks& ranks, const PartsArguments& arguments)
@@ -195,10 +191,16 @@ void make_and_write(const Ranks& ranks, const PartsArguments& arguments)
     });
     // Also if this rank tells nobody: others may.
     const cleft_quality quality = measured(ranks, *session, part.get());
+    const std::vector<std::string> reports = reports_of_ranks(ranks, *session, arguments, part.get(), sent);
     ranks.together([&] { write_outputs(*session, arguments, part.get()); });
     session->clear_progress();
-    if (!arguments.run.json.empty())
-        report_run(ranks, *session, arguments, options.get(), *voxels, part.get(), quality, sent);
+    // Last, so that a report of a success is one.
+    ranks.together([&] {
+        if (ranks.is_first() && !arguments.run.json.empty())
+            cleft_cli::write_json(
+                parts_report(*session, arguments, options.get(), *voxels, part.get(), quality, reports),
+                arguments.run.json);
+    });
     if (ranks.is_first() && arguments.run.prints())
         cleft_cli::print_summary_text(summary(*session, arguments, part.get(), quality));
 }

@@ -2,7 +2,6 @@
 #include "mpi/command/parts_report.hpp"
 
 #include "cli/findings.hpp"
-#include "cli/handles.hpp"
 #include "cli/json_report.hpp"
 
 #include <algorithm>
@@ -42,13 +41,9 @@ Json own_quality(const cleft_cli::Session& session, const cleft_part_counts& n, 
 {
     if (n.owned_tets == 0)
         return {};
-    const auto mesh = session.make<cleft_cli::Mesh>(cleft_cli::EXIT_MESHING_FAILED, [&](cleft_mesh** out) {
-        return cleft_mesh_create(session.context(), n.points, cleft_part_points(part), n.owned_tets,
-                                 cleft_part_tets(part), cleft_part_tet_labels(part), 0, out);
-    });
     cleft_quality quality{};
     quality.struct_size = sizeof quality;
-    session.check(cleft_mesh_quality(session.context(), mesh.get(), &quality), cleft_cli::EXIT_MESHING_FAILED);
+    session.check(cleft_part_own_quality(session.context(), part, &quality), cleft_cli::EXIT_MESHING_FAILED);
     return cleft_cli::quality_json(quality);
 }
 
