@@ -50,11 +50,9 @@ const Reader& reader_of(const FileHead& head)
     throw Error(CLEFT_ERROR_FILE, "it is in no format of volumes that can be read, or it is damaged");
 }
 
-// Notes and names may carry text of the file. Control characters in it could change what a terminal shows.
-void make_printable(Image& image)
+// Names may carry text of the file. Control characters in it could change what a terminal shows.
+void make_names_printable(Image& image)
 {
-    for (std::string& note : image.notes)
-        note = printable(note);
     for (auto& [label, name] : image.names)
         name = printable(name);
 }
@@ -65,7 +63,7 @@ Image read_image(const std::string& path)
 {
     const FileHead head = read_head(path);
     Image image = reader_of(head).read(path, head);
-    make_printable(image);
+    make_names_printable(image);
     return image;
 }
 
@@ -79,7 +77,7 @@ StoredImage locate_image(const std::string& path)
         throw Error(CLEFT_ERROR_UNSUPPORTED,
                     std::string("it is ") + reader.name + ", which cannot be read by parts: " + way_to_parts(path));
     StoredImage stored = reader.locate(path, head);
-    make_printable(stored.image);
+    make_names_printable(stored.image);
     return stored;
 }
 
@@ -91,7 +89,7 @@ TensorImage read_tensor_image(const std::string& path)
         throw Error(CLEFT_ERROR_UNSUPPORTED,
                     "a metric can be read from NRRD, NIfTI and VTK (legacy and .vti), and it is none");
     TensorImage tensors = reader.read_tensors(path, head);
-    make_printable(tensors.image);
+    make_names_printable(tensors.image);
     return tensors;
 }
 

@@ -171,8 +171,8 @@ void warn_of_reduction(const PageMesh& page, const PageTets& shown, const Run& r
 {
     if (shown.reduction == Reduction::kNone)
         return;
-    run.warn("'" + printable(page.title) + "' has " + std::to_string(page.view.tet_count) +
-             " tetrahedra, and the page shows " + std::to_string(shown.tets.size()) + " of them, those " +
+    run.warn("'" + page.title + "' has " + std::to_string(page.view.tet_count) + " tetrahedra, and the page shows " +
+             std::to_string(shown.tets.size()) + " of them, those " +
              (shown.reduction == Reduction::kInterfaces ? "at interfaces and at the hull" : "around the middle"));
 }
 
@@ -208,7 +208,7 @@ void check_extent(const PageMesh& page, const MeshFigures& figures)
         extent = std::max(extent, figures.high[axis] - figures.low[axis]);
     // A mesh of flat tetrahedra may have no extent at all.
     if (extent > kGreatestExtent || (extent > 0 && extent < kLeastExtent))
-        throw Error(CLEFT_ERROR_ARGUMENT, "the longest side of the box of '" + printable(page.title) + "' is " +
+        throw Error(CLEFT_ERROR_ARGUMENT, "the longest side of the box of '" + page.title + "' is " +
                                               number_text(extent) + "; a page can show 1e-30 to 1e30");
 }
 
