@@ -518,7 +518,7 @@ CLEFT_API double cleft_sizing_expected_tets(const cleft_sizing* sizing) CLEFT_NO
  *
  *  The function does not scale the sizes to TETS: cleft_sizing_create() and cleft_sizing_create_values() do. A warning
  *  reports a field that they did not make with the same TETS.
- *  Options read: BACKGROUND, SIZE, SIZE_MIN, TETS, MAX_TETS, STEPS, SEED and DELAUNAY.
+ *  Options read: BACKGROUND, SIZE, SIZE_MIN, TETS, MAX_TETS, STEPS, SEED, BLOCK and DELAUNAY.
  *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_background_create(cleft_context* context, const cleft_sizing* sizing,
                                                                const cleft_options* options,

@@ -74,9 +74,9 @@ typedef struct cleft_part cleft_part; /**< the part of a mesh that a rank has; i
  *  one of its two tetrahedra: that of lower number in the whole mesh. So each triangle bounds a tetrahedron that its
  *  part owns, with ghosts and without. The other tetrahedron of an interface can be in another part.
  *
- *  With the option `block`, all ranks make the mesh, and none holds the whole volume. The first rank alone makes a
- * background of particles, and holds all sizes then. Without `block`, or with `tets`, `strict` or an `anisotropy`
- * above 1, the first rank makes the whole mesh; a warning says why.
+ *  With the option `block`, all ranks make the mesh, and none holds the whole volume. In blocks that are thinner than
+ *  two sizes, the first rank alone makes a background of particles, and holds all sizes then. Without `block`, or with
+ *  `tets`, `strict` or an `anisotropy` above 1, the first rank makes the whole mesh; a warning says why.
  *
  *  If ranks make it and `scratch` of the exchange is not NULL, a rank holds two of its blocks at a time. It keeps the
  * others, sizes, weights of voxels, and tetrahedra on their way to their parts in files of that folder without names,

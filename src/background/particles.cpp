@@ -9,6 +9,7 @@
 #include "base/stage.hpp"
 
 #include <numeric>
+#include <utility>
 
 namespace cleft
 {
@@ -27,7 +28,7 @@ void jitter(ParticleSet& particles, const SizeSampler& size, uint64_t variation,
             const double h = static_cast<double>(size(x));
             for (int a = 0; a < 3; ++a)
                 // A wall coordinate stays exact, for later stages find the walls by comparing it.
-                if (!held(particles.walls[i], a))
+                if (!held(particles.walls[i], a) && !is_fixed(particles.walls[i]))
                     x[a] += kJitter * h * (2 * unit_random(variation + 2, static_cast<uint64_t>(3 * i + a)) - 1);
         }
     });
@@ -46,9 +47,28 @@ Array<Vec3> walls_first(const ParticleSet& particles)
     return out;
 }
 
+// Those of a wall across the last axis make room for what is given.
+void give_wall(ParticleSet& particles, const Array<Vec3>& given, double place, const Vec3& extent)
+{
+    constexpr int kAxis = 2;
+    const ParticleSet before = std::exchange(particles, ParticleSet());
+    for (size_t i = 0; i < before.size(); ++i)
+        if (!held(before.walls[i], kAxis) || before.x[i][kAxis] != place)
+            particles.add(before.x[i], before.walls[i]);
+    for (const Vec3& x : given) {
+        CLEFT_ASSERT(x[kAxis] == place);
+        Walls walls = kFixed;
+        for (int a = 0; a < 3; ++a)
+            if (a == kAxis || x[a] == 0 || x[a] == extent[a])
+                walls = static_cast<Walls>(walls | 1 << a);
+        particles.add(x, walls);
+    }
+}
+
 }  // namespace
 
-Array<Vec3> relaxed_particles(const SizingField& field, const ParticleOptions& options, const Run& run)
+Array<Vec3> relaxed_particles(const SizingField& field, const ParticleOptions& options, const GivenWalls& given,
+                              const Run& run)
 {
     const SizeSampler size(field);
     Steps steps(run, {{nullptr, 12}, {nullptr, 88}});
@@ -57,8 +77,13 @@ Array<Vec3> relaxed_particles(const SizingField& field, const ParticleOptions& o
         Stage stage(steps.next(), "background.seed", {{"background: seeding", 1}});
         seeds = seed_particles(field, size, options.seed, stage.next());
     }
+    const Vec3& extent = size.extent();
+    if (given.low)
+        give_wall(seeds.particles, *given.low, 0, extent);
+    if (given.high)
+        give_wall(seeds.particles, *given.high, extent[2], extent);
     run.note("background.particles", static_cast<double>(seeds.particles.size()));
-    if (!seeds.at_rest) {
+    if (!seeds.at_rest || given.any()) {
         Stage stage(steps.next(), "background.relax", {{"background: relaxing the particles", 1}});
         relax(seeds.particles, field, size, options.steps, stage.next());
     }
@@ -66,17 +91,27 @@ Array<Vec3> relaxed_particles(const SizingField& field, const ParticleOptions& o
     return walls_first(seeds.particles);
 }
 
-TetMesh particle_background(const SizingField& field, const ParticleOptions& options, const Run& run)
+TetMesh mesh_of_particles(Array<Vec3> particles, const Array<int32_t>& held, const ParticleOptions& options,
+                          const Run& run)
 {
+    Steps steps(run, {{nullptr, 36}, {nullptr, 27}});
     TetMesh mesh;
-    Steps steps(run, {{nullptr, 37}, {nullptr, 36}, {nullptr, 27}});
-    mesh.points = relaxed_particles(field, options, steps.next());
+    mesh.points = std::move(particles);
     {
         Stage stage(steps.next(), "background.delaunay", {{"background: Delaunay", 1}});
         mesh.tets = delaunay(mesh.points, options.delaunay, stage.next());
     }
-    repair(mesh, RepairOptions{}, steps.next());
+    RepairOptions repairing;
+    repairing.held = Array<int32_t>(held.begin(), held.end());
+    repair(mesh, repairing, steps.next());
     return mesh;
+}
+
+TetMesh particle_background(const SizingField& field, const ParticleOptions& options, const Run& run)
+{
+    Steps steps(run, {{nullptr, 37}, {nullptr, 63}});
+    Array<Vec3> particles = relaxed_particles(field, options, {}, steps.next());
+    return mesh_of_particles(std::move(particles), {}, options, steps.next());
 }
 
 }  // namespace cleft

@@ -89,13 +89,14 @@ double move(ParticleSet& particles, Motion& motion, const LongWaves& waves, cons
                 (field_at(waves, particles.x[i], static_cast<double>(motion.reach[i])) * (h * h)).cast<float>();
             const Eigen::Vector3f near = motion.force[i] + motion.attraction[i];
             Eigen::Vector3f v = kMomentum * motion.velocity[i] + kStepScale * (kNearGain * near + kWaveGain * wave);
+            const Walls walls = particles.walls[i];
             for (int a = 0; a < 3; ++a)
-                if (held(particles.walls[i], a))
+                if (held(walls, a) || is_fixed(walls))
                     v[a] = 0;
             v *= std::min(1.0F, kLongestMove / std::max(v.norm(), 1e-30F));
             motion.velocity[i] = v;
             for (int a = 0; a < 3; ++a)
-                if (!held(particles.walls[i], a))
+                if (!held(walls, a) && !is_fixed(walls))
                     particles.x[i][a] =
                         moved(particles.x[i][a], h * static_cast<double>(v[a]), extent[a], kClearance * h);
             sum += static_cast<double>(v.squaredNorm());

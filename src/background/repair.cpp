@@ -30,6 +30,7 @@ void repair(TetMesh& mesh, const RepairOptions& options, const Run& run)
     Stage stage(run, "background.repair", {{"background: repairing", 1}});
     const Run of_repair = stage.next();
     LocalMesh local(std::move(mesh.points), std::move(mesh.tets), {}, of_repair);
+    local.hold(options.held, false);
     note_angles(local, "background.repair", "before", run);
     work(local, options, of_repair);
     note_angles(local, "background.repair", "after", run);

@@ -11,6 +11,7 @@ struct RepairOptions {
     double target_angle = 30;  // degrees; tetrahedra with a worse least dihedral angle are worked on
     int passes = 15;           // over what is still bad
     int sweeps = 1;            // guarded smoothing sweeps of poor parts towards centroids, before the passes
+    Array<int32_t> held;       // points of the hull that stay where they are, with the triangles between them
 };
 
 // Flips and smoothing; numbers of points stay. Points on a flat part of the hull stay in it, exactly for planes across

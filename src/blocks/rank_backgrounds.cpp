@@ -7,6 +7,8 @@
 #include "base/quiet_run.hpp"
 #include "base/stage.hpp"
 #include "blocks/block_parcels.hpp"
+#include "blocks/block_particles.hpp"
+#include "volume/frame.hpp"
 
 namespace cleft
 {
@@ -61,9 +63,21 @@ Array<TetMesh> dealt_out(TetMesh whole, const BlockLayout& layout, const BlockSh
     return parts;
 }
 
-BackgroundOfBlock particles_of(const BlockField& sizes, const BlockLayout& layout, const BlockShares& shares,
-                               const BackgroundOptions& options, Exchange& exchange, const Run& run)
+void require_one_piece(const Grid& grid)
 {
+    if (!fits_in_one_piece(grid))
+        throw Error(CLEFT_ERROR_TOO_LARGE,
+                    "blocks are thinner than two tetrahedra, so that particles need the volume in one piece, and it "
+                    "has more than 2147483647 voxels: set a larger block or a smaller size");
+}
+
+// Where blocks are too thin for particles of their own, the first rank makes those of the volume.
+BackgroundOfBlock whole_particles(const BlockField& sizes, const BlockLayout& layout, const BlockShares& shares,
+                                  const BackgroundOptions& options, Exchange& exchange, const Run& run)
+{
+    require_one_piece(layout.grid);
+    if (exchange.rank() == 0 && exchange.ranks() > 1)
+        run.warn("the first rank makes the particles alone, since blocks are thinner than two tetrahedra");
     const Planes wanted{0, exchange.rank() == 0 ? layout.grid.dims[2] : 0};
     TetMesh whole;
     {
@@ -76,6 +90,14 @@ BackgroundOfBlock particles_of(const BlockField& sizes, const BlockLayout& layou
     return [=](int32_t block, const Run&) {
         return block < 0 ? TetMesh() : std::exchange((*parts)[block - first], TetMesh());
     };
+}
+
+BackgroundOfBlock particles_of(const BlockField& sizes, const BlockLayout& layout, const BlockShares& shares,
+                               const BackgroundOptions& options, Exchange& exchange, const Run& run)
+{
+    if (!have_room_for_particles(layout, range_of_all(sizes.range(), exchange)))
+        return whole_particles(sizes, layout, shares, options, exchange, run);
+    return particles_of_blocks(sizes, layout, shares, options.particles, exchange, run);
 }
 
 }  // namespace

@@ -116,8 +116,6 @@ std::string needs_whole_mesh(const PipelineOptions& options, const Grid& grid)
 {
     if (BlockLayout::of(grid, options.block).count == 1)
         return "block is 0, or leaves one block";
-    if (options.background.kind == BackgroundKind::particles && !fits_in_one_piece(grid))
-        return "the background is of particles";
     if (options.tets > 0)
         return "tets asks for a number";
     if (options.strict)

@@ -7,6 +7,7 @@
 #include "base/counted.hpp"
 #include "base/number_text.hpp"
 #include "base/stage.hpp"
+#include "blocks/block_particles.hpp"
 #include "blocks/block_sizes.hpp"
 #include "blocks/mesh_blocks.hpp"
 #include "finishing/finish.hpp"
@@ -144,6 +145,17 @@ SizingField anisotropic_sizes_of(const Volume& volume, const SizingOptions& opti
     return field;
 }
 
+TetMesh background_of(const SizingField& field, const PipelineOptions& options, const Run& run)
+{
+    if (field.metric)
+        return metric_background(field, options.background, run);
+    const BlockLayout layout = BlockLayout::of(field.grid, options.block);
+    if (layout.count > 1 && options.background.kind == BackgroundKind::particles &&
+        have_room_for_particles(layout, field.range()))
+        return particles_in_blocks(field, layout, options.background.particles, run);
+    return row_of(options.background.kind).make(field, options.background, run);
+}
+
 }  // namespace
 
 SizingField sizes_of(const Volume& volume, const PipelineOptions& options, const Run& run)
@@ -192,8 +204,7 @@ TetMesh make_background(const ScaledSizing& sizing, const PipelineOptions& optio
     const Run part = stage.next();
     if (!is_graded(options.background.kind))
         warn_of_coarse_lattice(sizing.field, sizing.scale, part);
-    TetMesh mesh = !sizing.field.metric ? row_of(options.background.kind).make(sizing.field, options.background, part)
-                                        : metric_background(sizing.field, options.background, part);
+    TetMesh mesh = background_of(sizing.field, options, part);
     run.note("background.points", static_cast<double>(mesh.points.size()));
     run.note("background.tets", static_cast<double>(mesh.tets.size()));
     return mesh;

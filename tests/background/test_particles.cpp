@@ -94,7 +94,7 @@ struct Mesh {
 Mesh delaunay_of(const SizingField& field)
 {
     Mesh mesh;
-    mesh.points = relaxed_particles(field, ParticleOptions(), Run());
+    mesh.points = relaxed_particles(field, ParticleOptions(), {}, Run());
     mesh.tets = delaunay(mesh.points, DelaunayEngine::cleft, Run());
     return mesh;
 }
@@ -158,7 +158,7 @@ static void relaxation_calms_down(void**)
     Run run;
     run.metrics = &metrics;
     ParticleOptions options;
-    relaxed_particles(graded_field(), options, run);
+    relaxed_particles(graded_field(), options, {}, run);
     for (int step = 1; step <= options.steps; ++step) {
         const std::string name = "background.step." + std::to_string(step);
         assert_true(metrics.get(name + ".movement", -1) > 0);
@@ -207,7 +207,7 @@ static void corners_edges_and_faces_come_first(void**)
     const SizingField field = ball_field({24, 20, 16}, Vec3(1, 1, 1), 2, 6, 0.3);
     const Vec3 extent = field.grid.extent();
     int last = 3, corners = 0;
-    for (const Vec3& x : relaxed_particles(field, ParticleOptions(), Run())) {
+    for (const Vec3& x : relaxed_particles(field, ParticleOptions(), {}, Run())) {
         int walls = 0;
         for (int a = 0; a < 3; ++a)
             walls += x[a] == 0 || x[a] == extent[a];
@@ -226,11 +226,11 @@ static void threads_do_not_matter_and_the_seed_does(void**)
     two.threads = 2;
     ParticleOptions other;
     other.seed = 1;
-    const Array<Vec3> one = relaxed_particles(field, ParticleOptions(), Run());
-    assert_true(one == relaxed_particles(field, ParticleOptions(), two));
-    const Array<Vec3> varied = relaxed_particles(field, other, Run());
+    const Array<Vec3> one = relaxed_particles(field, ParticleOptions(), {}, Run());
+    assert_true(one == relaxed_particles(field, ParticleOptions(), {}, two));
+    const Array<Vec3> varied = relaxed_particles(field, other, {}, Run());
     assert_true(one != varied);
-    assert_true(varied == relaxed_particles(field, other, two));
+    assert_true(varied == relaxed_particles(field, other, {}, two));
     const double ratio = static_cast<double>(varied.size()) / static_cast<double>(one.size());
     assert_true(std::abs(ratio - 1) < 0.01);
 }
@@ -279,7 +279,7 @@ static void too_many_are_refused_at_once(void**)
 {
     const auto refusal = [](const SizingField& field) -> std::string {
         try {
-            relaxed_particles(field, ParticleOptions(), Run());
+            relaxed_particles(field, ParticleOptions(), {}, Run());
         } catch (const Error& error) {
             return error.status() == CLEFT_ERROR_TOO_LARGE ? error.what() : "another error";
         }

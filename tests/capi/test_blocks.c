@@ -106,14 +106,18 @@ static void any_threads_make_the_same_blocks(void** state)
     (void)state;
     cleft_context* context = new_context();
     cleft_volume* volume = ball_volume(context, SIDE);
-    cleft_mesh* one = mesh_of(context, volume, "octree", "6");
-    for (int32_t threads = 2; threads < 4; ++threads) {
-        assert_int_equal(cleft_context_set_threads(context, threads), CLEFT_OK);
-        cleft_mesh* some = mesh_of(context, volume, "octree", "6");
-        assert_true(are_same(one, some));
-        cleft_mesh_destroy(some);
+    for (int kind = 0; kind < 2; ++kind) {
+        const char* const background = kind == 0 ? "octree" : "particles";
+        assert_int_equal(cleft_context_set_threads(context, 1), CLEFT_OK);
+        cleft_mesh* one = mesh_of(context, volume, background, "6");
+        for (int32_t threads = 2; threads < 4; ++threads) {
+            assert_int_equal(cleft_context_set_threads(context, threads), CLEFT_OK);
+            cleft_mesh* some = mesh_of(context, volume, background, "6");
+            assert_true(are_same(one, some));
+            cleft_mesh_destroy(some);
+        }
+        cleft_mesh_destroy(one);
     }
-    cleft_mesh_destroy(one);
     cleft_volume_destroy(volume);
     cleft_context_destroy(context);
 }
@@ -155,6 +159,95 @@ static void no_size_is_above_a_quarter_of_a_block(void** state)
     cleft_context_destroy(context);
 }
 
+static cleft_mesh* background_of(cleft_context* context, const cleft_sizing* sizing, const char* block)
+{
+    cleft_options* options = options_of("particles", block);
+    cleft_mesh* background = NULL;
+    assert_ok(context, cleft_background_create(context, sizing, options, &background));
+    cleft_options_destroy(options);
+    return background;
+}
+
+static double volume_of(const cleft_mesh* mesh)
+{
+    const double* points = cleft_mesh_points(mesh);
+    double volume = 0;
+    for (int64_t t = 0; t < cleft_mesh_tet_count(mesh); ++t) {
+        const int32_t* tet = cleft_mesh_tets(mesh) + 4 * t;
+        double e[3][3];
+        for (int i = 0; i < 3; ++i)
+            for (int a = 0; a < 3; ++a)
+                e[i][a] = points[3 * tet[i + 1] + a] - points[3 * tet[0] + a];
+        const double sixfold = e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
+                               e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+                               e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+        assert_true(sixfold > 0);
+        volume += sixfold / 6;
+    }
+    return volume;
+}
+
+static int64_t points_at_height(const cleft_mesh* mesh, double z)
+{
+    int64_t count = 0;
+    for (int64_t p = 0; p < cleft_mesh_point_count(mesh); ++p)
+        count += cleft_mesh_points(mesh)[3 * p + 2] == z;
+    return count;
+}
+
+/* Both blocks beside a cut have the same particles in it, and the same triangles. Three blocks: the middle one gets
+   both. Sizes that grow from block to block, and one size, for which particles begin as a lattice. */
+static void particles_of_blocks_meet(void** state)
+{
+    (void)state;
+    cleft_context* context = new_context();
+    cleft_volume* volume = ball_volume(context, SIDE);
+    for (int kind = 0; kind < 2; ++kind) {
+        float sizes[SIDE * SIDE * SIDE];
+        for (int v = 0; v < SIDE * SIDE * SIDE; ++v)
+            sizes[v] = kind == 0 ? 1.8F : 0.8F + 0.05F * (float)(v / (SIDE * SIDE));
+        cleft_sizing* sizing = NULL;
+        assert_ok(context, cleft_sizing_create_values(context, volume, CLEFT_TYPE_FLOAT32, sizes, 0, NULL, &sizing));
+        cleft_mesh *blocks = background_of(context, sizing, "8"), *whole = background_of(context, sizing, "0");
+        /* No triangle of the hull is inside the box: it would be one that a block has and its neighbour has not. */
+        assert_valid(context, blocks);
+        assert_true(fabs(volume_of(blocks) / (SIDE * SIDE * SIDE) - 1) < 1e-9);
+        assert_true(fabs(volume_of(whole) / (SIDE * SIDE * SIDE) - 1) < 1e-9);
+        assert_true(fabs((double)cleft_mesh_tet_count(blocks) / (double)cleft_mesh_tet_count(whole) - 1) < 0.1);
+        for (int cut = 1; cut < 3; ++cut) {
+            /* About 1.2 for each square of the size. */
+            const double wanted = 1.2 * SIDE * SIDE / pow((double)sizes[SIDE * SIDE * (8 * cut)], 2);
+            const double ratio = (double)points_at_height(blocks, 8 * cut) / wanted;
+            assert_true(ratio > 0.8 && ratio < 1.4);
+        }
+        cleft_mesh_destroy(blocks);
+        cleft_mesh_destroy(whole);
+        cleft_sizing_destroy(sizing);
+    }
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
+/* In blocks that are thinner than two sizes, tetrahedra from wall to wall would be flat. */
+static void thin_blocks_have_the_particles_of_the_whole(void** state)
+{
+    (void)state;
+    cleft_context* context = new_context();
+    cleft_volume* volume = ball_volume(context, SIDE);
+    cleft_sizing* sizing = NULL;
+    assert_ok(context, cleft_sizing_create_constant(context, volume, 2.1, &sizing));
+    cleft_mesh *whole = background_of(context, sizing, "0"), *thin = background_of(context, sizing, "4");
+    cleft_mesh* thick = background_of(context, sizing, "6");
+    assert_true(are_same(whole, thin));
+    assert_false(are_same(whole, thick));
+    cleft_mesh_destroy(whole);
+    cleft_mesh_destroy(thin);
+    cleft_mesh_destroy(thick);
+    cleft_sizing_destroy(sizing);
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
 /* A tree has its roots whatever the sizes are: blocks must not hide how many a thin box needs. */
 static void blocks_keep_to_max_tets(void** state)
 {
@@ -186,9 +279,14 @@ static void blocks_keep_to_max_tets(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(blocks_are_as_good_as_the_whole),       cmocka_unit_test(one_block_is_the_whole),
-        cmocka_unit_test(any_threads_make_the_same_blocks),      cmocka_unit_test(thin_blocks_are_valid),
-        cmocka_unit_test(no_size_is_above_a_quarter_of_a_block), cmocka_unit_test(blocks_keep_to_max_tets),
+        cmocka_unit_test(blocks_are_as_good_as_the_whole),
+        cmocka_unit_test(one_block_is_the_whole),
+        cmocka_unit_test(any_threads_make_the_same_blocks),
+        cmocka_unit_test(thin_blocks_are_valid),
+        cmocka_unit_test(no_size_is_above_a_quarter_of_a_block),
+        cmocka_unit_test(blocks_keep_to_max_tets),
+        cmocka_unit_test(particles_of_blocks_meet),
+        cmocka_unit_test(thin_blocks_have_the_particles_of_the_whole),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

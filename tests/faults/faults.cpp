@@ -1,5 +1,6 @@
 // faults [--all] [WORDS...]: does each work (those whose names have one of the words) while something fails, and looks
-// at what is left. Without --all, some of the calls that may fail, over the whole of each work; with it, each.
+// at what is left. Without --all, some of the calls that may fail, over the whole of each work; with it, each, or every
+// so many of a work that takes long.
 #include "faults/digest.hpp"
 #include "faults/interposer.hpp"
 #include "faults/works.hpp"
@@ -102,7 +103,7 @@ private:
         counted.status = CLEFT_OK;
         run_one(counted, 0);
         const int64_t calls = calls_;
-        const int64_t step = all_ ? 1 : std::max<int64_t>(1, calls / some);
+        const int64_t step = all_ ? work_.step : std::max<int64_t>(1, calls / some);
         for (int64_t at = 1; at <= calls; at += step) {
             std::snprintf(running, sizeof running, "%s: %s, number %lld of %lld", work_.name.c_str(), fault.name,
                           static_cast<long long>(at), static_cast<long long>(calls));

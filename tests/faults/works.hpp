@@ -35,6 +35,7 @@ struct Work {
     std::vector<std::string> outputs = {};  // names in the folder of outputs
     int32_t threads = 1;
     bool ours_alone = false;  // a library below does not bear it that its own allocations fail
+    int64_t step = 1;         // with --all: from one call that fails to the next
 };
 
 // Of the core; of the file component, with files that lie in `inputs` and such as are written to `outputs`.
