@@ -14,22 +14,29 @@ BlockStore::BlockStore(int32_t first, int32_t count, const std::string& scratch)
 {
 }
 
-Block& BlockStore::at(int32_t block)
+Block& BlockStore::at(int32_t block) { return held(block - first_, true); }
+
+const Block& BlockStore::read(int32_t block) { return held(block - first_, false); }
+
+Block& BlockStore::held(int32_t slot, bool is_changed)
 {
-    const int32_t slot = block - first_;
     if (!kept_.is_on_disk())
         return blocks_[slot];
-    const auto found = std::find(held_.begin(), held_.end(), slot);
+    const auto found = std::find_if(held_.begin(), held_.end(), [&](const Held& h) { return h.slot == slot; });
     if (found != held_.end()) {
+        is_changed = is_changed || found->is_changed;
         held_.erase(found);
     } else {
         if (held_.size() == 2) {
-            save(held_.front());
+            const Held oldest = held_.front();
+            if (oldest.is_changed)
+                save(oldest.slot);
+            blocks_[oldest.slot] = Block();
             held_.erase(held_.begin());
         }
         load(slot);
     }
-    held_.push_back(slot);
+    held_.push_back({slot, is_changed});
     return blocks_[slot];
 }
 
@@ -45,7 +52,6 @@ void BlockStore::save(int32_t slot)
 {
     Parcel parcel;
     pack(blocks_[slot], parcel);
-    blocks_[slot] = Block();
     kept_.put(slot, parcel.bytes());
 }
 

@@ -15,15 +15,23 @@ public:
 
     // Two blocks can be worked on at a time: a reference holds until a third block is asked for.
     Block& at(int32_t block);
+    // What is only read is not written to disk once more.
+    const Block& read(int32_t block);
 
 private:
+    // Of the last two, the older one first.
+    struct Held {
+        int32_t slot;
+        bool is_changed;
+    };
+    Block& held(int32_t slot, bool is_changed);
     void load(int32_t slot);
     void save(int32_t slot);
 
     int32_t first_;
     Array<Block> blocks_;
     KeptBytes kept_;
-    Array<int32_t> held_;  // the last two, the older one first
+    Array<Held> held_;
 };
 
 }  // namespace cleft

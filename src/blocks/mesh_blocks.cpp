@@ -102,10 +102,13 @@ public:
 
     MeshPieces pieces() const
     {
+        const auto read = [blocks = blocks_, first = own_.first](int32_t piece) -> const LabelledMesh& {
+            return blocks->read(first + piece).mesh;
+        };
         const auto at = [blocks = blocks_, first = own_.first](int32_t piece) -> LabelledMesh& {
             return blocks->at(first + piece).mesh;
         };
-        return {own_.count, at};
+        return {own_.count, read, at};
     }
 
 private:

@@ -80,6 +80,11 @@ VolumeParts read_as_asked(const SharedVoxels& voxels, const LabelCounts& labels,
             }};
 }
 
+void strip_piece(LabelledMesh& piece, const KeptMaterials& kept)
+{
+    strip(piece.points, piece.tets, piece.material, [&](Material m) { return kept.has(m); });
+}
+
 // What is told of the pieces of all ranks. What is not kept is taken out of them.
 void finish(const MeshPieces& pieces, const SharedVoxels& voxels, const LabelCounts& labels,
             const PipelineOptions& options, Exchange& exchange, const Run& run)
@@ -89,14 +94,14 @@ void finish(const MeshPieces& pieces, const SharedVoxels& voxels, const LabelCou
     Array<double> volumes(labels.labels.size(), 0.0);
     MissedGoal missed;
     for (int32_t i = 0; i < pieces.count; ++i) {
-        LabelledMesh& piece = pieces.at(i);
+        const LabelledMesh& piece = pieces.read(i);
         kept += kept_tets(piece, options.kept);
         const Array<double> more = material_volumes(piece, static_cast<Material>(volumes.size()), run);
         std::transform(more.begin(), more.end(), volumes.begin(), volumes.begin(), std::plus<>());
         if (tells)
             missed.join(missed_goal(piece, options, run));
         if (!options.kept.all())
-            strip(piece.points, piece.tets, piece.material, [&](Material m) { return options.kept.has(m); });
+            strip_piece(pieces.at(i), options.kept);
     }
     require_kept(sum_of_ranks(kept, exchange));
     volumes = sums_of_ranks(volumes, exchange);

@@ -59,7 +59,7 @@ Array<OnCurve> places_of(const MeshPieces& pieces, const BoundingBox& box, Array
     Array<OnCurve> places;
     for (int32_t i = 0; i < pieces.count; ++i) {
         start.push_back(places.count());
-        const Array<Vec3>& points = pieces.at(i).points;
+        const Array<Vec3>& points = pieces.read(i).points;
         make_room(places, points.size());
         for (const Vec3& x : points)
             places.push_back({place_on_curve(x, box), {x[0], x[1], x[2]}});

@@ -1,5 +1,6 @@
 // What is kept comes back, in memory and on disk, and a field that is made again takes the room of the one before.
 #include "blocks/block_sizes.hpp"
+#include "blocks/block_store.hpp"
 #include "parts/kept_bytes.hpp"
 #include "support/cmocka.hpp"
 
@@ -89,6 +90,33 @@ void a_field_takes_the_room_of_the_one_before(void**)
     }
 }
 
+// Two blocks are in memory at a time: all come back as they were left, whether they were read or changed last.
+void blocks_come_back_as_they_were_left(void**)
+{
+    constexpr int32_t kFirst = 3, kCount = 5;
+    for (const char* scratch : {"", "."}) {
+        BlockStore store(kFirst, kCount, scratch);
+        for (int32_t b = kFirst; b < kFirst + kCount; ++b)
+            store.at(b).mesh.points = {Vec3(b, 0, 0)};
+        for (int32_t b = kFirst; b < kFirst + kCount; ++b)
+            assert_true(store.read(b).mesh.points == Array<Vec3>({Vec3(b, 0, 0)}));
+        // Read and then changed, changed and then read, while it stays in memory.
+        store.read(kFirst);
+        store.at(kFirst).mesh.points.push_back(Vec3(0, 1, 0));
+        store.at(kFirst + 1).mesh.points.push_back(Vec3(0, 0, 1));
+        store.read(kFirst + 1);
+        for (int32_t b = kFirst + 2; b < kFirst + kCount; ++b)
+            assert_int_equal(store.read(b).mesh.points.count(), 1);
+        assert_true(store.read(kFirst).mesh.points == Array<Vec3>({Vec3(kFirst, 0, 0), Vec3(0, 1, 0)}));
+        assert_true(store.read(kFirst + 1).mesh.points == Array<Vec3>({Vec3(kFirst + 1, 0, 0), Vec3(0, 0, 1)}));
+        // What was given away is gone.
+        store.at(kFirst).mesh = LabelledMesh();
+        store.read(kFirst + 2);
+        store.read(kFirst + 3);
+        assert_true(store.read(kFirst).mesh.points.empty());
+    }
+}
+
 }  // namespace
 
 int main()
@@ -96,6 +124,7 @@ int main()
     const CMUnitTest tests[] = {
         cmocka_unit_test(all_comes_back),
         cmocka_unit_test(a_field_takes_the_room_of_the_one_before),
+        cmocka_unit_test(blocks_come_back_as_they_were_left),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
