@@ -7,8 +7,9 @@
 #include "base/parallel.hpp"
 #include "base/random.hpp"
 #include "base/stage.hpp"
+#include "mesh/piece.hpp"
 
-#include <numeric>
+#include <algorithm>
 #include <utility>
 
 namespace cleft
@@ -38,12 +39,18 @@ void jitter(ParticleSet& particles, const SizeSampler& size, uint64_t variation,
 // An order that callers rely on; Delaunay has an insertion order of its own.
 Array<Vec3> walls_first(const ParticleSet& particles)
 {
+    constexpr int kCorner = 3;
     Array<Vec3> out;
     out.reserve(particles.size());
-    for (int walls = 3; walls >= 0; --walls)
+    for (int walls = kCorner; walls >= 0; --walls) {
         for (size_t i = 0; i < particles.size(); ++i)
             if (wall_count(particles.walls[i]) == walls)
                 out.push_back(particles.x[i]);
+        // The four of a wall without others lie on a circle, and their numbers decide about the diagonal. Boxes on both
+        // sides of it must take the same.
+        if (walls == kCorner)
+            std::sort(out.begin(), out.end(), is_lower_place);
+    }
     return out;
 }
 

@@ -81,6 +81,14 @@ public:
         return out;
     }
 
+    // A cut with nothing but its corners, which lie on a circle: TetGen may take another diagonal on either side.
+    bool has_bare_cut(const Array<Vec3>& particles) const
+    {
+        constexpr int64_t kCorners = 4;
+        const WallParticles on = on_cuts(particles);
+        return on.low.count() == kCorners || on.high.count() == kCorners;
+    }
+
     // From the box to its place in the volume. Both blocks have the same points at a cut, to the last bit.
     void put_in_place(Array<Vec3>& points) const
     {
@@ -176,7 +184,10 @@ public:
         Array<Vec3> particles =
             is_first(block) ? taken_out(block) : relaxed_between(block, box.sizes(around, of_particles), of_particles);
         const Array<int32_t> held = box.numbers_on_cuts(particles);
-        TetMesh mesh = mesh_of_particles(std::move(particles), held, options_, steps.next());
+        ParticleOptions options = options_;
+        if (box.has_bare_cut(particles))
+            options.delaunay = DelaunayEngine::cleft;
+        TetMesh mesh = mesh_of_particles(std::move(particles), held, options, steps.next());
         box.put_in_place(mesh.points);
         return mesh;
     }

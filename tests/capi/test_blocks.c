@@ -228,6 +228,36 @@ static void particles_of_blocks_meet(void** state)
     cleft_context_destroy(context);
 }
 
+/* A wall with nothing but its corners: they lie on a circle, and both sides must take the same diagonal. */
+static void particles_of_columns_meet(void** state)
+{
+    enum { LONG = 60 };
+    static const int64_t kDims[3] = {1, 2, LONG};
+    static const double kUnit[12] = {1, 0, 0, 0.5, 0, 1, 0, 0.5, 0, 0, 1, 0.5};
+    (void)state;
+    uint8_t labels[2 * LONG] = {0};
+    cleft_context* context = new_context();
+    cleft_volume* volume = NULL;
+    cleft_sizing* sizing = NULL;
+    assert_ok(context, cleft_volume_create_labels(context, CLEFT_TYPE_UINT8, labels, kDims, kUnit, NULL, &volume));
+    assert_ok(context, cleft_sizing_create_constant(context, volume, 2.5, &sizing));
+    for (int tetgen = 0; tetgen <= cleft_has_tetgen(); ++tetgen) {
+        cleft_options* options = options_of("particles", "6");
+        cleft_mesh* background = NULL;
+        assert_int_equal(cleft_options_set_text(options, "delaunay", tetgen ? "tetgen" : "cleft"), CLEFT_OK);
+        assert_ok(context, cleft_background_create(context, sizing, options, &background));
+        assert_valid(context, background);
+        assert_true(fabs(volume_of(background) / (2 * LONG) - 1) < 1e-9);
+        for (int cut = 1; cut < 10; ++cut)
+            assert_int_equal(points_at_height(background, 6 * cut), 4);
+        cleft_mesh_destroy(background);
+        cleft_options_destroy(options);
+    }
+    cleft_sizing_destroy(sizing);
+    cleft_volume_destroy(volume);
+    cleft_context_destroy(context);
+}
+
 /* In blocks that are thinner than two sizes, tetrahedra from wall to wall would be flat. */
 static void thin_blocks_have_the_particles_of_the_whole(void** state)
 {
@@ -285,6 +315,7 @@ int main(void)
         cmocka_unit_test(thin_blocks_are_valid),
         cmocka_unit_test(no_size_is_above_a_quarter_of_a_block),
         cmocka_unit_test(blocks_keep_to_max_tets),
+        cmocka_unit_test(particles_of_columns_meet),
         cmocka_unit_test(particles_of_blocks_meet),
         cmocka_unit_test(thin_blocks_have_the_particles_of_the_whole),
     };
