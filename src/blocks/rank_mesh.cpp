@@ -119,13 +119,14 @@ void finish(const MeshPieces& pieces, const SharedVoxels& voxels, const LabelCou
 
 std::string needs_whole_mesh(const PipelineOptions& options, const Grid& grid)
 {
-    if (BlockLayout::of(grid, options.block).count == 1)
-        return "block is 0, or leaves one block";
+    // First what no block would change.
     if (options.tets > 0)
         return "tets asks for a number";
     if (options.strict)
         return "strict is on";
-    return options.sizing.anisotropy > 1 ? "anisotropy is above 1" : "";
+    if (options.sizing.anisotropy > 1)
+        return "anisotropy is above 1";
+    return BlockLayout::of(grid, options.block).count == 1 ? "block is 0, or leaves one block" : "";
 }
 
 LabelCounts labels_of_all(const SharedVoxels& voxels, int32_t block, Exchange& exchange, const Run& run)

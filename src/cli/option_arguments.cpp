@@ -258,6 +258,11 @@ nlohmann::json OptionArguments::as_json(const cleft_options* options) const
 
 bool OptionArguments::Row::given() const { return option->count() > 0; }
 
+bool OptionArguments::has(cleft_option key) const
+{
+    return std::any_of(rows_.begin(), rows_.end(), [&](const Row& row) { return row.info.key == key && row.given(); });
+}
+
 bool OptionArguments::leaves_out(int32_t label) const
 {
     const auto holds = [label](const std::vector<int32_t>& list) {

@@ -35,6 +35,8 @@ public:
 
     // Throws a usage failure that names the option.
     Options make() const;
+    // Does the option stand on the command line?
+    bool has(cleft_option key) const;
     // The value of each option as `options` has it, with choices by name.
     nlohmann::json as_json(const cleft_options* options) const;
 

@@ -127,6 +127,26 @@ class Command(unittest.TestCase):
         # Nothing stays beside the output.
         self.assertEqual(self.names(), {"a.raw", "bounded.vtkhdf", "free.vtkhdf"})
 
+    def test_ranks_share_without_being_asked(self):
+        """A volume that is thick enough: the slabs follow from it, and a sentence says which they are."""
+        (self.folder / "a.raw").write_bytes(bytes(1 + (i % 8 > 3) + (i // 1280 % 3) for i in range(8 * 8 * 70)))
+        words = "mesh a.raw --dims 8 8 70 --background octree"
+        shared = (
+            "cleft-mpi: warning: ranks share slabs of 32 planes: the mesh is that of --block 32; --block 0 has the "
+            "first rank make it as a whole"
+        )
+        for ranks in (1, 3):
+            code, _, errors = self.run_ranks(ranks, f"$C {words} -o {ranks}.vtkhdf")
+            self.assertEqual((code, errors), (0, [shared]))
+        self.assertEqual(self.run_ranks(2, f"$C {words} --block 32 -o asked.vtkhdf")[::2], (0, []))
+        meshes = {(self.folder / f"{name}.vtkhdf").read_bytes() for name in ("1", "3", "asked")}
+        self.assertEqual(len(meshes), 1)
+        for more, why in (("--block 0", "block is 0, or leaves one block"), ("--tets 900", "tets asks for a number")):
+            code, _, errors = self.run_ranks(2, f"$C {words} {more} -o whole.vtkhdf")
+            self.assertEqual(code, 0)
+            self.assertIn(f"cleft-mpi: warning: the first rank makes the whole mesh alone, since {why}", errors)
+            self.assertNotIn((self.folder / "whole.vtkhdf").read_bytes(), meshes)
+
     def report_of(self, name):
         return json.loads((self.folder / name).read_text())
 

@@ -260,6 +260,12 @@ static void ranks_share_blocks(void** state)
     compare_blocks(grains, kThin, kThirds, "9", "particles");
     compare_blocks(slanted_sheet, kTall, kFlipped, "12", "particles");
     compare_blocks(scattered, kThin, kThirds, "12", "particles");
+    compare_blocks(noise, kLong, kPlain, "20", "particles");
+    compare_blocks(noise, kFlat, kThirds, "3", "particles");
+    compare_blocks(ball, kTall, kFlipped, "13", "particles");
+    compare_blocks(sheet_on_a_seam, kTall, kPlain, "12", "particles");
+    compare_blocks(single_voxels, kTall, kPlain, "12", "particles");
+    compare_blocks(one_label, kTall, kThirds, "12", "particles");
 }
 
 static int32_t flat_interface(const int64_t at[3]) { return at[2] < 218; }

@@ -38,6 +38,14 @@ const char* parts_footer()
            "  mpirun -n 4 cleft-mpi mesh rock.h5 --dataset /scan/labels --spacing 2 2 2 -o rock.pvtu\n";
 }
 
+// Unlike in cleft, where nobody shares the work.
+std::string with_default_block(std::string help)
+{
+    const std::string of_cleft = "default 0)";
+    const std::size_t at = help.rfind(of_cleft);
+    return help.replace(at, of_cleft.size(), "default:\n0 for less than 64 planes, else 32 or a sixteenth of them)");
+}
+
 }  // namespace
 
 void PartsArguments::add_to(CLI::App& parser)
@@ -71,6 +79,8 @@ void PartsArguments::add_to(CLI::App& parser)
     parser.add_flag("--ghosts", ghosts,
                     "Pieces of .pvtu also have the tetrahedra of others at their own\npoints, marked as ghosts");
     options.add_to(parser, {"volume", "mesh"});
+    CLI::Option* const block = parser.get_option("--block");
+    block->description(with_default_block(block->get_description()));
     options.add_label_sizes_to(parser);
     options.add_label_lists_to(parser);
     parser
