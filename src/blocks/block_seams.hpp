@@ -38,59 +38,68 @@ private:
     int32_t below_, above_;  // ranks; -1: none
 };
 
+// At the seams of a parity to the blocks of other ranks, if this rank has any. All ranks call it together.
+template <class Side, class Outcome>
+void work_at_outer_seams(const BlockShares& shares, int32_t parity, const SeamWork<Side, Outcome>& seams,
+                         Exchange& exchange)
+{
+    const OwnBlocks own = shares.own(exchange);
+    NeighbourMail mail(shares, exchange);
+    const int32_t last = own.end() - 1;
+    const bool below = own.count > 0 && own.first > 0 && (own.first - 1) % 2 == parity;
+    const bool above = own.count > 0 && own.end() < shares.blocks() && last % 2 == parity;
+    Parcel down, up;
+    if (below)
+        down.put(seams.places(own.first));
+    if (above)
+        up.put(seams.places(last));
+    auto [from_below, from_above] = mail.swap(down, up);
+    // The rank with the lower block does the work.
+    Array<Vec3> places;
+    Parcel side;
+    if (below) {
+        from_below.take(places);
+        seams.pack_side(seams.cut_out(own.first, places), side);
+    }
+    Side lower;
+    if (above) {
+        from_above.take(places);
+        lower = seams.cut_out(last, places);
+    }
+    Parcel side_above = mail.swap(side, Parcel()).second, outcome;
+    if (above) {
+        Side upper;
+        seams.unpack_side(side_above, upper);
+        const auto [of_lower, of_upper] = seams.work(last, std::move(lower), std::move(upper));
+        seams.put_back(last, of_lower);
+        seams.pack_outcome(of_upper, outcome);
+    }
+    Parcel outcome_below = mail.swap(Parcel(), outcome).first;
+    if (below) {
+        Outcome mine;
+        seams.unpack_outcome(outcome_below, mine);
+        seams.put_back(own.first, mine);
+    }
+}
+
 // The work at all seams. Those of even number come first, then the others: two of a kind have no block in common.
 template <class Side, class Outcome>
 void work_at_seams(const BlockShares& shares, const SeamWork<Side, Outcome>& seams, Exchange& exchange)
 {
     const OwnBlocks own = shares.own(exchange);
-    NeighbourMail mail(shares, exchange);
     for (int32_t parity = 0; parity < 2; ++parity) {
-        const auto has_turn = [&](int32_t lower_block) { return lower_block % 2 == parity; };
-        for (int32_t b = own.first; b + 1 < own.end(); ++b)
-            if (has_turn(b)) {
-                // Both before anything is cut out, which leaves another surface.
-                const Array<Vec3> of_lower_block = seams.places(b), of_upper_block = seams.places(b + 1);
-                Side lower = seams.cut_out(b, of_upper_block), upper = seams.cut_out(b + 1, of_lower_block);
-                const auto [of_lower, of_upper] = seams.work(b, std::move(lower), std::move(upper));
-                seams.put_back(b, of_lower);
-                seams.put_back(b + 1, of_upper);
-            }
-        if (exchange.ranks() == 1)
-            continue;
-        const bool below = own.count > 0 && own.first > 0 && has_turn(own.first - 1);
-        const bool above = own.count > 0 && own.end() < shares.blocks() && has_turn(own.end() - 1);
-        Parcel down, up;
-        if (below)
-            down.put(seams.places(own.first));
-        if (above)
-            up.put(seams.places(own.end() - 1));
-        auto [from_below, from_above] = mail.swap(down, up);
-        // The rank with the lower block does the work.
-        Array<Vec3> places;
-        Parcel side;
-        if (below) {
-            from_below.take(places);
-            seams.pack_side(seams.cut_out(own.first, places), side);
+        for (int32_t b = own.first; b + 1 < own.end(); ++b) {
+            if (b % 2 != parity)
+                continue;
+            // Both before anything is cut out, which leaves another surface.
+            const Array<Vec3> of_lower_block = seams.places(b), of_upper_block = seams.places(b + 1);
+            Side lower = seams.cut_out(b, of_upper_block), upper = seams.cut_out(b + 1, of_lower_block);
+            const auto [of_lower, of_upper] = seams.work(b, std::move(lower), std::move(upper));
+            seams.put_back(b, of_lower);
+            seams.put_back(b + 1, of_upper);
         }
-        Side lower;
-        if (above) {
-            from_above.take(places);
-            lower = seams.cut_out(own.end() - 1, places);
-        }
-        Parcel side_above = mail.swap(side, Parcel()).second, outcome;
-        if (above) {
-            Side upper;
-            seams.unpack_side(side_above, upper);
-            const auto [of_lower, of_upper] = seams.work(own.end() - 1, std::move(lower), std::move(upper));
-            seams.put_back(own.end() - 1, of_lower);
-            seams.pack_outcome(of_upper, outcome);
-        }
-        Parcel outcome_below = mail.swap(Parcel(), outcome).first;
-        if (below) {
-            Outcome mine;
-            seams.unpack_outcome(outcome_below, mine);
-            seams.put_back(own.first, mine);
-        }
+        if (exchange.ranks() > 1)
+            work_at_outer_seams(shares, parity, seams, exchange);
     }
 }
 

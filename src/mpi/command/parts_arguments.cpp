@@ -64,20 +64,7 @@ void PartsArguments::add_to(CLI::App& parser)
         ->required()
         ->allow_extra_args(false)
         ->type_name("OUTPUT");
-    parser
-        .add_option(
-            "--scratch", scratch,
-            "Folder for files without names, where a rank keeps the slabs of --block that it\ndoes not work on: "
-            "it holds two at a time then")
-        ->type_name("FOLDER");
-    parser
-        .add_option("--memory", memory,
-                    "The most memory that a rank may take, such as 4G; one that needs more\n"
-                    "ends the run. Without --scratch, files without names lie beside OUTPUT.\n"
-                    "Without --block, slabs are as thick as the memory allows")
-        ->type_name("SIZE");
-    parser.add_flag("--ghosts", ghosts,
-                    "Pieces of .pvtu also have the tetrahedra of others at their own\npoints, marked as ghosts");
+    add_sharing_to(parser);
     options.add_to(parser, {"volume", "mesh"});
     CLI::Option* const block = parser.get_option("--block");
     block->description(with_default_block(block->get_description()));
@@ -99,6 +86,24 @@ void PartsArguments::add_to(CLI::App& parser)
             "Threads of each rank; 0: as many as the machine has. The result\n"
             "does not depend on it (default 1)");
     parser.footer(parts_footer() + std::string("\n") + cleft_cli::exit_code_help());
+}
+
+void PartsArguments::add_sharing_to(CLI::App& parser)
+{
+    parser
+        .add_option(
+            "--scratch", scratch,
+            "Folder for files without names, where a rank keeps the slabs of --block that it\ndoes not work on: "
+            "it holds two at a time then")
+        ->type_name("FOLDER");
+    parser
+        .add_option("--memory", memory,
+                    "The most memory that a rank may take, such as 4G; one that needs more\n"
+                    "ends the run. Without --scratch, files without names lie beside OUTPUT.\n"
+                    "Without --block, slabs are as thick as the memory allows")
+        ->type_name("SIZE");
+    parser.add_flag("--ghosts", ghosts,
+                    "Pieces of .pvtu also have the tetrahedra of others at their own\npoints, marked as ghosts");
 }
 
 bool PartsArguments::is_hdf5() const

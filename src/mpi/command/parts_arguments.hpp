@@ -30,6 +30,9 @@ struct PartsArguments {
     std::string scratch_folder() const;
     // Throws a Failure for outputs that no run could write.
     void check_outputs() const;
+
+private:
+    void add_sharing_to(CLI::App& parser);
 };
 
 }  // namespace cleft_mpi_cli
