@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <regex>
 
 namespace storm
 {
@@ -116,10 +117,18 @@ private:
                                       " (" + ranks_.front().sentence + ")");
             if ((rank.status == CLEFT_OK) != (rank.part != nullptr))
                 return of_rank(r, "has status " + words + ", and a part or none that does not go with it");
-            if (rank.status != CLEFT_OK && rank.status == whole_.status && !ends_with(rank.sentence, whole_.sentence))
+            if (rank.status != CLEFT_OK && rank.status == whole_.status &&
+                !ends_with(without_ordinals(rank.sentence), without_ordinals(whole_.sentence)))
                 return of_rank(r, "says: " + rank.sentence + "; but the whole mesh: " + whole_.sentence);
         }
         return "";
+    }
+
+    // A rank counts points and tetrahedra in its part.
+    static std::string without_ordinals(const std::string& sentence)
+    {
+        static const std::regex ordinal("[0-9]+(st|nd|rd|th) ");
+        return std::regex_replace(sentence, ordinal, "");
     }
 
     static bool ends_with(const std::string& text, const std::string& end)
