@@ -123,6 +123,11 @@ class Command(unittest.TestCase):
         chosen = "--memory 2G leaves room for slabs of 8 planes: the mesh is that of --block 8"
         self.assertEqual((code, errors), (0, [f"cleft-mpi: warning: {chosen}"]))
         self.assertEqual(self.run_ranks(3, f"$C {words} --block 8 -o free.vtkhdf")[::2], (0, []))
+        # Slabs that were asked for, or that nobody would make, are not chosen again.
+        for more in ("--block 0", "--tets 900"):
+            code, _, errors = self.run_ranks(1, f"$C {words} --memory 2G {more} -o whole.vtkhdf")
+            self.assertEqual((code, [line for line in errors if "slabs" in line]), (0, []))
+        (self.folder / "whole.vtkhdf").unlink()
         self.assertEqual(*((self.folder / f"{name}.vtkhdf").read_bytes() for name in ("bounded", "free")))
         # Nothing stays beside the output.
         self.assertEqual(self.names(), {"a.raw", "bounded.vtkhdf", "free.vtkhdf"})
@@ -239,7 +244,12 @@ class Command(unittest.TestCase):
         # 100 blocks of 512 bytes: the shell's limit, beyond which the system refuses.
         limited = f"if [ $R = 1 ]; then ulimit -f 100; fi; exec $C mesh {VOLUME} --size 0.5 -o "
         self.assert_fails(4, "rank 1: cannot write 'a_0001.vtu': File too large", limited + "a.pvtu")
-        self.assert_fails(4, "rank 1: cannot write './a.vtkhdf': ", limited + "./a.vtkhdf")
+        self.assert_fails(4, "rank 1: cannot write './a.vtkhdf': File too large", limited + "./a.vtkhdf")
+        # The first rank makes the file with room for all rows.
+        words = f"$C mesh {VOLUME} --size 0.5 -o ./a.vtkhdf"
+        first = f"if [ $R = 0 ]; then ulimit -f 100; fi; exec {words}"
+        self.assert_fails(4, "rank 0: cannot write './a.vtkhdf': File too large", first)
+        self.assert_fails(4, "cannot write './a.vtkhdf': File too large", f"ulimit -f 100; exec {words}")
 
     def start_long(self):
         process = self.start(3, f"echo $$ > pid.$R; exec $C mesh {VOLUME} --size 0.1 -o a.vtkhdf --progress lines")

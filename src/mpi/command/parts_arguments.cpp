@@ -34,7 +34,7 @@ const char* parts_footer()
            "  .pvtu                       VTK XML: a piece for each rank, and a list of them\n"
            "  .mfem                       MFEM: a part for each rank, such as rock.mfem.000003\n"
            "\nExamples:\n"
-           "  mpirun -n 8 cleft-mpi mesh rock.h5 -o rock.vtkhdf --background octree\n"
+           "  mpirun -n 8 cleft-mpi mesh rock.h5 -o rock.vtkhdf\n"
            "  mpirun -n 4 cleft-mpi mesh rock.h5 --dataset /scan/labels --spacing 2 2 2 -o rock.pvtu\n";
 }
 

@@ -107,7 +107,7 @@ Part make_part(const Session& session, const PartsArguments& arguments, const cl
     if (status == CLEFT_ERROR_OUT_OF_MEMORY && !arguments.memory.empty())
         throw Failure(cleft_cli::EXIT_OUT_OF_MEMORY, status,
                       std::string(cleft_context_last_error(session.context())) + "; --memory is " + arguments.memory +
-                          ": a smaller --block, more ranks or more memory help");
+                          ": more ranks, more memory or another --block help");
     session.check(status, status == CLEFT_ERROR_FILE || status == CLEFT_ERROR_FORMAT ? cleft_cli::EXIT_CANNOT_READ
                                                                                      : cleft_cli::EXIT_MESHING_FAILED);
     return part;
@@ -156,8 +156,7 @@ void choose_block(const Ranks& ranks, Session& session, const PartsArguments& ar
                   cleft_options* options)
 {
     const bool is_bounded = !arguments.memory.empty();
-    if (integer_of(session, options, CLEFT_OPTION_BLOCK) > 0 ||
-        (!is_bounded && (arguments.options.has(CLEFT_OPTION_BLOCK) || is_made_by_one(session, options))))
+    if (arguments.options.has(CLEFT_OPTION_BLOCK) || is_made_by_one(session, options))
         return;
     const int64_t block = is_bounded ? block_within(bytes_of_size(arguments.memory), arguments.memory, voxels.dims)
                                      : block_to_share(voxels.dims[2]);
