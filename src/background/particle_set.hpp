@@ -15,8 +15,8 @@ using Walls = uint8_t;
 // This bit is set where the particle has its place already, and does not move at all.
 inline constexpr Walls kFixed = 8;
 
-inline bool is_fixed(Walls walls) { return (walls & kFixed) != 0; }
 inline bool held(Walls walls, int axis) { return (walls >> axis & 1) != 0; }
+inline bool may_move(Walls walls, int axis) { return !held(walls, axis) && (walls & kFixed) == 0; }
 // 0 inside, 1 on a face, 2 on an edge, 3 in a corner of the box.
 inline int wall_count(Walls walls) { return (walls & 1) + (walls >> 1 & 1) + (walls >> 2 & 1); }
 // The share of the particle that belongs to the box; the rest belongs to its mirror images.
@@ -28,11 +28,6 @@ struct ParticleSet {
 
     size_t size() const { return x.size(); }
     int64_t count() const { return x.count(); }
-    void clear()
-    {
-        x.clear();
-        walls.clear();
-    }
     void add(const Vec3& point, Walls w)
     {
         x.push_back(point);

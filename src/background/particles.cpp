@@ -29,7 +29,7 @@ void jitter(ParticleSet& particles, const SizeSampler& size, uint64_t variation,
             const double h = static_cast<double>(size(x));
             for (int a = 0; a < 3; ++a)
                 // A wall coordinate stays exact, for later stages find the walls by comparing it.
-                if (!held(particles.walls[i], a) && !is_fixed(particles.walls[i]))
+                if (may_move(particles.walls[i], a))
                     x[a] += kJitter * h * (2 * unit_random(variation + 2, static_cast<uint64_t>(3 * i + a)) - 1);
         }
     });

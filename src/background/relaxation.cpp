@@ -91,12 +91,12 @@ double move(ParticleSet& particles, Motion& motion, const LongWaves& waves, cons
             Eigen::Vector3f v = kMomentum * motion.velocity[i] + kStepScale * (kNearGain * near + kWaveGain * wave);
             const Walls walls = particles.walls[i];
             for (int a = 0; a < 3; ++a)
-                if (held(walls, a) || is_fixed(walls))
+                if (!may_move(walls, a))
                     v[a] = 0;
             v *= std::min(1.0F, kLongestMove / std::max(v.norm(), 1e-30F));
             motion.velocity[i] = v;
             for (int a = 0; a < 3; ++a)
-                if (!held(walls, a) && !is_fixed(walls))
+                if (may_move(walls, a))
                     particles.x[i][a] =
                         moved(particles.x[i][a], h * static_cast<double>(v[a]), extent[a], kClearance * h);
             sum += static_cast<double>(v.squaredNorm());

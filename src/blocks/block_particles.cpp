@@ -24,6 +24,33 @@ struct WallParticles {
     Array<Vec3> low, high;
 };
 
+// The numbers of these in the block.
+struct CutNumbers {
+    Array<int32_t> low, high;
+
+    // A wall with nothing but its corners, which lie on a circle: TetGen may take another diagonal on either side.
+    bool has_bare_wall() const
+    {
+        constexpr int64_t kCorners = 4;
+        return low.count() == kCorners || high.count() == kCorners;
+    }
+    Array<int32_t> all() const
+    {
+        Array<int32_t> out(low.begin(), low.end());
+        out.insert(out.end(), high.begin(), high.end());
+        return out;
+    }
+};
+
+Array<Vec3> taken(const Array<Vec3>& particles, const Array<int32_t>& numbers)
+{
+    Array<Vec3> out;
+    out.reserve(numbers.size());
+    for (const int32_t i : numbers)
+        out.push_back(particles[i]);
+    return out;
+}
+
 // A block with its sizes as a box that begins at 0.
 class BlockBox
 {
@@ -60,33 +87,17 @@ public:
         return own;
     }
 
-    // Of the walls behind which there is another block.
-    WallParticles on_cuts(const Array<Vec3>& particles) const
+    // Numbers of the particles on walls behind which there is another block.
+    CutNumbers on_cuts(const Array<Vec3>& particles) const
     {
-        WallParticles out;
-        for (const Vec3& x : particles) {
-            if (has_below() && x[2] == 0)
-                out.low.push_back(x);
-            if (has_above() && x[2] == height())
-                out.high.push_back(x);
+        CutNumbers out;
+        for (int32_t i = 0; i < particles.count(); ++i) {
+            if (has_below() && particles[i][2] == 0)
+                out.low.push_back(i);
+            if (has_above() && particles[i][2] == height())
+                out.high.push_back(i);
         }
         return out;
-    }
-    Array<int32_t> numbers_on_cuts(const Array<Vec3>& particles) const
-    {
-        Array<int32_t> out;
-        for (int32_t i = 0; i < particles.count(); ++i)
-            if ((has_below() && particles[i][2] == 0) || (has_above() && particles[i][2] == height()))
-                out.push_back(i);
-        return out;
-    }
-
-    // A cut with nothing but its corners, which lie on a circle: TetGen may take another diagonal on either side.
-    bool has_bare_cut(const Array<Vec3>& particles) const
-    {
-        constexpr int64_t kCorners = 4;
-        const WallParticles on = on_cuts(particles);
-        return on.low.count() == kCorners || on.high.count() == kCorners;
     }
 
     // From the box to its place in the volume. Both blocks have the same points at a cut, to the last bit.
@@ -143,7 +154,8 @@ public:
                 continue;
             const BlockBox box(layout_, block);
             const Array<Vec3> particles = relaxed_particles(box.sizes(around, of_block), options_, {}, of_block);
-            walls_[i] = box.on_cuts(particles);
+            const CutNumbers on_cuts = box.on_cuts(particles);
+            walls_[i] = {taken(particles, on_cuts.low), taken(particles, on_cuts.high)};
             relaxed_.put(block, particles);
         }
     }
@@ -181,13 +193,14 @@ public:
         const BlockBox box(layout_, block);
         Steps steps(quiet(run), {{nullptr, 37}, {nullptr, 63}});
         const Run of_particles = steps.next();
-        Array<Vec3> particles =
-            is_first(block) ? taken_out(block) : relaxed_between(block, box.sizes(around, of_particles), of_particles);
-        const Array<int32_t> held = box.numbers_on_cuts(particles);
+        Array<Vec3> particles = is_first(block) ? taken_out(block)
+                                                : relaxed_between(box, walls_[block - own_.first],
+                                                                  box.sizes(around, of_particles), of_particles);
+        const CutNumbers on_cuts = box.on_cuts(particles);
         ParticleOptions options = options_;
-        if (box.has_bare_cut(particles))
+        if (on_cuts.has_bare_wall())
             options.delaunay = DelaunayEngine::cleft;
-        TetMesh mesh = mesh_of_particles(std::move(particles), held, options, steps.next());
+        TetMesh mesh = mesh_of_particles(std::move(particles), on_cuts.all(), options, steps.next());
         box.put_in_place(mesh.points);
         return mesh;
     }
@@ -205,10 +218,8 @@ private:
         return particles;
     }
 
-    Array<Vec3> relaxed_between(int32_t block, const SizingField& sizes, const Run& run)
+    Array<Vec3> relaxed_between(const BlockBox& box, WallParticles& walls, const SizingField& sizes, const Run& run)
     {
-        const BlockBox box(layout_, block);
-        WallParticles& walls = walls_[block - own_.first];
         const Array<Vec3> low = at_height(0, std::move(walls.low));
         const Array<Vec3> high = at_height(box.height(), std::move(walls.high));
         return relaxed_particles(sizes, options_, {box.has_below() ? &low : nullptr, box.has_above() ? &high : nullptr},

@@ -82,8 +82,8 @@ Writer writer_of(const std::string& path)
 class SharedOutputs
 {
 public:
-    SharedOutputs(const PartView& part, MpiExchange& mpi, Exchange& exchange, cleft_context* context)
-        : part_(part), mpi_(mpi), exchange_(exchange), context_(context)
+    SharedOutputs(const PartView& part, Exchange& exchange, cleft_context* context)
+        : part_(part), exchange_(exchange), context_(context)
     {
     }
 
@@ -98,7 +98,7 @@ public:
             io::check(context_, cleft_context_report(context_, done, done, "writing"));
         };
         try {
-            written_.push_back({stage, writer_of(stage.name())(part_, {stage, mpi_, exchange_, report})});
+            written_.push_back({stage, writer_of(stage.name())(part_, {stage, exchange_, report})});
         } catch (const Error& error) {
             throw Error(error.status(), stage.with_final_names(error.what()));
         }
@@ -114,7 +114,6 @@ public:
 
 private:
     const PartView& part_;
-    MpiExchange& mpi_;
     Exchange& exchange_;
     cleft_context* context_;
     std::vector<std::unique_ptr<SharedStage>> stages_;
@@ -211,7 +210,7 @@ cleft_status cleft_mpi_write_all(cleft_context* context, MPI_Comm comm, const cl
         cleft::mpi::PartView view{};
         exchange.together([&] {
             view = cleft::mpi::view_of(cleft::io::required(part, "part"), exchange, context);
-            outputs = std::make_unique<cleft::mpi::SharedOutputs>(view, mpi, exchange, context);
+            outputs = std::make_unique<cleft::mpi::SharedOutputs>(view, exchange, context);
             cleft::mpi::write_all(*outputs, paths, count, exchange);
         });
     });

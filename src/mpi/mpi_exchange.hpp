@@ -22,7 +22,6 @@ public:
 
     int32_t rank() const { return rank_; }
     int32_t ranks() const { return ranks_; }
-    MPI_Comm comm() const { return comm_; }
 
     // The functions of cleft_exchange. False: the ranks cannot reach each other.
     bool numbers(const int64_t* send, int64_t* receive);

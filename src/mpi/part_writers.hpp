@@ -1,7 +1,6 @@
 // One function a format. All ranks call it together.
 #pragma once
 
-#include "mpi/mpi_exchange.hpp"
 #include "mpi/part_view.hpp"
 #include "mpi/shared_stage.hpp"
 
@@ -15,7 +14,6 @@ namespace cleft::mpi
 // What a writer works with besides the part.
 struct Writing {
     const SharedStage& stage;
-    MpiExchange& mpi;
     Exchange& exchange;
     std::function<void(double fraction)> report;  // throws where a cancel was asked for
 };
