@@ -358,8 +358,9 @@ enum {
  *  Voxel centres are at whole indices. It may flip or shear but not flatten. NULL means spacing 1 with the corner of
  *  the box at the origin. The meshed box ends where the voxels end, half a voxel beyond the outermost centres.
  *
- *  Wanted sizes and the angles to improve are measured in the frame of the voxel axes. That frame has other lengths
- *  and angles than the world only if the affine shears. All results of measuring a mesh are in the world.
+ *  Wanted sizes are lengths in the frame of the voxel axes. That frame has other lengths and angles than the world only
+ *  if the affine shears. MIN_ANGLE and all results of measuring a mesh are of the world. With shears, improving takes
+ *  longer. Beyond 37 degrees, tetrahedra miss MIN_ANGLE, the more the further it shears; a warning gives their number.
  *
  *  The library copies the voxels. It takes one or two bytes per voxel, and two more for the weights of smoothing.
  *  `options` may be NULL.
@@ -587,7 +588,7 @@ CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_strip(cleft_context* context, 
  *
  *  One warning (CLEFT_LOG_WARNING) names kept labels of 100 voxels or more whose volume in the mesh differs by more
  *  than 5 % from that of their voxels. Unless IMPROVE is off, another reports tetrahedra whose dihedral angles miss
- *  MIN_ANGLE: their number, the range of their angles in the frame of the voxel axes, and the voxel of the worst one.
+ *  MIN_ANGLE: their number, the range of their angles, and the voxel of the worst one.
  *  Options read: all but SMOOTH.
  *  The caller owns *out. \since 0.1 */
 CLEFT_NODISCARD CLEFT_API cleft_status cleft_mesh_volume(cleft_context* context, const cleft_volume* volume,

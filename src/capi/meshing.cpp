@@ -117,7 +117,7 @@ cleft_status cleft_mesh_cleave(cleft_context* context, const cleft_volume* volum
         const auto v = held(volume, "volume");
         const auto from = held(background, "background");
         const auto held_options = held_if_any(options, "options");
-        const cleft::PipelineOptions p = pipeline_options(options);
+        const cleft::PipelineOptions p = pipeline_options(options, v->frame);
         warn_of_unused_smooth(v->volume, options, run);
         GivenBackground given = given_background(*from, v->frame, run);
         const cleft::PipelineOptions measured = cleft::measured_by(from->metric.get(), given.options(p));

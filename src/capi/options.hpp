@@ -12,9 +12,11 @@ double option_value(const cleft_options* options, cleft_option key);
 
 // What the pipeline takes; throws if `options` is not sound. Null gives the defaults.
 PipelineOptions pipeline_options(const cleft_options* options);
-// The same with what is said of labels, in terms of the volume's materials: which are kept, and their sizes. Throws if
-// none is kept.
-PipelineOptions pipeline_options(const cleft_options* options, const Grid& grid, const Array<UserLabel>& labels);
+// The same of a volume in this frame: shapes are measured in the world.
+PipelineOptions pipeline_options(const cleft_options* options, const Frame& frame);
+// And with what is said of labels, in terms of the volume's materials: which are kept, and their sizes. Throws if none
+// is kept.
+PipelineOptions pipeline_options(const cleft_options* options, const Frame& frame, const Array<UserLabel>& labels);
 PipelineOptions pipeline_options(const cleft_options* options, const cleft_volume& volume);
 
 // Warns of labels that have a size and that are not in the volume. It is for calls that compute sizes.

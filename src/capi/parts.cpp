@@ -116,13 +116,13 @@ Made whole_mesh(const cleft::Frame& frame, const cleft::VoxelSource& source, con
 }
 
 // The blocks of this rank.
-Made mesh_of_own_blocks(const cleft::SharedVoxels& voxels, const cleft_options* options, Exchange& exchange,
-                        const Run& run)
+Made mesh_of_own_blocks(const cleft::SharedVoxels& voxels, const cleft::Frame& frame, const cleft_options* options,
+                        Exchange& exchange, const Run& run)
 {
     const auto block = static_cast<int32_t>(option_value(options, CLEFT_OPTION_BLOCK));
     const int kernel = static_cast<int>(option_value(options, CLEFT_OPTION_SMOOTH));
     cleft::LabelCounts labels = labels_of_all(voxels, block, exchange, run);
-    const cleft::PipelineOptions p = pipeline_options(options, voxels.grid, labels.labels);
+    const cleft::PipelineOptions p = pipeline_options(options, frame, labels.labels);
     if (exchange.rank() == 0) {
         warn_of_unknown_labels(labels.labels, options, "volume", run);
         warn_of_unknown_sizes(labels.labels, options, run);
@@ -138,7 +138,7 @@ Made made_by_rank(const cleft::SharedVoxels& voxels, const cleft::Frame& frame, 
     const cleft::PipelineOptions p = pipeline_options(options);
     const std::string reason = needs_whole_mesh(p, voxels.grid);
     if (reason.empty())
-        return mesh_of_own_blocks(voxels, options, exchange, run);
+        return mesh_of_own_blocks(voxels, frame, options, exchange, run);
     if (!fits_in_one_piece(voxels.grid))
         throw Error(
             CLEFT_ERROR_TOO_LARGE,

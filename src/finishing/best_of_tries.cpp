@@ -50,9 +50,8 @@ Try try_with(const Volume& volume, const Cleaved& cleaved, const PipelineOptions
 {
     const double surface_error = pipeline.sizing.surface_error;
     bool holds = surface_error > 0;
-    const bool is_measured = pipeline.cleave.metric != nullptr;
     Steps steps(run, {{nullptr, 45},
-                      {nullptr, is_measured ? 5.0 : 0},
+                      {nullptr, pipeline.wants_lengths ? 5.0 : 0},
                       {nullptr, holds ? 10.0 : 0},
                       {nullptr, 30},
                       {nullptr, holds ? 15.0 : 0}});
@@ -62,10 +61,10 @@ Try try_with(const Volume& volume, const Cleaved& cleaved, const PipelineOptions
     LocalMesh mesh(std::move(from), run);
     hold_cut(mesh, held, region && region->is_cut_open);
     const Run of_lengths = steps.next();
-    if (is_measured) {
+    if (pipeline.cleave.metric)
         mesh.measure_by({pipeline.cleave.metric}, run);
+    if (pipeline.wants_lengths)
         improve_lengths(mesh, target_angle(options), of_lengths);
-    }
     const Run of_surfaces = steps.next();
     holds = holds && hold_surfaces(mesh, volume, surface_error, of_surfaces);
     Shortfall left = improve(mesh, volume, options, steps.next());

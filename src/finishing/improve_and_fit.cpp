@@ -60,7 +60,11 @@ LabelledMesh improve_and_fit(const Volume& volume, const Cleaved& cleaved, const
 PipelineOptions measured_by(const MetricField* metric, const PipelineOptions& options)
 {
     PipelineOptions measured = options;
-    measured.cleave.metric = metric;
+    if (metric) {
+        measured.cleave.metric = metric;
+        measured.wants_lengths = true;
+        measured.of_world = nullptr;  // a metric of sizes is one of the world
+    }
     return measured;
 }
 

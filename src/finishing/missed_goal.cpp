@@ -80,11 +80,13 @@ std::string voxel_text(const Vec3& x, const Grid& grid)
     return text + ")";
 }
 
-std::string place_text(const Missed& missed, const Grid& grid)
+// And what is known to be in the way.
+std::string place_text(const Missed& missed, const Grid& grid, const PipelineOptions& options)
 {
     const double stretch = grid.spacing.maxCoeff() / grid.spacing.minCoeff();
     return ", the worst in voxel " + voxel_text(missed.worst, grid) +
-           (stretch > kUsualStretch ? "; the voxel spacings differ by a factor of " + digits_text(stretch, 3) : "");
+           (stretch > kUsualStretch ? "; the voxel spacings differ by a factor of " + digits_text(stretch, 3) : "") +
+           (options.of_world ? "; the affine shears the voxels" : "");
 }
 
 }  // namespace
@@ -114,7 +116,7 @@ void MissedGoal::join(const MissedGoal& next)
 MissedGoal missed_goal(const LabelledMesh& mesh, const PipelineOptions& options, const Run& run)
 {
     constexpr int64_t kTetsAtOnce = 4096;
-    const MetricField* metric = options.cleave.metric;
+    const MetricField* metric = options.of_world ? options.of_world.get() : options.cleave.metric;
     const Goal goal = goal_of(target_angle(options.improve));
     Array<MissedGoal> parts(chunk_count(mesh.tets.count(), kTetsAtOnce));
     parallel_chunks(run, mesh.tets.count(), kTetsAtOnce, [&](int64_t chunk, int64_t begin, int64_t end) {
@@ -139,11 +141,11 @@ void warn_of_missed_goal(const MissedGoal& missed, const Grid& grid, const Pipel
         run.warn(counted(missed.angles.tets, "tetrahedron has", "tetrahedra have") + " dihedral angles below " +
                  number_text(target) + " or above " + decimals_text(greatest_angle(target), 1) + " degrees, from " +
                  decimals_text(missed.least, 1) + " to " + decimals_text(missed.greatest, 1) +
-                 place_text(missed.angles, grid));
+                 place_text(missed.angles, grid, options));
     if (missed.ratios.tets > 0)
         run.warn(counted(missed.ratios.tets, "tetrahedron has a radius ratio", "tetrahedra have radius ratios") +
                  " above " + decimals_text(greatest_ratio(target), 1) + ", up to " +
-                 decimals_text(1 / missed.ratios.least_quality, 1) + place_text(missed.ratios, grid));
+                 decimals_text(1 / missed.ratios.least_quality, 1) + place_text(missed.ratios, grid, options));
 }
 
 }  // namespace cleft

@@ -28,7 +28,7 @@ struct MissedGoal {
     void join(const MissedGoal& next);
 };
 
-// Of the tetrahedra that are kept, in the frame of the voxel axes.
+// Of the tetrahedra that are kept.
 MissedGoal missed_goal(const LabelledMesh& mesh, const PipelineOptions& options, const Run& run);
 
 // Warns in one sentence if there are tetrahedra with an angle beyond the goal, and in another one if there are some of

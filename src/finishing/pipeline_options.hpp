@@ -9,6 +9,8 @@
 #include "sizing/sizing_options.hpp"
 #include "volume/kept_materials.hpp"
 
+#include <memory>
+
 namespace cleft
 {
 
@@ -31,10 +33,14 @@ struct PipelineOptions {
     bool asks_surface_error = false;  // the user does, so that a warning says where it has no effect
     int32_t block = 0;                // planes of voxels across a block, see mesh_blocks.hpp; 0: no blocks
     const Region* region = nullptr;   // null: all of the volume
-    KeptMaterials kept;               // the tetrahedra of others are left out of the finished mesh
+    // Where the affine shears: by the first, shapes are those of the world. The second goes as far that way as work on
+    // shapes can follow, and is the metric of `cleave`.
+    std::shared_ptr<const MetricField> of_world, towards_world;
+    bool wants_lengths = false;  // the metric of `cleave` is that of the sizes, so it says how long edges are to be
+    KeptMaterials kept;          // the tetrahedra of others are left out of the finished mesh
 };
 
-// These options, with lengths and shapes measured by the metric, if there is one. It must outlive them.
+// These options, with lengths and shapes measured by the metric of the sizes, if there is one. It must outlive them.
 PipelineOptions measured_by(const MetricField* metric, const PipelineOptions& options);
 
 }  // namespace cleft

@@ -39,6 +39,13 @@ Tensor MetricField::log_at(const Vec3& x) const
     return {sum[0], sum[1], sum[2], sum[3], sum[4], sum[5]};
 }
 
+MetricField constant_metric(const Tensor& log, const Vec3& extent)
+{
+    const auto number = [](double value) { return static_cast<float>(value); };
+    return {{{1, 1, 1}, extent},
+            {{number(log.xx), number(log.xy), number(log.xz), number(log.yy), number(log.yz), number(log.zz)}}};
+}
+
 double greatest_stretch(const MetricField& field)
 {
     double greatest = 0;

@@ -22,6 +22,9 @@ struct MetricField {
     Tensor log_at(const Vec3& x) const;
 };
 
+// The metric of this logarithm at each place of a box.
+MetricField constant_metric(const Tensor& log, const Vec3& extent);
+
 // The greatest over the least size at one place, at the voxel where it is greatest.
 double greatest_stretch(const MetricField& field);
 
