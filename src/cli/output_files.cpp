@@ -134,8 +134,15 @@ void check_json_output(const std::string& path)
     struct stat status = {};
     // Devices and pipes are written to as they are; see write_json().
     const bool device = stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
-    if (!path.empty() && path != "-" && !device)
+    if (path.empty() || path == "-" || device)
+        return;
+    try {
         check_place(path);
+    } catch (Failure& failure) {
+        // What cannot be written tells of no failure, of its own neither.
+        failure.is_reported = false;
+        throw;
+    }
 }
 
 std::string format_help(int32_t direction)

@@ -75,6 +75,7 @@ class Failures(CommandTest):
             self.assert_fails(CANNOT_WRITE, done, self.path(output))
         done = cleft("mesh", missing, "-o", self.path("out.vtu"), "--json", self.path("no/such/r.json"))
         self.assert_fails(CANNOT_WRITE, done, "r.json")
+        self.assertEqual(len(done.stderr.splitlines()), 1)
         self.assertEqual([path.name for path in self.folder.iterdir()], ["balls.nrrd"])
 
     def test_an_output_that_was_there_survives_a_failure(self):

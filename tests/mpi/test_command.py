@@ -203,7 +203,8 @@ class Command(unittest.TestCase):
         self.assertEqual(self.report_of("a.json")["error"]["exit_code"], 3)
         (self.folder / "a.json").unlink()
         words = self.write_layers()
-        self.assertEqual(self.run_ranks(2, f"$C {words} -o a.vtkhdf --json no/a.json")[0], 4)
+        code, _, errors = self.run_ranks(2, f"$C {words} -o a.vtkhdf --json no/a.json")
+        self.assertEqual((code, len(errors)), (4, 1), errors)
         # The report of a refusal does not replace what was refused.
         volume = (self.folder / "a.raw").read_bytes()
         self.assertEqual(self.run_ranks(2, f"$C {words} -o a.vtkhdf --json a.raw")[0], 2)
@@ -250,6 +251,23 @@ class Command(unittest.TestCase):
         first = f"if [ $R = 0 ]; then ulimit -f 100; fi; exec {words}"
         self.assert_fails(4, "rank 0: cannot write './a.vtkhdf': File too large", first)
         self.assert_fails(4, "cannot write './a.vtkhdf': File too large", f"ulimit -f 100; exec {words}")
+
+    def test_a_scratch_file_that_cannot_be_written(self):
+        """An output for the code, of one rank or of all: the voxels can be read."""
+        words = f"exec $C {self.write_layers()} -o a.vtkhdf --scratch"
+        missing = "cannot make a scratch file in 'no': No such file"
+        full = "cannot write a scratch file in '.': File too large"
+        for ranks, script, sentence in (
+            (1, f"{words} no", missing),
+            (3, f"{words} no", missing),
+            (3, f"if [ $R = 1 ]; then S=no; else S=.; fi; {words} $S", missing),
+            (3, f"ulimit -f 1; {words} .", full),
+            (3, f"if [ $R = 1 ]; then ulimit -f 1; fi; {words} .", full),
+        ):
+            code, out, errors = self.run_ranks(ranks, script)
+            self.assertEqual((code, out, len(errors)), (4, "", 1), errors)
+            self.assertIn(sentence, errors[0])
+            self.assertEqual(self.names(), {"a.raw"})
 
     def start_long(self):
         process = self.start(3, f"echo $$ > pid.$R; exec $C mesh {VOLUME} --size 0.1 -o a.vtkhdf --progress lines")

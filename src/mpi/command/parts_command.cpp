@@ -92,7 +92,42 @@ std::string summary(const Session& session, const PartsArguments& arguments, con
     return text;
 }
 
-Part make_part(const Session& session, const PartsArguments& arguments, const cleft_voxels* voxels,
+// The voxels as they are read, and whether that has failed: scratch files that cannot be written have the same status.
+class NotedVoxels
+{
+public:
+    explicit NotedVoxels(const cleft_voxels& of) : of_(of), noted_(of)
+    {
+        noted_.read = read;
+        noted_.user = this;
+    }
+    const cleft_voxels* voxels() const { return &noted_; }
+    bool have_failed() const { return have_failed_; }
+
+private:
+    static int read(const int64_t first[3], const int64_t count[3], void* voxels, char* sentence, int64_t room,
+                    void* user)
+    {
+        auto& self = *static_cast<NotedVoxels*>(user);
+        const int failed = self.of_.read(first, count, voxels, sentence, room, self.of_.user);
+        self.have_failed_ = self.have_failed_ || failed != 0;
+        return failed;
+    }
+
+    const cleft_voxels& of_;
+    cleft_voxels noted_;
+    bool have_failed_ = false;
+};
+
+// A rank that hears of the failure of another has the same status, and knows no better code than that of writing.
+int exit_code_of(cleft_status status, const NotedVoxels& read)
+{
+    if (status == CLEFT_ERROR_FORMAT || (status == CLEFT_ERROR_FILE && read.have_failed()))
+        return cleft_cli::EXIT_CANNOT_READ;
+    return status == CLEFT_ERROR_FILE ? cleft_cli::EXIT_CANNOT_WRITE : cleft_cli::EXIT_MESHING_FAILED;
+}
+
+Part make_part(const Session& session, const PartsArguments& arguments, const cleft_voxels& voxels,
                const cleft_options* options, std::vector<Sent>& sent)
 {
     CountedExchange counted(session);
@@ -100,16 +135,16 @@ Part make_part(const Session& session, const PartsArguments& arguments, const cl
     const std::string scratch = arguments.scratch_folder();
     exchange.scratch = scratch.empty() ? nullptr : scratch.c_str();
     cleft_part* made = nullptr;
+    const NotedVoxels noted(voxels);
     const cleft_status status =
-        cleft_part_create(session.context(), voxels, options, &exchange, arguments.ghosts ? 1 : 0, &made);
+        cleft_part_create(session.context(), noted.voxels(), options, &exchange, arguments.ghosts ? 1 : 0, &made);
     Part part(made);
     sent = counted.sent();
     if (status == CLEFT_ERROR_OUT_OF_MEMORY && !arguments.memory.empty())
         throw Failure(cleft_cli::EXIT_OUT_OF_MEMORY, status,
                       std::string(cleft_context_last_error(session.context())) + "; --memory is " + arguments.memory +
                           ": more ranks, more memory or another --block help");
-    session.check(status, status == CLEFT_ERROR_FILE || status == CLEFT_ERROR_FORMAT ? cleft_cli::EXIT_CANNOT_READ
-                                                                                     : cleft_cli::EXIT_MESHING_FAILED);
+    session.check(status, exit_code_of(status, noted));
     return part;
 }
 
@@ -215,8 +250,7 @@ void make_and_write(const Ranks& ranks, const PartsArguments& arguments)
         choose_block(ranks, *session, arguments, *voxels, options.get());
     });
     ranks.together([&] {
-        session->timed("mesh", "meshing",
-                       [&] { part = make_part(*session, arguments, voxels.get(), options.get(), sent); });
+        session->timed("mesh", "meshing", [&] { part = make_part(*session, arguments, *voxels, options.get(), sent); });
     });
     // Also if this rank tells nobody: others may.
     const cleft_quality quality = measured(ranks, *session, part.get());

@@ -4,6 +4,7 @@
 #include "cli/exit_code.hpp"
 
 #include <algorithm>
+#include <climits>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -70,14 +71,18 @@ void Ranks::together(const std::function<void()>& step) const
 {
     Told result = result_of(step);
     const bool has_failed = result.exit_code != cleft_cli::EXIT_OK;
-    int first = has_failed ? rank_ : count_, failed = has_failed ? 1 : 0, all_failed = 0;
-    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+    // Where all fail, one of them may know better why: codes of inputs are less than those of outputs.
+    struct {
+        int code, rank;
+    } first{has_failed ? result.exit_code : INT_MAX, rank_};
+    int failed = has_failed ? 1 : 0, all_failed = 0;
+    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_2INT, MPI_MINLOC, MPI_COMM_WORLD);
     MPI_Allreduce(&failed, &all_failed, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
-    if (first == count_)
+    if (all_failed == 0)
         return;
-    MPI_Bcast(&result, sizeof result, MPI_BYTE, first, MPI_COMM_WORLD);
+    MPI_Bcast(&result, sizeof result, MPI_BYTE, first.rank, MPI_COMM_WORLD);
     // What all say, as of a file that is not there, or after the library has told all, needs no name.
-    const std::string who = all_failed < count_ ? "rank " + std::to_string(first) + ": " : "";
+    const std::string who = all_failed < count_ ? "rank " + std::to_string(first.rank) + ": " : "";
     Failure failure(result.exit_code, result.status, who + result.sentence);
     failure.is_reported = result.is_reported;
     throw failure;
