@@ -43,7 +43,8 @@ CLEFT_NODISCARD CLEFT_MPI_API cleft_status cleft_mpi_exchange_open(MPI_Comm comm
 CLEFT_MPI_API void cleft_mpi_exchange_close(cleft_exchange* exchange) CLEFT_NOEXCEPT;
 
 /** Makes the mesh of a volume, and gives each rank of `comm` a part: cleft_part_create() over this communicator. All
- *  ranks call it. The caller owns *out, and gives it to cleft_part_destroy(). \since 0.1 */
+ *  ranks call it. For a scratch folder, call cleft_mpi_exchange_open(), set `scratch`, and call cleft_part_create()
+ *  instead. The caller owns *out, and gives it to cleft_part_destroy(). \since 0.1 */
 CLEFT_NODISCARD CLEFT_MPI_API cleft_status cleft_mpi_mesh(cleft_context* context, MPI_Comm comm,
                                                           const cleft_voxels* voxels, const cleft_options* options,
                                                           int32_t ghosts, cleft_part** out) CLEFT_NOEXCEPT;

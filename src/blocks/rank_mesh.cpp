@@ -126,7 +126,7 @@ std::string needs_whole_mesh(const PipelineOptions& options, const Grid& grid)
         return "strict is on";
     if (options.sizing.anisotropy > 1)
         return "anisotropy is above 1";
-    return BlockLayout::of(grid, options.block).count == 1 ? "block is 0, or leaves one block" : "";
+    return BlockLayout::of(grid, options.block).count == 1 ? "block is 0 or more than half of the planes" : "";
 }
 
 LabelCounts labels_of_all(const SharedVoxels& voxels, int32_t block, Exchange& exchange, const Run& run)

@@ -122,7 +122,7 @@ bool is_report(const std::string& path)
 }  // namespace
 
 void refuse_conflicts(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
-                      const std::string& json)
+                      const std::string& json, const FilesBeside& files_beside)
 {
     // The report is an output as the others are.
     std::vector<std::string> all = outputs;
@@ -130,7 +130,11 @@ void refuse_conflicts(const std::vector<std::string>& inputs, const std::vector<
         all.push_back(json);
     std::vector<Place> taken;
     for (const std::string& path : all) {
-        const std::vector<Place> files = files_of(path);
+        std::vector<Place> files = files_of(path);
+        for (const std::string& beside : files_beside ? files_beside(path) : std::vector<std::string>()) {
+            files.push_back(place_of(beside));
+            files.back().path = path;
+        }
         for (const Place& file : files) {
             for (const std::string& input : inputs)
                 if (!input.empty() && is_input(file, input))

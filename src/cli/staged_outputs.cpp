@@ -1,7 +1,6 @@
 // Outputs that appear together.
 #include "staged_outputs.hpp"
 
-#include "exit_code.hpp"
 #include "interrupt.hpp"
 
 #include <fcntl.h>
@@ -182,18 +181,25 @@ const StagedOutputs::Output& StagedOutputs::add(const std::string& path)
 
 void StagedOutputs::write(const std::string& path, const std::function<void(const std::string& place)>& write)
 {
-    const Output& output = add(path);
+    const std::string to = place(path);
     try {
-        write(output.staged.string());
+        write(to);
     } catch (const Failure& failure) {
-        const fs::path parent = fs::path(path).parent_path();
-        // The user knows the path that was asked for, and not the staging folder.
-        Failure described(failure.exit_code, failure.status,
-                          replaced(failure.what(), (output.stage->path() / "").string(),
-                                   parent.empty() ? std::string() : (parent / "").string()));
-        described.is_reported = failure.is_reported;
-        throw described;
+        throw described(failure);
     }
+}
+
+Failure StagedOutputs::described(const Failure& failure) const
+{
+    std::string sentence = failure.what();
+    for (const Output& output : outputs_) {
+        const fs::path parent = fs::path(output.path).parent_path();
+        sentence = replaced(sentence, (output.stage->path() / "").string(),
+                            parent.empty() ? std::string() : (parent / "").string());
+    }
+    Failure described(failure.exit_code, failure.status, sentence);
+    described.is_reported = failure.is_reported;
+    return described;
 }
 
 double StagedOutputs::bytes(const std::string& path) const

@@ -2,6 +2,8 @@
 // name when all are written.
 #pragma once
 
+#include "exit_code.hpp"
+
 #include <dirent.h>
 
 #include <filesystem>
@@ -25,6 +27,10 @@ public:
     // Calls write(place) with the place to write to the file that is to be at `path`. It may put further files beside,
     // which go along. The sentence of a Failure that it throws has the paths that the user knows.
     void write(const std::string& path, const std::function<void(const std::string& place)>& write);
+    // Where others write the file that is to be at `path`. The paths in their failures are those of described().
+    std::string place(const std::string& path) { return add(path).staged.string(); }
+    // The failure with the paths that the user knows.
+    Failure described(const Failure& failure) const;
     // Of the file that was written for `path`.
     // 0 where it cannot be looked at.
     double bytes(const std::string& path) const;

@@ -24,6 +24,14 @@ namespace
     io::throw_system_failure("cannot write '" + path.string() + "'", error);
 }
 
+// A folder or a device does not give its place to a file.
+void require_regular_or_none(const fs::path& place, const std::string& path)
+{
+    std::error_code ignored;
+    if (io::is_there(place.string()) && !fs::is_regular_file(place, ignored))
+        throw Error(CLEFT_ERROR_FILE, "cannot write '" + path + "': it is no regular file");
+}
+
 // Links are followed, so that a link stays one.
 fs::path file_behind(const std::string& path)
 {
@@ -32,8 +40,7 @@ fs::path file_behind(const std::string& path)
     fs::path target = fs::weakly_canonical(fs::absolute(path, error), error);
     if (error)
         cannot_write_target(path, error.value());
-    if (io::is_there(target.string()) && !fs::is_regular_file(target, error))
-        throw Error(CLEFT_ERROR_FILE, "cannot write '" + path + "': it is no regular file");
+    require_regular_or_none(target, path);
     return target;
 }
 
@@ -125,6 +132,9 @@ void commit(const std::vector<StagedFiles>& files)
         for (const std::string& name : staged.names)
             all.emplace_back(staged.stage.place(name), staged.stage.final_place(name),
                              staged.stage.place("old-" + std::to_string(all.size())));
+    for (const StagedFiles& staged : files)
+        for (const std::string& name : staged.names)
+            require_regular_or_none(staged.stage.final_place(name), staged.stage.said_place(name));
     size_t done = 0;
     try {
         for (; done < all.size(); ++done)

@@ -23,14 +23,16 @@ public:
     // Makes the folder. All ranks call it; the target of rank 0 counts. Throws Error.
     void open(const std::string& target, Exchange& exchange);
 
-    // The target: its name, and its name without the extension.
+    // Of the target.
     std::string name() const { return target_.filename().string(); }
-    std::string stem() const { return target_.stem().string(); }
     // Where a file is written that is to lie beside the target, or to be it.
     std::string place(const std::string& name) const { return (folder_ / name).string(); }
 
     // Where it lies in the end.
     std::filesystem::path final_place(const std::string& name) const { return target_.parent_path() / name; }
+
+    // The same as the user says it.
+    std::string said_place(const std::string& name) const { return said_ + name; }
 
     // A sentence about a file in the folder becomes one about the file that the user knows.
     std::string with_final_names(std::string sentence) const;

@@ -5,6 +5,7 @@
 #include "io/group_numbers.hpp"
 #include "io/label_names.hpp"
 #include "mpi/part_writers.hpp"
+#include "mpi/piece_names.hpp"
 #include "mpi/shared_entities.hpp"
 
 #include <algorithm>
@@ -18,14 +19,6 @@ namespace
 
 // Geometry::Type of MFEM.
 constexpr int kTriangleOfMfem = 2, kTetOfMfem = 4;
-
-// As MFEM's MakeParFilename() has it.
-std::string name_of_rank(const SharedStage& stage, int32_t rank)
-{
-    std::string number = std::to_string(rank);
-    number.insert(0, 6 - std::min<size_t>(6, number.size()), '0');
-    return stage.name() + "." + number;
-}
 
 // What a triangle bounds; interfaces come before the hull.
 struct Bounded {
@@ -199,7 +192,7 @@ std::vector<std::string> write_mfem(const PartView& part, const Writing& writing
 {
     std::vector<std::string> names;
     for (int32_t r = 0; r < writing.exchange.ranks(); ++r)
-        names.push_back(name_of_rank(writing.stage, r));
+        names.push_back(name_of_mfem_part(writing.stage.name(), r));
     writing.report(0);
     const Groups groups = shared_entities(part, writing.exchange);
     const Attributes attributes(part, writing.exchange);

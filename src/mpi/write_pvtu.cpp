@@ -3,6 +3,7 @@
 #include "io/atomic_file.hpp"
 #include "io/xml_scanner.hpp"
 #include "mpi/part_writers.hpp"
+#include "mpi/piece_names.hpp"
 
 #include <algorithm>
 
@@ -11,13 +12,6 @@ namespace cleft::mpi
 
 namespace
 {
-
-std::string name_of_piece(const SharedStage& stage, int32_t rank)
-{
-    std::string number = std::to_string(rank);
-    number.insert(0, 4 - std::min<size_t>(4, number.size()), '0');
-    return stage.stem() + "_" + number + ".vtu";
-}
 
 // An array of a piece: the list has the same element without an offset.
 struct Declared {
@@ -141,7 +135,7 @@ std::vector<std::string> write_pvtu(const PartView& part, const Writing& writing
     std::vector<std::string> names;
     names.reserve(to_size(writing.exchange.ranks() + 1));
     for (int32_t r = 0; r < writing.exchange.ranks(); ++r)
-        names.push_back(name_of_piece(writing.stage, r));
+        names.push_back(name_of_vtu_piece(writing.stage.name(), r));
     // An array that one piece has, all have.
     bool has_ghosts = false;
     for (const int64_t ghosts : writing.exchange.all_gather(part.counts.tets - part.counts.owned_tets))

@@ -54,7 +54,8 @@ class Command(unittest.TestCase):
                 ranks, f"$C mesh {VOLUME} -o a.vtkhdf -o a.pvtu -o a.mfem --ghosts --threads 2"
             )
             alone = (
-                "cleft-mpi: warning: the first rank makes the whole mesh alone, since block is 0, or leaves one block"
+                "cleft-mpi: warning: the first rank makes the whole mesh alone, since block is 0 or more than half of "
+                "the planes"
             )
             self.assertEqual((code, errors), (0, [alone] if ranks > 1 else []))
             # One rank prints.
@@ -119,8 +120,11 @@ class Command(unittest.TestCase):
         for size, sentence in refused.items():
             code, _, errors = self.run_ranks(2, f"$C {words} --memory={size} -o a.vtkhdf")
             self.assertEqual((code, errors), (2, [f"cleft-mpi mesh: {sentence}"]))
+        code, _, errors = self.run_ranks(2, f"$C {words} --memory 10M -o a.vtkhdf")
+        self.assertEqual((code, len(errors)), (2, 1), errors)
+        self.assertIn("cleft-mpi mesh: --memory 10M is too little for slabs of 8 planes of this volume", errors[0])
         code, _, errors = self.run_ranks(2, f"$C {words} --memory 2G -o bounded.vtkhdf")
-        chosen = "--memory 2G leaves room for slabs of 8 planes: the mesh is that of --block 8"
+        chosen = "--memory 2G has the mesh made in slabs of 8 planes: it is that of --block 8"
         self.assertEqual((code, errors), (0, [f"cleft-mpi: warning: {chosen}"]))
         self.assertEqual(self.run_ranks(3, f"$C {words} --block 8 -o free.vtkhdf")[::2], (0, []))
         # Slabs that were asked for, or that nobody would make, are not chosen again.
@@ -146,7 +150,10 @@ class Command(unittest.TestCase):
         self.assertEqual(self.run_ranks(2, f"$C {words} --block 32 -o asked.vtkhdf")[::2], (0, []))
         meshes = {(self.folder / f"{name}.vtkhdf").read_bytes() for name in ("1", "3", "asked")}
         self.assertEqual(len(meshes), 1)
-        for more, why in (("--block 0", "block is 0, or leaves one block"), ("--tets 900", "tets asks for a number")):
+        for more, why in (
+            ("--block 0", "block is 0 or more than half of the planes"),
+            ("--tets 900", "tets asks for a number"),
+        ):
             code, _, errors = self.run_ranks(2, f"$C {words} {more} -o whole.vtkhdf")
             self.assertEqual(code, 0)
             self.assertIn(f"cleft-mpi: warning: the first rank makes the whole mesh alone, since {why}", errors)
@@ -269,8 +276,66 @@ class Command(unittest.TestCase):
             self.assertIn(sentence, errors[0])
             self.assertEqual(self.names(), {"a.raw"})
 
-    def start_long(self):
-        process = self.start(3, f"echo $$ > pid.$R; exec $C mesh {VOLUME} --size 0.1 -o a.vtkhdf --progress lines")
+    def test_pieces_are_outputs(self):
+        """What would be lost to a piece is refused before the work: a folder, the input, the report."""
+        words = f"$C {self.write_layers()}"
+        for piece, output in (("m_0001.vtu", "m.pvtu"), ("m.mfem.000000", "m.mfem")):
+            (self.folder / piece).mkdir()
+            (self.folder / piece / "kept").touch()
+            code, _, errors = self.run_ranks(2, f"{words} -o {output}")
+            self.assertEqual((code, len(errors)), (4, 1), errors)
+            self.assertIn(f"cannot write '{piece}': it is no regular file", errors[0])
+            self.assertTrue((self.folder / piece / "kept").exists())
+            (self.folder / piece / "kept").unlink()
+            (self.folder / piece).rmdir()
+            code, _, errors = self.run_ranks(2, f"{words} -o {output} --json {piece}")
+            self.assertEqual(
+                (code, errors), (2, [f"cleft-mpi mesh: the outputs '{output}' and '{piece}' are one file"])
+            )
+            (self.folder / "a.raw").rename(self.folder / piece)
+            code, _, errors = self.run_ranks(2, f"{words.replace('a.raw', piece)} -o {output}")
+            self.assertEqual(code, 2)
+            self.assertIn(f"the output '{output}' is the input '{piece}', or a file of it", errors[0])
+            (self.folder / piece).rename(self.folder / "a.raw")
+        self.assertEqual(self.names(), {"a.raw"})
+
+    def test_outputs_and_reports_are_all_or_none(self):
+        words = f"$C {self.write_layers()}"
+        (self.folder / "m.vtkhdf").write_text("old")
+        for report in ("--json /dev/full", "--json - > /dev/full", "> /dev/full"):
+            script = f"{words} -o m.vtkhdf -o m.pvtu {report}"
+            done = subprocess.run(
+                ["sh", "-c", f'C="{COMMAND}"; cd "{self.folder}"; {script}'], capture_output=True, text=True
+            )
+            self.assertEqual(done.returncode, 4, done.stderr)
+            self.assertIn("No space left on device", done.stderr)
+            self.assertEqual((self.folder / "m.vtkhdf").read_text(), "old")
+            self.assertEqual(self.names(), {"a.raw", "m.vtkhdf"})
+
+    def test_pieces_of_more_ranks_stay(self):
+        words = f"$C {self.write_layers()} -o m.pvtu"
+        self.assertEqual(self.run_ranks(3, words)[::2], (0, []))
+        said = "'m_0002.vtu' is of another run with more ranks: it stays, and is no part of 'm.pvtu'"
+        self.assertEqual(self.run_ranks(2, words)[::2], (0, [f"cleft-mpi: warning: {said}"]))
+        self.assertTrue((self.folder / "m_0002.vtu").exists())
+
+    def test_links_are_followed(self):
+        words = f"$C {self.write_layers()}"
+        (self.folder / "there").mkdir()
+        (self.folder / "m.pvtu").symlink_to("there/n.pvtu")
+        (self.folder / "m.vtkhdf").symlink_to("there/other")
+        self.assertEqual(self.run_ranks(2, f"{words} -o m.pvtu -o m.vtkhdf")[::2], (0, []))
+        self.assertEqual(
+            {path.name for path in (self.folder / "there").iterdir()},
+            {"n.pvtu", "n_0000.vtu", "n_0001.vtu", "other"},
+        )
+        self.assertEqual(self.names(), {"a.raw", "there", "m.pvtu", "m.vtkhdf"})
+        self.assertEqual(self.cleft("check", "m.vtkhdf"), (0, ""))
+        self.assertEqual(self.cleft("check", "there/n.pvtu"), (0, ""))
+
+    def start_long(self, more=""):
+        words = f"mesh {VOLUME} --size 0.1 -o a.vtkhdf --progress lines {more}"
+        process = self.start(3, f"echo $$ > pid.$R; exec $C {words}")
         # It works when it says how far it is.
         while "%" not in (line := process.stderr.readline()):
             self.assertIsNone(process.poll())
@@ -283,6 +348,16 @@ class Command(unittest.TestCase):
         process.communicate()
         self.assertNotEqual(process.returncode, 0)
         self.assertEqual(self.names(), set())
+
+    def test_a_signal_to_one_rank_has_its_code(self):
+        for number in (signal.SIGTERM, signal.SIGHUP, signal.SIGINT):
+            # Each rank has work of its own.
+            process = self.start_long("--block 4 --background lattice")
+            os.kill(int((self.folder / "pid.1").read_text()), number)
+            errors = process.communicate()[1]
+            self.assertEqual(process.returncode, 128 + number, errors)
+            self.assertIn("cleft-mpi mesh: stopped by a signal; nothing was written", errors)
+            self.assertEqual(self.names(), set())
 
     def test_a_stopped_run_leaves_nothing(self):
         for number in (signal.SIGINT, signal.SIGTERM):

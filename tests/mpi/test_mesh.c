@@ -10,6 +10,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 static const char* folder;
@@ -212,6 +213,17 @@ static void all_files_are_written_or_none(void** state)
     assert_ok(context, cleft_mpi_write_all(context, MPI_COMM_WORLD, part, rank == 0 ? paths : NULL, rank == 0 ? 2 : 0));
     assert_int_equal(access(first, F_OK), 0);
     assert_int_equal(access(second, F_OK), 0);
+    /* A folder does not give its place to a piece, and keeps what is in it. */
+    strcpy(second, own_path("folder_0000.vtu"));
+    if (rank == 0)
+        mkdir(second, 0777);
+    strcpy(second, own_path("folder_0000.vtu/kept"));
+    if (rank == 0)
+        mkdir(second, 0777);
+    assert_int_equal(cleft_mpi_write(context, MPI_COMM_WORLD, part, own_path("folder.pvtu")), CLEFT_ERROR_FILE);
+    assert_non_null(strstr(cleft_context_last_error(context), "folder_0000.vtu': it is no regular file"));
+    assert_int_equal(access(second, F_OK), 0);
+    assert_int_not_equal(access(own_path("folder.pvtu"), F_OK), 0);
     cleft_part_destroy(part);
     cleft_context_destroy(context);
 }

@@ -101,7 +101,7 @@ static void what_one_process_would_hold_is_refused(void** state)
     run_jobs(jobs, kCube, "octree", "0");
     assert_refused(jobs,
                    "the volume has more than 2147483647 voxels, too many to mesh in one piece, which is needed "
-                   "since block is 0, or leaves one block");
+                   "since block is 0 or more than half of the planes");
     run_jobs(jobs, kWide, "octree", "8");
     assert_refused(jobs,
                    "rank 0: 7200000000 voxels are needed at once, from plane 0 to plane 7, more than 2147483647: "

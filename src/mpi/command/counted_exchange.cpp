@@ -9,7 +9,10 @@ namespace cleft_mpi_cli
 CountedExchange::CountedExchange(const cleft_cli::Session& session) : session_(session)
 {
     inner_.struct_size = sizeof inner_;
-    session.check(cleft_mpi_exchange_open(MPI_COMM_WORLD, &inner_), cleft_cli::EXIT_MESHING_FAILED);
+    const cleft_status status = cleft_mpi_exchange_open(MPI_COMM_WORLD, &inner_);
+    // Not for a signal: what is open is to be closed on all ranks.
+    if (status != CLEFT_OK)
+        session.check(status, cleft_cli::EXIT_MESHING_FAILED);
 }
 
 cleft_exchange CountedExchange::exchange() const

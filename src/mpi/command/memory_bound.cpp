@@ -15,8 +15,9 @@ namespace cleft_mpi_cli
 namespace
 {
 
-// Sizes take 15 bytes for each voxel that they are computed from; what MPI and HDF5 take comes on top.
-constexpr double kBytesOfVoxel = 20;
+// Sizes take 15 bytes for each voxel that they are computed from. MPI, HDF5 and the heap take more than 20 MB, whatever
+// the volume is.
+constexpr double kBytesOfVoxel = 20, kBytesOfProcess = 32 << 20;
 // The planes that sizes of a slab are computed from, with the default options: so many times its own, and some more.
 constexpr double kTimesOfSlab = 3, kPlanesBeside = 40;
 // Thinner slabs have few tetrahedra that are not near a seam.
@@ -52,11 +53,11 @@ void hold_memory_within(uint64_t bytes)
 int64_t block_within(uint64_t bytes, const std::string& size, const int64_t dims[3])
 {
     const double plane = kBytesOfVoxel * static_cast<double>(dims[0]) * static_cast<double>(dims[1]);
-    const double planes = static_cast<double>(bytes) / plane;
+    const double planes = (static_cast<double>(bytes) - kBytesOfProcess) / plane;
     const auto fit = static_cast<int64_t>(std::min((planes - kPlanesBeside) / kTimesOfSlab, 1e9));
     const int64_t least = std::min(kThinnestSlab, dims[2]);
     if (fit < least) {
-        const double needed = plane * (kTimesOfSlab * static_cast<double>(least) + kPlanesBeside);
+        const double needed = kBytesOfProcess + plane * (kTimesOfSlab * static_cast<double>(least) + kPlanesBeside);
         throw cleft_cli::usage_failure("--memory " + size + " is too little for slabs of " + std::to_string(least) +
                                        " planes of this volume, which take about " +
                                        std::to_string(static_cast<int64_t>(std::ceil(needed / (1 << 20)))) + "M");

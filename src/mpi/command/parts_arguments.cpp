@@ -4,6 +4,7 @@
 #include "cli/output_conflicts.hpp"
 #include "cli/output_files.hpp"
 #include "cli/staged_outputs.hpp"
+#include "mpi/piece_names.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -44,6 +45,20 @@ std::string with_default_block(std::string help)
     const std::string of_cleft = "default 0)";
     const std::size_t at = help.rfind(of_cleft);
     return help.replace(at, of_cleft.size(), "default:\n0 for less than 64 planes, else 32 or a sixteenth of them)");
+}
+
+cleft_cli::Failure cannot_write(const std::string& path, const std::string& why)
+{
+    return {cleft_cli::EXIT_CANNOT_WRITE, CLEFT_ERROR_FILE, "cannot write '" + path + "': " + why};
+}
+
+// A folder or a device does not give its place to a file.
+void check_place(const std::string& path)
+{
+    std::error_code ignored;
+    const std::filesystem::file_status found = std::filesystem::status(path, ignored);
+    if (std::filesystem::exists(found) && !std::filesystem::is_regular_file(found))
+        throw cannot_write(path, "it is no regular file");
 }
 
 }  // namespace
@@ -118,17 +133,39 @@ std::string PartsArguments::scratch_folder() const
     return cleft_cli::folder_of(outputs.front()).string();
 }
 
-void PartsArguments::check_outputs() const
+std::string PartsArguments::target_of(const std::string& output)
 {
-    cleft_cli::refuse_conflicts(volume.inputs, outputs, run.json);
+    const std::filesystem::path target = cleft_cli::link_target(output);
+    return target.extension() == std::filesystem::path(output).extension() ? target.string() : output;
+}
+
+std::vector<std::string> PartsArguments::pieces_of(const std::string& output, int ranks)
+{
+    std::vector<std::string> pieces;
+    const std::filesystem::path path = target_of(output);
+    for (int r = 0; r < ranks; ++r) {
+        if (has_extension_of(output, {".pvtu"}))
+            pieces.push_back((path.parent_path() / cleft::mpi::name_of_vtu_piece(path, r)).string());
+        if (has_extension_of(output, {".mfem"}))
+            pieces.push_back((path.parent_path() / cleft::mpi::name_of_mfem_part(path, r)).string());
+    }
+    return pieces;
+}
+
+void PartsArguments::check_outputs(int ranks) const
+{
+    cleft_cli::refuse_conflicts(volume.inputs, outputs, run.json,
+                                [&](const std::string& output) { return pieces_of(output, ranks); });
     cleft_cli::check_json_output(run.json);
     for (const std::string& path : outputs) {
         if (!has_extension_of(path, kPartsExtensions))
             throw cleft_cli::usage_failure("--output: '" + path + "' ends with none of .vtkhdf .hdf .pvtu .mfem");
         const std::string folder = cleft_cli::folder_of(path).string();
         if (access(folder.c_str(), W_OK | X_OK) != 0)
-            throw cleft_cli::Failure(cleft_cli::EXIT_CANNOT_WRITE, CLEFT_ERROR_FILE,
-                                     "cannot write '" + path + "': " + std::strerror(errno));
+            throw cannot_write(path, std::strerror(errno));
+        check_place(path);
+        for (const std::string& piece : pieces_of(path, ranks))
+            check_place(piece);
     }
 }
 

@@ -28,8 +28,13 @@ struct PartsArguments {
     bool is_hdf5() const;
     // Where a rank keeps what it does not work on; empty: in memory.
     std::string scratch_folder() const;
+    // Where an output goes: behind a link, since the pieces of a list lie beside the list. A link whose file has
+    // another extension stands for itself, as the extension says the format.
+    static std::string target_of(const std::string& output);
+    // The files that so many ranks make of an output besides the one of its path.
+    static std::vector<std::string> pieces_of(const std::string& output, int ranks);
     // Throws a Failure for outputs that no run could write.
-    void check_outputs() const;
+    void check_outputs(int ranks) const;
 
 private:
     void add_sharing_to(CLI::App& parser);

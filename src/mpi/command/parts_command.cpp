@@ -5,6 +5,7 @@
 #include "cleft/cleft_mpi.h"
 #include "cli/guarded.hpp"
 #include "cli/json_report.hpp"
+#include "cli/staged_outputs.hpp"
 #include "cli/standard_output.hpp"
 #include "cli/summary.hpp"
 #include "cli/text.hpp"
@@ -128,18 +129,16 @@ int exit_code_of(cleft_status status, const NotedVoxels& read)
 }
 
 Part make_part(const Session& session, const PartsArguments& arguments, const cleft_voxels& voxels,
-               const cleft_options* options, std::vector<Sent>& sent)
+               const cleft_options* options, const CountedExchange& counted)
 {
-    CountedExchange counted(session);
     cleft_exchange exchange = counted.exchange();
     const std::string scratch = arguments.scratch_folder();
     exchange.scratch = scratch.empty() ? nullptr : scratch.c_str();
     cleft_part* made = nullptr;
-    const NotedVoxels noted(voxels);
+    NotedVoxels noted(voxels);
     const cleft_status status =
         cleft_part_create(session.context(), noted.voxels(), options, &exchange, arguments.ghosts ? 1 : 0, &made);
     Part part(made);
-    sent = counted.sent();
     if (status == CLEFT_ERROR_OUT_OF_MEMORY && !arguments.memory.empty())
         throw Failure(cleft_cli::EXIT_OUT_OF_MEMORY, status,
                       std::string(cleft_context_last_error(session.context())) + "; --memory is " + arguments.memory +
@@ -199,26 +198,57 @@ void choose_block(const Ranks& ranks, Session& session, const PartsArguments& ar
     if (!ranks.is_first() || block == 0)
         return;
     const std::string planes = std::to_string(block);
-    session.warn(is_bounded ? "--memory " + arguments.memory + " leaves room for slabs of " + planes +
-                                  " planes: the mesh is that of --block " + planes
+    session.warn(is_bounded ? "--memory " + arguments.memory + " has the mesh made in slabs of " + planes +
+                                  " planes: it is that of --block " + planes
                             : "ranks share slabs of " + planes + " planes: the mesh is that of --block " + planes +
                                   "; --block 0 has the first rank make it as a whole");
 }
 
-// All of them, or none.
-void write_outputs(Session& session, const PartsArguments& arguments, const cleft_part* part)
+// Of a run of more ranks, pieces stay that a pattern such as "m_*.vtu" would take for pieces of this mesh.
+void warn_of_old_pieces(const Ranks& ranks, Session& session, const PartsArguments& arguments)
 {
+    for (const std::string& output : arguments.outputs) {
+        const std::vector<std::string> pieces = PartsArguments::pieces_of(output, ranks.count() + 1);
+        if (!pieces.empty() && std::filesystem::exists(pieces.back()))
+            session.warn("'" + pieces.back() + "' is of another run with more ranks: it stays, and is no part of '" +
+                         output + "'");
+    }
+}
+
+// Where all ranks write the outputs until they have their names. On the first rank; what that says counts.
+std::vector<std::string> places_of(const Ranks& ranks, const PartsArguments& arguments,
+                                   cleft_cli::StagedOutputs& staged)
+{
+    std::vector<std::string> places;
+    ranks.together([&] {
+        for (const std::string& path : arguments.outputs)
+            if (ranks.is_first())
+                places.push_back(staged.place(PartsArguments::target_of(path)));
+    });
+    return places;
+}
+
+void write_outputs(const Ranks& ranks, Session& session, const PartsArguments& arguments, const cleft_part* part,
+                   cleft_cli::StagedOutputs& staged)
+{
+    const std::vector<std::string> places = places_of(ranks, arguments, staged);
     std::vector<const char*> paths;
-    for (const std::string& path : arguments.outputs)
-        paths.push_back(path.c_str());
-    session.timed("write", "writing", [&] {
-        session.check(cleft_mpi_write_all(session.context(), MPI_COMM_WORLD, part, paths.data(),
-                                          static_cast<int64_t>(paths.size())),
-                      cleft_cli::EXIT_CANNOT_WRITE);
+    for (const std::string& place : places)
+        paths.push_back(place.c_str());
+    ranks.together([&] {
+        try {
+            session.timed("write", "writing", [&] {
+                session.check(cleft_mpi_write_all(session.context(), MPI_COMM_WORLD, part, paths.data(),
+                                                  static_cast<int64_t>(paths.size())),
+                              cleft_cli::EXIT_CANNOT_WRITE);
+            });
+        } catch (const Failure& failure) {
+            throw staged.described(failure);
+        }
     });
 }
 
-// What each rank reports, if anybody asks. Before files have their names: it may take memory that there is not.
+// What each rank reports, if anybody asks.
 std::vector<std::string> reports_of_ranks(const Ranks& ranks, const Session& session, const PartsArguments& arguments,
                                           const cleft_part* part, const std::vector<Sent>& sent)
 {
@@ -234,38 +264,47 @@ void make_and_write(const Ranks& ranks, const PartsArguments& arguments)
     cleft_cli::Options options;
     std::unique_ptr<Session> session;
     Voxels voxels;
+    std::unique_ptr<CountedExchange> exchange;
     Part part;
-    std::vector<Sent> sent;
     ranks.together([&] {
         options = arguments.options.make();
         if (!arguments.memory.empty())
             hold_memory_within(bytes_of_size(arguments.memory));
         if (ranks.is_first())
-            arguments.check_outputs();
+            arguments.check_outputs(ranks.count());
         cleft_cli::RunArguments run = arguments.run;
         run.quiet = run.quiet || !ranks.is_first();
         session =
             std::make_unique<Session>(run, std::vector<cleft_cli::Part>{{"mesh", 90}, {"report", 2}, {"write", 8}});
         voxels = open_voxels(*session, arguments);
         choose_block(ranks, *session, arguments, *voxels, options.get());
+        if (ranks.is_first())
+            warn_of_old_pieces(ranks, *session, arguments);
     });
+    // A step of its own: a rank that fails here may not leave the others waiting for its share of the mesh.
+    ranks.together([&] { exchange = std::make_unique<CountedExchange>(*session); });
     ranks.together([&] {
-        session->timed("mesh", "meshing", [&] { part = make_part(*session, arguments, *voxels, options.get(), sent); });
+        session->timed("mesh", "meshing",
+                       [&] { part = make_part(*session, arguments, *voxels, options.get(), *exchange); });
     });
     // Also if this rank tells nobody: others may.
     const cleft_quality quality = measured(ranks, *session, part.get());
-    const std::vector<std::string> reports = reports_of_ranks(ranks, *session, arguments, part.get(), sent);
-    ranks.together([&] { write_outputs(*session, arguments, part.get()); });
+    const std::vector<std::string> reports = reports_of_ranks(ranks, *session, arguments, part.get(), exchange->sent());
+    cleft_cli::StagedOutputs staged;
+    write_outputs(ranks, *session, arguments, part.get(), staged);
     session->clear_progress();
-    // Last, so that a report of a success is one.
     ranks.together([&] {
-        if (ranks.is_first() && !arguments.run.json.empty())
+        if (!ranks.is_first())
+            return;
+        if (!arguments.run.json.empty())
             cleft_cli::write_json(
                 parts_report(*session, arguments, options.get(), *voxels, part.get(), quality, reports),
-                arguments.run.json);
+                arguments.run.json, staged);
+        if (arguments.run.prints())
+            cleft_cli::print_summary_text(summary(*session, arguments, part.get(), quality));
+        // Last of all: whatever fails before leaves no output and no part of one.
+        staged.commit();
     });
-    if (ranks.is_first() && arguments.run.prints())
-        cleft_cli::print_summary_text(summary(*session, arguments, part.get(), quality));
 }
 
 int run_parts(const Ranks& ranks, const PartsArguments& arguments)

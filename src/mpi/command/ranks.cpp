@@ -2,6 +2,7 @@
 #include "mpi/command/ranks.hpp"
 
 #include "cli/exit_code.hpp"
+#include "cli/interrupt.hpp"
 
 #include <algorithm>
 #include <climits>
@@ -50,6 +51,17 @@ Told result_of(const std::function<void()>& step)
     }
 }
 
+// Of the failures of several ranks, the least is told. Codes of inputs are less than those of outputs, of which a rank
+// that only hears of a failure may speak; and a rank that a signal has reached knows its number.
+int order_of(const Told& result)
+{
+    constexpr int kNone = INT_MAX, kHeardOfCancel = INT_MAX - 1;
+    if (result.exit_code == cleft_cli::EXIT_OK)
+        return kNone;
+    const bool hears = result.status == CLEFT_ERROR_CANCELLED && cleft_cli::interrupt_signal() == 0;
+    return hears ? kHeardOfCancel : result.exit_code;
+}
+
 }  // namespace
 
 Ranks::Ranks(int* argc, char*** argv)
@@ -70,19 +82,19 @@ Ranks::~Ranks() { MPI_Finalize(); }
 void Ranks::together(const std::function<void()>& step) const
 {
     Told result = result_of(step);
-    const bool has_failed = result.exit_code != cleft_cli::EXIT_OK;
-    // Where all fail, one of them may know better why: codes of inputs are less than those of outputs.
     struct {
-        int code, rank;
-    } first{has_failed ? result.exit_code : INT_MAX, rank_};
-    int failed = has_failed ? 1 : 0, all_failed = 0;
+        int order, rank;
+    } first{order_of(result), rank_};
+    int failed = result.exit_code != cleft_cli::EXIT_OK ? 1 : 0, all_failed = 0;
     MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_2INT, MPI_MINLOC, MPI_COMM_WORLD);
     MPI_Allreduce(&failed, &all_failed, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
     if (all_failed == 0)
         return;
     MPI_Bcast(&result, sizeof result, MPI_BYTE, first.rank, MPI_COMM_WORLD);
-    // What all say, as of a file that is not there, or after the library has told all, needs no name.
-    const std::string who = all_failed < count_ ? "rank " + std::to_string(first.rank) + ": " : "";
+    // What all say, as of a file that is not there, or after the library has told all, needs no name. Mistakes of usage
+    // are looked for by the first rank alone.
+    const bool is_of_usage = first.rank == 0 && result.exit_code == cleft_cli::EXIT_USAGE;
+    const std::string who = all_failed < count_ && !is_of_usage ? "rank " + std::to_string(first.rank) + ": " : "";
     Failure failure(result.exit_code, result.status, who + result.sentence);
     failure.is_reported = result.is_reported;
     throw failure;

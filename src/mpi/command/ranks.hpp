@@ -24,8 +24,8 @@ public:
     // One of them prints.
     bool is_first() const { return rank_ == 0; }
 
-    // Runs step() on all ranks. If it throws a Failure on some, all throw that of the least exit code,
-    // of equal ones that of the first rank.
+    // Runs step() on all ranks. If it throws a Failure on some, all throw that of one: of a rank that
+    // a signal has reached, else that of the least exit code, and of equal ones that of the first rank.
     void together(const std::function<void()>& step) const;
     // The texts of all ranks, in their order: on the first rank. The others get none.
     std::vector<std::string> gather(const std::string& text) const;
