@@ -132,8 +132,12 @@ void refuse_conflicts(const std::vector<std::string>& inputs, const std::vector<
     for (const std::string& path : all) {
         std::vector<Place> files = files_of(path);
         for (const std::string& beside : files_beside ? files_beside(path) : std::vector<std::string>()) {
-            files.push_back(place_of(beside));
-            files.back().path = path;
+            Place place = place_of(beside);
+            for (const Place& other : files)
+                if (same_file(place, other))
+                    throw refused("two files of the output '" + path + "' are one file: '" + beside + "' is a link");
+            place.path = path;
+            files.push_back(place);
         }
         for (const Place& file : files) {
             for (const std::string& input : inputs)

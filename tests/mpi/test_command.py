@@ -299,6 +299,26 @@ class Command(unittest.TestCase):
             (self.folder / piece).rename(self.folder / "a.raw")
         self.assertEqual(self.names(), {"a.raw"})
 
+    def test_links_of_pieces(self):
+        """A link may not have two files of one output be one, and one to itself is no place for a file."""
+        words = f"$C {self.write_layers()}"
+        for output, link, target, code, sentence in (
+            ("m.pvtu", "m_0000.vtu", "m_0001.vtu", 2, "two files of the output 'm.pvtu' are one file"),
+            ("m.pvtu", "m_0001.vtu", "m.pvtu", 2, "two files of the output 'm.pvtu' are one file"),
+            ("m.mfem", "m.mfem.000000", "m.mfem.000001", 2, "two files of the output 'm.mfem' are one file"),
+            ("m.pvtu", "m_0001.vtu", "m_0001.vtu", 4, "cannot write 'm_0001.vtu': Too many levels"),
+            ("m.pvtu", "m.pvtu", "m.pvtu", 4, "cannot write 'm.pvtu': Too many levels"),
+        ):
+            (self.folder / link).symlink_to(target)
+            found, _, errors = self.run_ranks(2, f"{words} -o {output}")
+            self.assertEqual((found, len(errors)), (code, 1), errors)
+            self.assertIn(sentence, errors[0])
+            self.assertEqual(self.names(), {"a.raw", link})
+            (self.folder / link).unlink()
+        code, _, errors = self.run_ranks(2, f"{words} -o {'a' * 248}.pvtu")
+        self.assertEqual((code, len(errors)), (4, 1), errors)
+        self.assertIn(".vtu': File name too long", errors[0])
+
     def test_outputs_and_reports_are_all_or_none(self):
         words = f"$C {self.write_layers()}"
         (self.folder / "m.vtkhdf").write_text("old")

@@ -55,10 +55,13 @@ cleft_cli::Failure cannot_write(const std::string& path, const std::string& why)
 // A folder or a device does not give its place to a file.
 void check_place(const std::string& path)
 {
-    std::error_code ignored;
-    const std::filesystem::file_status found = std::filesystem::status(path, ignored);
+    std::error_code error;
+    const std::filesystem::file_status found = std::filesystem::status(path, error);
     if (std::filesystem::exists(found) && !std::filesystem::is_regular_file(found))
         throw cannot_write(path, "it is no regular file");
+    // As of a link to itself, or a name that is too long.
+    if (error && found.type() != std::filesystem::file_type::not_found)
+        throw cannot_write(path, error.message());
 }
 
 }  // namespace

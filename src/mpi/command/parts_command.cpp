@@ -209,7 +209,8 @@ void warn_of_old_pieces(const Ranks& ranks, Session& session, const PartsArgumen
 {
     for (const std::string& output : arguments.outputs) {
         const std::vector<std::string> pieces = PartsArguments::pieces_of(output, ranks.count() + 1);
-        if (!pieces.empty() && std::filesystem::exists(pieces.back()))
+        std::error_code ignored;
+        if (!pieces.empty() && std::filesystem::exists(pieces.back(), ignored))
             session.warn("'" + pieces.back() + "' is of another run with more ranks: it stays, and is no part of '" +
                          output + "'");
     }
