@@ -20,15 +20,6 @@ constexpr int kSeamRings = 6;
 
 BoundingBox box_of(const Volume& volume) { return {Vec3::Zero(), volume.grid().extent()}; }
 
-Array<Vec3> places_of(const Array<Vec3>& points, const Array<int32_t>& some)
-{
-    Array<Vec3> places;
-    places.reserve(some.size());
-    for (const int32_t p : some)
-        places.push_back(points[p]);
-    return places;
-}
-
 LabelledMesh worked_on(const Volume& volume, const Cleaved& cleaved, const Region& region,
                        const PipelineOptions& options, const Run& run)
 {

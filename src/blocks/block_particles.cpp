@@ -42,15 +42,6 @@ struct CutNumbers {
     }
 };
 
-Array<Vec3> taken(const Array<Vec3>& particles, const Array<int32_t>& numbers)
-{
-    Array<Vec3> out;
-    out.reserve(numbers.size());
-    for (const int32_t i : numbers)
-        out.push_back(particles[i]);
-    return out;
-}
-
 // A block with its sizes as a box that begins at 0.
 class BlockBox
 {
@@ -155,7 +146,7 @@ public:
             const BlockBox box(layout_, block);
             const Array<Vec3> particles = relaxed_particles(box.sizes(around, of_block), options_, {}, of_block);
             const CutNumbers on_cuts = box.on_cuts(particles);
-            walls_[i] = {taken(particles, on_cuts.low), taken(particles, on_cuts.high)};
+            walls_[i] = {places_of(particles, on_cuts.low), places_of(particles, on_cuts.high)};
             relaxed_.put(block, particles);
         }
     }

@@ -116,6 +116,15 @@ TetMesh ordered_by_place(const TetMesh& mesh)
     return out;
 }
 
+Array<Vec3> places_of(const Array<Vec3>& points, const Array<int32_t>& some)
+{
+    Array<Vec3> places;
+    places.reserve(some.size());
+    for (const int32_t p : some)
+        places.push_back(points[p]);
+    return places;
+}
+
 Array<int32_t> points_at(const Array<Vec3>& points, const Array<int32_t>& candidates, const Array<Vec3>& places)
 {
     Array<Vec3> sorted(places.begin(), places.end());

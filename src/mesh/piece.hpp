@@ -22,6 +22,8 @@ bool is_lower_place(const Vec3& x, const Vec3& y);
 // changes either.
 TetMesh ordered_by_place(const TetMesh& mesh);
 
+// Of some points, by their numbers.
+Array<Vec3> places_of(const Array<Vec3>& points, const Array<int32_t>& some);
 // Of `candidates`, the points at one of the places.
 Array<int32_t> points_at(const Array<Vec3>& points, const Array<int32_t>& candidates, const Array<Vec3>& places);
 // By tetrahedron: 1 if it is within some rings of the points.

@@ -129,12 +129,11 @@ void commit(const std::vector<StagedFiles>& files)
 {
     std::vector<Renaming> all;
     for (const StagedFiles& staged : files)
-        for (const std::string& name : staged.names)
+        for (const std::string& name : staged.names) {
+            require_regular_or_none(staged.stage.final_place(name), staged.stage.said_place(name));
             all.emplace_back(staged.stage.place(name), staged.stage.final_place(name),
                              staged.stage.place("old-" + std::to_string(all.size())));
-    for (const StagedFiles& staged : files)
-        for (const std::string& name : staged.names)
-            require_regular_or_none(staged.stage.final_place(name), staged.stage.said_place(name));
+        }
     size_t done = 0;
     try {
         for (; done < all.size(); ++done)

@@ -222,9 +222,10 @@ std::vector<std::string> places_of(const Ranks& ranks, const PartsArguments& arg
 {
     std::vector<std::string> places;
     ranks.together([&] {
+        if (!ranks.is_first())
+            return;
         for (const std::string& path : arguments.outputs)
-            if (ranks.is_first())
-                places.push_back(staged.place(PartsArguments::target_of(path)));
+            places.push_back(staged.place(PartsArguments::target_of(path)));
     });
     return places;
 }
