@@ -79,4 +79,10 @@ SignalsLater::~SignalsLater() { pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 
 int interrupt_signal() { return arrived; }
 
+Failure stopped_by_signal()
+{
+    // The convention of shells for a program that was ended by a signal.
+    return {128 + interrupt_signal(), CLEFT_ERROR_CANCELLED, "stopped by a signal; nothing was written"};
+}
+
 }  // namespace cleft_cli

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cleft/cleft.h"
+#include "exit_code.hpp"
 
 #include <csignal>
 
@@ -36,5 +37,7 @@ private:
 
 // The signal that arrived, 0 if none did.
 int interrupt_signal();
+// The failure of a command that it stopped.
+Failure stopped_by_signal();
 
 }  // namespace cleft_cli

@@ -2,10 +2,10 @@
 // fields are an interface: scripts rely on them.
 #include "json_report.hpp"
 
+#include "interrupt.hpp"
 #include "program.hpp"
 #include "standard_output.hpp"
 
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -22,15 +22,17 @@ using Json = nlohmann::ordered_json;
 namespace
 {
 
-void write_text(const std::string& text, const std::string& path, int mode)
+void write_text(const std::string& text, const std::string& path, bool is_new)
 {
-    const int descriptor = open(path.c_str(), mode | O_CLOEXEC, 0666);
+    const int descriptor = open_for_writing(path, is_new);
     int error = descriptor < 0 ? errno : write_all(descriptor, text);
     if (descriptor >= 0 && close(descriptor) != 0 && error == 0)
         error = errno;
     if (error == 0)
         return;
-    Failure failure(EXIT_CANNOT_WRITE, CLEFT_ERROR_FILE, "cannot write '" + path + "': " + std::strerror(error));
+    Failure failure = error == ECANCELED ? stopped_by_signal()
+                                         : Failure(EXIT_CANNOT_WRITE, CLEFT_ERROR_FILE,
+                                                   "cannot write '" + path + "': " + std::strerror(error));
     // The report cannot tell of its own failure.
     failure.is_reported = false;
     throw failure;
@@ -226,10 +228,9 @@ void write_json(const Json& report, const std::string& path, StagedOutputs& stag
     // /dev/stderr, a pipe or /dev/null cannot be replaced by a rename, so the report is written to
     // them as they are.
     else if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
-        write_text(text, path, O_WRONLY);
+        write_text(text, path, false);
     else
-        // O_EXCL: the staging folder is new, so a file in it would be somebody else's.
-        staged.write(path, [&](const std::string& place) { write_text(text, place, O_WRONLY | O_CREAT | O_EXCL); });
+        staged.write(path, [&](const std::string& place) { write_text(text, place, true); });
 }
 
 void write_json(const Json& report, const std::string& path)

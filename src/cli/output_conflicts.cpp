@@ -2,6 +2,7 @@
 #include "output_conflicts.hpp"
 
 #include "exit_code.hpp"
+#include "output_files.hpp"
 #include "staged_outputs.hpp"
 
 #include <fnmatch.h>
@@ -27,17 +28,19 @@ Failure refused(const std::string& sentence)
 }
 
 struct Place {
-    std::string path;  // as the user says it
-    fs::path target;   // links followed
+    std::string path;
+    std::string output;  // as the user says it; `path` may be of another file of it
+    fs::path target;     // links followed
     bool exists = false;
     struct stat file = {};
     struct stat folder = {};
 };
 
-Place place_of(const std::string& path)
+Place place_of(const std::string& path, const std::string& output)
 {
     Place place;
     place.path = path;
+    place.output = output;
     place.target = link_target(path);
     // By device and inode below: two paths may be one file through links, "..", mounts or hard
     // links.
@@ -56,24 +59,6 @@ bool same_file(const Place& a, const Place& b)
         return same(a.file, b.file);
     // Files that do not exist yet are one if they will have one name in one folder.
     return same(a.folder, b.folder) && a.target.filename() == b.target.filename();
-}
-
-// TetGen's meshes are three files of one name.
-// Of other formats of two files, as .hdr and .img, none is written.
-std::vector<Place> files_of(const std::string& path)
-{
-    const fs::path as_path(path);
-    std::string extension = as_path.extension().string();
-    for (char& c : extension)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    if (extension != ".node" && extension != ".ele" && extension != ".face")
-        return {place_of(path)};
-    std::vector<Place> places = {place_of(path)};
-    for (const char* of : {".node", ".ele", ".face"})
-        places.push_back(place_of(fs::path(path).replace_extension(of).string()));
-    for (Place& place : places)
-        place.path = path;
-    return places;
 }
 
 // A pattern of slices as one of the shell: "%03d" matches whatever stands for it.
@@ -98,10 +83,10 @@ std::string shell_pattern(const std::string& name)
 
 bool is_input(const Place& output, const std::string& input)
 {
-    for (const Place& place : files_of(input))
-        if (same_file(output, place))
+    for (const std::string& file : files_of(input))
+        if (same_file(output, place_of(file, input)))
             return true;
-    const Place place = place_of(input);
+    const Place place = place_of(input, input);
     const std::string name = fs::path(input).filename().string();
     // An output beside the slices that fits their pattern would be read as a slice by the next run,
     // and replaces one now.
@@ -119,6 +104,33 @@ bool is_report(const std::string& path)
     return !(file >> first) || first == '{';
 }
 
+// All files of an output, each its own.
+std::vector<Place> places_of(const std::string& output, const FilesBeside& files_beside)
+{
+    std::vector<Place> places;
+    for (const std::string& file : files_of(output))
+        places.push_back(place_of(file, output));
+    for (const std::string& file : files_beside ? files_beside(output) : std::vector<std::string>()) {
+        const Place place = place_of(file, output);
+        for (const Place& other : places)
+            if (same_file(place, other))
+                throw refused("two files of the output '" + output + "' are one file: '" + file + "' is a link");
+        places.push_back(place);
+    }
+    return places;
+}
+
+// Of two outputs with one file.
+std::string sentence_of(const Place& a, const Place& b)
+{
+    if (a.output == b.output)
+        return "the output '" + a.output + "' is given twice";
+    const std::string both = "the outputs '" + a.output + "' and '" + b.output + "' ";
+    if (a.path == a.output && b.path == b.output)
+        return both + "are one file";
+    return both + "have one file: '" + (a.path == a.output ? b : a).path + "'";
+}
+
 }  // namespace
 
 void refuse_conflicts(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
@@ -130,23 +142,16 @@ void refuse_conflicts(const std::vector<std::string>& inputs, const std::vector<
         all.push_back(json);
     std::vector<Place> taken;
     for (const std::string& path : all) {
-        std::vector<Place> files = files_of(path);
-        for (const std::string& beside : files_beside ? files_beside(path) : std::vector<std::string>()) {
-            Place place = place_of(beside);
-            for (const Place& other : files)
-                if (same_file(place, other))
-                    throw refused("two files of the output '" + path + "' are one file: '" + beside + "' is a link");
-            place.path = path;
-            files.push_back(place);
-        }
+        const std::vector<Place> files = places_of(path, files_beside);
         for (const Place& file : files) {
             for (const std::string& input : inputs)
                 if (!input.empty() && is_input(file, input))
-                    throw refused("the output '" + path + "' is the input '" + input + "', or a file of it");
+                    throw refused((file.path == path ? "" : "the file '" + file.path + "' of ") + "the output '" +
+                                  path + "' is the input '" + input + "', or a file of it");
             // Two outputs of one name would leave the one that is written last, without a word.
             for (const Place& other : taken)
                 if (same_file(file, other))
-                    throw refused("the outputs '" + other.path + "' and '" + path + "' are one file");
+                    throw refused(sentence_of(other, file));
         }
         taken.insert(taken.end(), files.begin(), files.end());
     }

@@ -9,11 +9,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <sstream>
-#include <vector>
 
 namespace cleft_cli
 {
@@ -73,16 +74,8 @@ void check_extension(const std::string& path, int32_t direction)
 }
 
 // The only way to know whether a file can be made in a folder is to make one.
-void check_place(const std::string& path)
+void probe_folder_of(const std::string& path)
 {
-    struct stat status = {};
-    const bool is_there = stat(path.c_str(), &status) == 0;
-    // Any other error is about the folder, and the probe below says it better.
-    if (!is_there && (errno == ENAMETOOLONG || errno == ELOOP))
-        throw cannot_write("'" + path + "' cannot be written: " + std::strerror(errno));
-    // A rename would replace a device or a pipe by a plain file.
-    if (is_there && !S_ISREG(status.st_mode))
-        throw cannot_write("'" + path + "' is " + (S_ISDIR(status.st_mode) ? "a folder" : "no regular file"));
     const std::string folder = folder_of(link_target(path)).string();
     // Otherwise a signal between mkstemp() and unlink() would leave the probe behind.
     const SignalsLater later;
@@ -99,10 +92,42 @@ void check_place(const std::string& path)
 
 }  // namespace
 
+std::vector<std::string> files_of(const std::string& path)
+{
+    const std::vector<std::string> tetgen = {".node", ".ele", ".face"};
+    std::vector<std::string> files = {path};
+    const bool is_of_tetgen = std::any_of(tetgen.begin(), tetgen.end(), [&](const std::string& extension) {
+        return strcasecmp(std::filesystem::path(path).extension().c_str(), extension.c_str()) == 0;
+    });
+    for (const std::string& extension : is_of_tetgen ? tetgen : std::vector<std::string>())
+        files.push_back(std::filesystem::path(path).replace_extension(extension).string());
+    return files;
+}
+
+void check_place_beside(const std::string& path)
+{
+    struct stat status = {};
+    const bool is_there = stat(path.c_str(), &status) == 0;
+    // Any other error is about the folder.
+    if (!is_there && (errno == ENAMETOOLONG || errno == ELOOP))
+        throw cannot_write("'" + path + "' cannot be written: " + std::strerror(errno));
+    // A rename would replace a device or a pipe by a plain file.
+    if (is_there && !S_ISREG(status.st_mode))
+        throw cannot_write("'" + path + "' is " + (S_ISDIR(status.st_mode) ? "a folder" : "no regular file"));
+}
+
+void check_place(const std::string& path)
+{
+    check_place_beside(path);
+    probe_folder_of(path);
+}
+
 OutputFile checked_mesh_output(const std::string& path, const std::string& msh_version)
 {
     check_extension(path, CLEFT_IO_WRITES_MESH);
     check_place(path);
+    for (const std::string& file : files_of(path))
+        check_place_beside(file);
     // --msh-version changes nothing for other extensions, so that it may stand in a script for
     // several outputs.
     const bool old = msh_version == "2.2" && ends_with_nocase(path, ".msh");

@@ -27,6 +27,13 @@ void check_page_output(const std::string& path);
 // Nothing to check for "" and "-".
 void check_json_output(const std::string& path);
 
+// The files that are written for an output of this path, which is the first. TetGen's meshes are three.
+std::vector<std::string> files_of(const std::string& path);
+// Refuses a place of a file that cannot be made, as of a folder, or in a folder that is not there.
+void check_place(const std::string& path);
+// Likewise for a file that is written beside one whose folder was looked at.
+void check_place_beside(const std::string& path);
+
 // The help text of formats that go in `direction` (CLEFT_IO_WRITES_MESH ...), from the component's table.
 std::string format_help(int32_t direction);
 

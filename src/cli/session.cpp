@@ -100,9 +100,8 @@ Session::Session(const RunArguments& arguments, std::vector<Part> parts)
 void Session::check(cleft_status status, int otherwise) const
 {
     // A signal that arrived between two calls of the library was forgotten there.
-    if (const int signal = interrupt_signal())
-        // The convention of shells for a program that was ended by a signal.
-        throw Failure(128 + signal, CLEFT_ERROR_CANCELLED, "stopped by a signal; nothing was written");
+    if (interrupt_signal() != 0)
+        throw stopped_by_signal();
     if (status == CLEFT_OK)
         return;
     std::string sentence = cleft_context_last_error(context());

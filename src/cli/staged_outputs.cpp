@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <set>
 #include <system_error>
 
 namespace cleft_cli
@@ -74,14 +75,22 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text;
 }
 
-// Makes the rename itself last over a power failure. The files were flushed by their writers.
-void flush_folder(const fs::path& folder)
+// A link may lead to another file system, where no rename goes.
+bool is_on_another_file_system(const fs::path& file, const fs::path& folder)
 {
-    const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    struct stat a = {}, b = {};
+    return stat(file.c_str(), &a) == 0 && stat(folder.c_str(), &b) == 0 && a.st_dev != b.st_dev;
+}
+
+// Makes a file last over a power failure. The answer is 0 or the error number.
+int flush(const fs::path& path, int flags)
+{
+    const int descriptor = open(path.c_str(), flags | O_CLOEXEC);
     if (descriptor < 0)
-        return;
-    (void)fsync(descriptor);
+        return errno;
+    const int error = fsync(descriptor) != 0 ? errno : 0;
     close(descriptor);
+    return error;
 }
 
 }  // namespace
@@ -170,12 +179,11 @@ StagedOutputs::~StagedOutputs() = default;
 
 const StagedOutputs::Output& StagedOutputs::add(const std::string& path)
 {
-    const fs::path folder = folder_of(link_target(path));
-    auto stage = std::make_unique<Stage>(folder, path);
+    auto stage = std::make_unique<Stage>(folder_of(link_target(path)), path);
     // The final name in a folder of its own: writers choose the format by the extension, and
     // TetGen's put two files beside.
     const fs::path staged = stage->path() / fs::path(path).filename();
-    outputs_.push_back({path, folder, std::move(stage), staged});
+    outputs_.push_back({path, std::move(stage), staged});
     return outputs_.back();
 }
 
@@ -213,6 +221,21 @@ double StagedOutputs::bytes(const std::string& path) const
     return 0;
 }
 
+fs::path StagedOutputs::near(const fs::path& staged, const fs::path& target)
+{
+    const fs::path folder = folder_of(target);
+    if (!is_on_another_file_system(staged, folder))
+        return staged;
+    copies_.push_back(std::make_unique<Stage>(folder, target.string()));
+    const fs::path copy = copies_.back()->path() / target.filename();
+    std::error_code error;
+    fs::copy_file(staged, copy, error);
+    const int flushed = error ? error.value() : flush(copy, O_RDONLY);
+    if (flushed != 0)
+        throw cannot_write(target, flushed);
+    return copy;
+}
+
 void StagedOutputs::commit()
 {
     const SignalsLater later;
@@ -220,9 +243,10 @@ void StagedOutputs::commit()
     for (const Output& output : outputs_) {
         // All files of the folder go, as a format may have several.
         for (const std::string& name : output.stage->names()) {
-            moves.push_back(
-                {output.stage->path() / name, link_target((fs::path(output.path).parent_path() / name).string()), {}});
-            keep_old(moves.back(), output.stage->path() / ("old-" + std::to_string(moves.size())));
+            const fs::path target = link_target((fs::path(output.path).parent_path() / name).string());
+            const fs::path staged = near(output.stage->path() / name, target);
+            moves.push_back({staged, target, {}});
+            keep_old(moves.back(), staged.parent_path() / ("old-" + std::to_string(moves.size())));
         }
     }
     for (Move& move : moves) {
@@ -235,8 +259,12 @@ void StagedOutputs::commit()
         }
         move.done = true;
     }
-    for (const Output& output : outputs_)
-        flush_folder(output.folder);
+    // The renames, too. The files were flushed by their writers.
+    std::set<fs::path> folders;
+    for (const Move& move : moves)
+        folders.insert(folder_of(move.target));
+    for (const fs::path& folder : folders)
+        (void)flush(folder, O_RDONLY | O_DIRECTORY);
 }
 
 }  // namespace cleft_cli

@@ -62,12 +62,14 @@ private:
     };
     struct Output {
         std::string path;
-        std::filesystem::path folder;  // of the target
-        std::unique_ptr<Stage> stage;  // in `folder`
+        std::unique_ptr<Stage> stage;  // in the folder of its target
         std::filesystem::path staged;  // in the stage
     };
     const Output& add(const std::string& path);
+    // The staged file, or a copy of it from where a rename to the target goes.
+    std::filesystem::path near(const std::filesystem::path& staged, const std::filesystem::path& target);
     std::vector<Output> outputs_;
+    std::vector<std::unique_ptr<Stage>> copies_;
 };
 
 // The file that a path stands for: symbolic links are followed, also where nothing is behind.

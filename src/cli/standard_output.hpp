@@ -12,9 +12,12 @@ void print_summary_text(const std::string& text);
 // The same for a report that a program reads, where a reader that has gone away is a failure, too.
 void print_report(const std::string& text);
 
-// All of a text to any descriptor; the answer is 0 or the error number.
-// Interrupted writes go on.
+// All of a text to any descriptor. The answer is 0 or the error number: ECANCELED where a signal has arrived, perhaps
+// before, and a pipe takes no more.
 int write_all(int descriptor, const std::string& text);
+// Opens a file for writing as open() does: one that is there, or a new one. Where it is a pipe that nobody reads yet,
+// it waits for a reader, or for a signal as write_all() does.
+int open_for_writing(const std::string& path, bool is_new);
 
 // To be called first: a closed standard stream must not become the next file that is opened, and a write that cannot
 // be done is to fail, rather than end the command.

@@ -1,8 +1,11 @@
 """Ctrl-C stops the work, leaves no file, and is reported by the exit code."""
+import fcntl
+import json
 import os
 import pty
 import signal
 import subprocess
+import time
 import unittest
 
 from support import CLEFT, DATA, HANGS, INTERRUPTED, CommandTest
@@ -47,6 +50,48 @@ class Interrupt(CommandTest):
 
     def test_terminate(self):
         self.assertEqual(self.stop_meshing(signal.SIGTERM), 128 + signal.SIGTERM)
+
+    def start_report(self, report, **keywords):
+        """A short run, which has its report to write when the mesh is written."""
+        arguments = ["mesh", self.volume, "-o", self.path("out.vtu"), "--json", report, "--threads", "1"]
+        return subprocess.Popen([CLEFT, *arguments], stderr=subprocess.PIPE, text=True, **keywords)
+
+    def stop_report(self, run):
+        while not any(self.folder.glob(".cleft-*/out.vtu")):
+            time.sleep(0.01)
+        time.sleep(0.5)  # a run that is not at its report yet is stopped all the same
+        run.send_signal(signal.SIGTERM)
+        errors = run.communicate(timeout=HANGS)[1]
+        self.assertEqual(run.returncode, 128 + signal.SIGTERM)
+        self.assertEqual(errors, "cleft mesh: stopped by a signal; nothing was written\n")
+        self.assertEqual(self.names(), [])
+
+    def names(self):
+        return [path.name for path in self.folder.iterdir() if path.name not in ("balls.nrrd", "pipe")]
+
+    def test_a_report_to_a_pipe(self):
+        os.mkfifo(self.path("pipe"))
+        with self.start_report(self.path("pipe")) as run:
+            self.stop_report(run)
+        # A reader that does not read more than a page, which is less than the report.
+        reader = os.open(self.path("pipe"), os.O_RDONLY | os.O_NONBLOCK)
+        fcntl.fcntl(reader, fcntl.F_SETPIPE_SZ, 4096)
+        with self.start_report(self.path("pipe")) as run:
+            self.stop_report(run)
+        os.close(reader)
+        with self.start_report(self.path("pipe")) as run:
+            while not any(self.folder.glob(".cleft-*/out.vtu")):
+                time.sleep(0.01)
+            report = json.loads(self.path("pipe").read_text())
+        self.assertEqual((run.returncode, report["mesh"]["tets"] > 0, self.names()), (0, True, ["out.vtu"]))
+
+    def test_a_report_on_standard_output(self):
+        reader, writer = os.pipe()
+        self.addCleanup(os.close, reader)
+        fcntl.fcntl(reader, fcntl.F_SETPIPE_SZ, 4096)
+        with self.start_report("-", stdout=writer) as run:
+            os.close(writer)
+            self.stop_report(run)
 
     def test_drawing(self):
         self.mesh(self.volume)

@@ -4,6 +4,7 @@ import os
 import resource
 import signal
 import subprocess
+import tempfile
 import unittest
 
 from support import CANNOT_WRITE, CLEFT, OK, USAGE, CommandTest, cleft
@@ -186,6 +187,40 @@ class Outputs(CommandTest):
         self.assert_fails(CANNOT_WRITE, cleft("mesh", self.volume, "-o", self.path("r.vtu")), "symbolic links")
         os.symlink("none/x.vtu", self.path("s.vtu"))
         self.assert_fails(CANNOT_WRITE, cleft("mesh", self.volume, "-o", self.path("s.vtu")), "No such file")
+
+    def test_links_to_another_file_system(self):
+        with tempfile.TemporaryDirectory(dir="/dev/shm") as other:
+            if os.stat(other).st_dev == os.stat(self.folder).st_dev:
+                self.skipTest("/dev/shm is no file system of its own")
+            self.run_ok("mesh", self.volume, "-o", self.path("t.node"))
+            expected = {name: self.path(name).read_bytes() for name in ("t.node", "t.ele", "t.face")}
+            for link, target in (("t.face", "x.face"), ("t.node", "x.node")):
+                self.path(link).unlink()
+                os.symlink(os.path.join(other, target), self.path(link))
+                self.run_ok("mesh", self.volume, "-o", self.path("t.node"))
+                self.assertTrue(self.path(link).is_symlink())
+                self.assertEqual({name: self.path(name).read_bytes() for name in expected}, expected)
+            self.assert_only(*expected)
+            self.assertEqual(sorted(os.listdir(other)), ["x.face", "x.node"])
+
+    def test_a_folder_in_the_way_of_a_file_beside(self):
+        os.mkdir(self.path("t.face"))
+        # The input is not there either: the output is looked at first.
+        done = cleft("mesh", self.path("none.nrrd"), "-o", self.path("t.node"))
+        self.assert_fails(CANNOT_WRITE, done, "t.face' is a folder")
+        self.assert_only("t.face")
+
+    def test_sentences_of_conflicts(self):
+        os.symlink("a.vtu", self.path("b.vtu"))
+        for outputs, sentence in (
+            (("a.vtu", "a.vtu"), "the output 'a.vtu' is given twice"),
+            (("a.vtu", "b.vtu"), "the outputs 'a.vtu' and 'b.vtu' are one file"),
+            (("t.node", "t.ele"), "the outputs 't.node' and 't.ele' have one file: 't.ele'"),
+        ):
+            words = [part for output in outputs for part in ("-o", output)]
+            done = cleft("mesh", self.volume, *words, cwd=self.folder)
+            self.assert_fails(USAGE, done, sentence)
+        self.assert_only("b.vtu")
 
     def test_what_is_no_regular_file_stays(self):
         os.mkfifo(self.path("f.vtu"))

@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 COMMAND, MPIRUN, FILES, CLEFT = sys.argv[1:5]
@@ -246,7 +247,8 @@ class Command(unittest.TestCase):
         other = f"if [ $R = 2 ]; then S=2; else S=3; fi; $C mesh {VOLUME} --size $S -o a.vtkhdf"
         self.assert_fails(5, "the ranks do not give the same volume, options and ghosts", other)
         self.assert_fails(2, "'a.vtu' ends with none of .vtkhdf .hdf .pvtu .mfem", f"$C mesh {VOLUME} -o a.vtu")
-        self.assert_fails(4, "cannot write 'no/a.pvtu'", f"$C mesh {VOLUME} -o no/a.pvtu")
+        missing = "'no/a.pvtu' cannot be written: no file can be made in the folder 'no': No such file"
+        self.assert_fails(4, missing, f"$C mesh {VOLUME} -o no/a.pvtu")
 
     def test_a_rank_that_cannot_write(self):
         # 100 blocks of 512 bytes: the shell's limit, beyond which the system refuses.
@@ -284,18 +286,18 @@ class Command(unittest.TestCase):
             (self.folder / piece / "kept").touch()
             code, _, errors = self.run_ranks(2, f"{words} -o {output}")
             self.assertEqual((code, len(errors)), (4, 1), errors)
-            self.assertIn(f"cannot write '{piece}': it is no regular file", errors[0])
+            self.assertIn(f"'{piece}' is a folder", errors[0])
             self.assertTrue((self.folder / piece / "kept").exists())
             (self.folder / piece / "kept").unlink()
             (self.folder / piece).rmdir()
             code, _, errors = self.run_ranks(2, f"{words} -o {output} --json {piece}")
-            self.assertEqual(
-                (code, errors), (2, [f"cleft-mpi mesh: the outputs '{output}' and '{piece}' are one file"])
-            )
+            both = f"the outputs '{output}' and '{piece}' have one file: '{piece}'"
+            self.assertEqual((code, errors), (2, [f"cleft-mpi mesh: {both}"]))
             (self.folder / "a.raw").rename(self.folder / piece)
             code, _, errors = self.run_ranks(2, f"{words.replace('a.raw', piece)} -o {output}")
             self.assertEqual(code, 2)
-            self.assertIn(f"the output '{output}' is the input '{piece}', or a file of it", errors[0])
+            input = f"the file '{piece}' of the output '{output}' is the input '{piece}', or a file of it"
+            self.assertIn(input, errors[0])
             (self.folder / piece).rename(self.folder / "a.raw")
         self.assertEqual(self.names(), {"a.raw"})
 
@@ -306,8 +308,8 @@ class Command(unittest.TestCase):
             ("m.pvtu", "m_0000.vtu", "m_0001.vtu", 2, "two files of the output 'm.pvtu' are one file"),
             ("m.pvtu", "m_0001.vtu", "m.pvtu", 2, "two files of the output 'm.pvtu' are one file"),
             ("m.mfem", "m.mfem.000000", "m.mfem.000001", 2, "two files of the output 'm.mfem' are one file"),
-            ("m.pvtu", "m_0001.vtu", "m_0001.vtu", 4, "cannot write 'm_0001.vtu': Too many levels"),
-            ("m.pvtu", "m.pvtu", "m.pvtu", 4, "cannot write 'm.pvtu': Too many levels"),
+            ("m.pvtu", "m_0001.vtu", "m_0001.vtu", 4, "'m_0001.vtu' cannot be written: Too many levels"),
+            ("m.pvtu", "m.pvtu", "m.pvtu", 4, "'m.pvtu' cannot be written: Too many levels"),
         ):
             (self.folder / link).symlink_to(target)
             found, _, errors = self.run_ranks(2, f"{words} -o {output}")
@@ -317,7 +319,23 @@ class Command(unittest.TestCase):
             (self.folder / link).unlink()
         code, _, errors = self.run_ranks(2, f"{words} -o {'a' * 248}.pvtu")
         self.assertEqual((code, len(errors)), (4, 1), errors)
-        self.assertIn(".vtu': File name too long", errors[0])
+        self.assertIn(".vtu' cannot be written: File name too long", errors[0])
+
+    def test_links_to_another_file_system(self):
+        with tempfile.TemporaryDirectory(dir="/dev/shm") as other:
+            if os.stat(other).st_dev == os.stat(self.folder).st_dev:
+                self.skipTest("/dev/shm is no file system of its own")
+            plain = self.write_layers()
+            self.assertEqual(self.run_ranks(2, f"$C {plain} -o m.pvtu")[::2], (0, []))
+            bytes_of = {name: (self.folder / name).read_bytes() for name in ("m.pvtu", "m_0000.vtu", "m_0001.vtu")}
+            (self.folder / "m_0001.vtu").unlink()
+            (self.folder / "m_0001.vtu").symlink_to(pathlib.Path(other) / "p.vtu")
+            names = self.names()
+            self.assertEqual(self.run_ranks(2, f"$C {plain} -o m.pvtu")[::2], (0, []))
+            self.assertEqual((self.names(), os.listdir(other)), (names, ["p.vtu"]))
+            self.assertTrue((self.folder / "m_0001.vtu").is_symlink())
+            for name, expected in bytes_of.items():
+                self.assertEqual((self.folder / name).read_bytes(), expected)
 
     def test_outputs_and_reports_are_all_or_none(self):
         words = f"$C {self.write_layers()}"
@@ -378,6 +396,19 @@ class Command(unittest.TestCase):
             self.assertEqual(process.returncode, 128 + number, errors)
             self.assertIn("cleft-mpi mesh: stopped by a signal; nothing was written", errors)
             self.assertEqual(self.names(), set())
+
+    def test_a_signal_while_the_ranks_begin(self):
+        for number, wait in ((signal.SIGTERM, 0), (signal.SIGHUP, 0.1), (signal.SIGTERM, 0.15), (signal.SIGHUP, 0.2)):
+            process = self.start(3, f"echo $$ > pid.$R; exec $C mesh {VOLUME} --size 0.1 -o a.vtkhdf")
+            pid = self.folder / "pid.1"
+            while not (pid.exists() and pid.read_text()):
+                time.sleep(0.001)
+            time.sleep(wait)
+            os.kill(int(pid.read_text()), number)
+            errors = process.communicate()[1]
+            self.assertEqual(process.returncode, 128 + number, errors)
+            self.assertEqual(self.names(), set())
+            pid.unlink()
 
     def test_a_stopped_run_leaves_nothing(self):
         for number in (signal.SIGINT, signal.SIGTERM):

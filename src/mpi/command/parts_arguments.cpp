@@ -8,11 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 
 namespace cleft_mpi_cli
 {
@@ -45,23 +41,6 @@ std::string with_default_block(std::string help)
     const std::string of_cleft = "default 0)";
     const std::size_t at = help.rfind(of_cleft);
     return help.replace(at, of_cleft.size(), "default:\n0 for less than 64 planes, else 32 or a sixteenth of them)");
-}
-
-cleft_cli::Failure cannot_write(const std::string& path, const std::string& why)
-{
-    return {cleft_cli::EXIT_CANNOT_WRITE, CLEFT_ERROR_FILE, "cannot write '" + path + "': " + why};
-}
-
-// A folder or a device does not give its place to a file.
-void check_place(const std::string& path)
-{
-    std::error_code error;
-    const std::filesystem::file_status found = std::filesystem::status(path, error);
-    if (std::filesystem::exists(found) && !std::filesystem::is_regular_file(found))
-        throw cannot_write(path, "it is no regular file");
-    // As of a link to itself, or a name that is too long.
-    if (error && found.type() != std::filesystem::file_type::not_found)
-        throw cannot_write(path, error.message());
 }
 
 }  // namespace
@@ -163,12 +142,9 @@ void PartsArguments::check_outputs(int ranks) const
     for (const std::string& path : outputs) {
         if (!has_extension_of(path, kPartsExtensions))
             throw cleft_cli::usage_failure("--output: '" + path + "' ends with none of .vtkhdf .hdf .pvtu .mfem");
-        const std::string folder = cleft_cli::folder_of(path).string();
-        if (access(folder.c_str(), W_OK | X_OK) != 0)
-            throw cannot_write(path, std::strerror(errno));
-        check_place(path);
+        cleft_cli::check_place(path);
         for (const std::string& piece : pieces_of(path, ranks))
-            check_place(piece);
+            cleft_cli::check_place_beside(piece);
     }
 }
 

@@ -66,6 +66,8 @@ int order_of(const Told& result)
 
 Ranks::Ranks(int* argc, char*** argv)
 {
+    // A rank that ends before all have begun can leave mpirun waiting for the others: signals come afterwards.
+    const cleft_cli::SignalsLater later;
     int provided = 0;
     // The library has threads, and only the first one of a rank sends messages.
     MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &provided);
@@ -92,9 +94,10 @@ void Ranks::together(const std::function<void()>& step) const
         return;
     MPI_Bcast(&result, sizeof result, MPI_BYTE, first.rank, MPI_COMM_WORLD);
     // What all say, as of a file that is not there, or after the library has told all, needs no name. Mistakes of usage
-    // are looked for by the first rank alone.
+    // are looked for by the first rank alone, and a signal is meant for all.
     const bool is_of_usage = first.rank == 0 && result.exit_code == cleft_cli::EXIT_USAGE;
-    const std::string who = all_failed < count_ && !is_of_usage ? "rank " + std::to_string(first.rank) + ": " : "";
+    const bool is_of_one = all_failed < count_ && !is_of_usage && result.status != CLEFT_ERROR_CANCELLED;
+    const std::string who = is_of_one ? "rank " + std::to_string(first.rank) + ": " : "";
     Failure failure(result.exit_code, result.status, who + result.sentence);
     failure.is_reported = result.is_reported;
     throw failure;
