@@ -120,7 +120,7 @@ void ShapeRepair::smooth_poor(const Run& run)
 {
     const double good = sine_of(kGoodAngle);
     mesh_.find_qualities(run);
-    Array<TetStar> stars(worker_count(run));
+    PerWorker<TetStar> stars(run);
     const auto is_poor = [&](int32_t v) {
         const auto star = mesh_.star(v);
         return std::any_of(star.begin(), star.end(), [&](int32_t t) { return mesh_.quality(t) < good; });

@@ -6,13 +6,13 @@
 #include "base/array.hpp"
 #include "base/loop_timer.hpp"
 #include "base/run.hpp"
+#include "base/team.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <exception>
-#include <thread>
-#include <vector>
+#include <functional>
 
 namespace cleft
 {
@@ -48,23 +48,13 @@ private:
     Array<int64_t> chunks_;
 };
 
-// work(0) on the calling thread, and work(1) to work(count - 1) on others, as far as they can be had. Returns when all
-// are done. work() throws nothing.
-template <class Work>
-void run_workers(int count, const Work& work)
+// work(worker) for 0 to count - 1, on as many threads or fewer: 0 is on the calling one. Returns when all are done.
+inline void run_workers(const Run& run, int count, const Team::Work& work)
 {
-    std::vector<std::thread> threads;
-    threads.reserve(static_cast<size_t>(count));
-    for (int worker = 1; worker < count; ++worker) {
-        try {
-            threads.emplace_back(work, worker);
-        } catch (const std::exception&) {
-            break;  // no more threads to be had, or no memory for one: the others do the work
-        }
-    }
-    work(0);
-    for (auto& thread : threads)
-        thread.join();
+    if (count == 1)
+        work(0);
+    else if (!run.team || !run.team->run(count, work))
+        Team(count).run(count, work);
 }
 
 // How many workers a loop has at most: 0 to worker_count - 1 are their numbers.
@@ -85,7 +75,7 @@ void parallel_chunks_by_worker(const Run& run, int64_t n, int64_t grain, const B
     // Threads take chunks as they come: which thread has which chunk must not matter, and their times even out.
     std::atomic<int64_t> next{0};
     ChunkErrors errors(workers);
-    run_workers(workers, [&](int worker) {
+    const auto work = [&](int worker) {
         int64_t chunk = 0;
         try {
             while (!errors.any() && (chunk = next.fetch_add(1)) < chunks) {
@@ -95,7 +85,8 @@ void parallel_chunks_by_worker(const Run& run, int64_t n, int64_t grain, const B
         } catch (...) {
             errors.keep(worker, chunk);
         }
-    });
+    };
+    run_workers(run, workers, std::ref(work));  // a copy would ask for memory
     errors.rethrow_first();
 }
 

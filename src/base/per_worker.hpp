@@ -25,7 +25,12 @@ public:
     auto end() { return all_.end(); }
 
 private:
-    std::deque<T> all_;  // which needs no copies or moves of T
+    // Threads that write to one line of the caches wait for each other.
+    static constexpr std::size_t kLine = 64;
+    struct alignas(kLine) Own : T {
+        using T::T;
+    };
+    std::deque<Own> all_;  // which needs no copies or moves
 };
 
 }  // namespace cleft

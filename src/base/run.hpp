@@ -12,8 +12,11 @@
 namespace cleft
 {
 
+class Team;
+
 struct Run {
     int threads = 1;
+    Team* team = nullptr;  // has the threads of loops; null: each loop makes its own
     // Called on the calling thread only; true asks to cancel. A stage of null is the one before.
     std::function<bool(double fraction, const char* stage)> progress;
     // May be called on any thread, at any time: repeats the last progress if it is due; true asks to cancel.

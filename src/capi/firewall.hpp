@@ -4,6 +4,7 @@
 
 #include "base/run.hpp"
 #include "base/status_of.hpp"
+#include "base/team.hpp"
 #include "base/utf8.hpp"
 #include "capi/handles.hpp"
 #include "capi/reporter.hpp"
@@ -173,9 +174,11 @@ cleft_status guarded_run(cleft_context* context, const char* stage, const Body& 
         begin(sound);
         Reporter reporter(sound, stage);
         std::atomic<int64_t> loop_time{0};
+        Team team(sound.threads);
         Run run;
         run.loop_time = &loop_time;
         run.threads = sound.threads;
+        run.team = &team;
         run.cancel = &sound.cancel;
         run.metrics = &sound.metrics;
         // Stages ask whether there is a callback, and spend no time on progress that nobody sees.

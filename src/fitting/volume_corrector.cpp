@@ -1,9 +1,11 @@
 // The shortest move that leaves the least of a residual, and as much of it as the shapes around allow.
 #include "fitting/volume_corrector.hpp"
 
+#include "base/per_worker.hpp"
+#include "remeshing/point_levels.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include "remeshing/point_levels.hpp"
 
 namespace cleft
 {
@@ -59,7 +61,7 @@ int64_t VolumeCorrector::apply(const Array<Residual>& residuals, Array<FitPoint>
 {
     CLEFT_ASSERT(residuals.size() == points.size());
     // In a fixed order: each move changes the shapes that limit the next.
-    Array<Scratch> scratch(worker_count(run));
+    PerWorker<Scratch> scratch(run);
     Array<GainsOfVisit> gained(deficits.empty() ? 0 : points.size());
     levels_.visit_all(run, [&](int worker, int32_t i) {
         GainsOfVisit* const gains = deficits.empty() ? nullptr : &gained[i];

@@ -12,6 +12,7 @@ Run CallRun::run()
 {
     Run run;
     run.threads = cleft_context_threads(context_);
+    run.team = &team_;
     run.progress = [this](double fraction, const char* stage) {
         // A bar that goes back looks like a fault.
         fraction_ = std::clamp(fraction, fraction_, 1.0);
@@ -30,6 +31,8 @@ Run CallRun::run()
 
 void CallRun::begin_inner(double share, const char* stage)
 {
+    // The core has threads of its own, and memory for their stacks is memory.
+    team_.dismiss();
     const double end = std::min(1.0, fraction_ + share);
     stage_ = stage;
     if (is_cancelled(end))

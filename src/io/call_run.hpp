@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/run.hpp"
+#include "base/team.hpp"
 #include "cleft/cleft.h"
 
 #include <chrono>
@@ -14,7 +15,10 @@ class CallRun
 {
 public:
     // `stage`: what is reported before a step has a name.
-    CallRun(cleft_context* context, const char* stage) : context_(context), stage_(stage) {}
+    CallRun(cleft_context* context, const char* stage)
+        : context_(context), team_(cleft_context_threads(context)), stage_(stage)
+    {
+    }
     CallRun(const CallRun&) = delete;
     CallRun& operator=(const CallRun&) = delete;
 
@@ -29,6 +33,7 @@ private:
     bool is_cancelled(double end);
 
     cleft_context* context_;
+    Team team_;
     const std::thread::id caller_ = std::this_thread::get_id();
     double fraction_ = 0;
     const char* stage_;

@@ -1,6 +1,7 @@
 // Pulls each point by the edges at it, one sweep at a time.
 #include "remeshing/springs.hpp"
 
+#include "base/per_worker.hpp"
 #include "mesh/adjacency.hpp"
 #include "remeshing/edge_length.hpp"
 #include "remeshing/point_visits.hpp"
@@ -49,7 +50,7 @@ bool is_in_one_material(const LocalMesh& mesh, int32_t v)
 void relax_springs(LocalMesh& mesh, double floor, const Run& run)
 {
     mesh.find_qualities(run);
-    Array<Array<int32_t>> rooms(worker_count(run));
+    PerWorker<Array<int32_t>> rooms(run);
     const auto is_free = [&](int32_t v) { return mesh.frozen(v) != 7 && is_in_one_material(mesh, v); };
     PointVisits(mesh, run).visit(is_free, [&](int worker, int32_t v) {
         const Vec3 shift = free_axes(mesh.frozen(v)) * pull(mesh, v, rooms[worker]);

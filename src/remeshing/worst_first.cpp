@@ -21,6 +21,7 @@ constexpr int64_t kNextAtOnce = 1 << 10;
 void WorstFirst::collect_all(const LocalMesh& mesh, double target, const Run& run)
 {
     threads_.threads = run.threads;
+    threads_.team = run.team;
     threads_.loop_time = run.loop_time;
     next_.assign(worker_count(run), {});
     tried_ = array_with_room(run, mesh.slot_count(), kNotListed);

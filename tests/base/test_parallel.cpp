@@ -2,9 +2,12 @@
 #include "base/parallel.hpp"
 
 #include <cstdlib>
+#include <mutex>
 #include <new>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 #include "support/cmocka.hpp"
 #include "support/runs.hpp"
@@ -92,6 +95,49 @@ void a_lack_of_memory_ends_nothing_halfway(void**)
     }
 }
 
+// All loops of a team have the same threads, until these are dismissed.
+void a_team_keeps_its_threads(void**)
+{
+    Team team(4);
+    Run run = with_threads(4);
+    run.team = &team;
+    std::mutex mutex;
+    std::set<std::thread::id> ids;
+    const auto check_loops = [&] {
+        for (int loop = 0; loop < 200; ++loop) {
+            Array<int> visits(kItems, 0);
+            parallel_for(run, kItems, loop % 2 == 0 ? kGrain : kItems / 2, [&](int64_t begin, int64_t end) {
+                for (int64_t i = begin; i < end; ++i)
+                    ++visits[i];
+                const std::lock_guard<std::mutex> lock(mutex);
+                ids.insert(std::this_thread::get_id());
+            });
+            assert_true(each_once(visits));
+        }
+    };
+    check_loops();
+    assert_true(ids.size() <= 4);
+    assert_int_equal(ids.count(std::this_thread::get_id()), 1);
+    team.dismiss();
+    check_loops();
+    assert_true(ids.size() <= 7);
+}
+
+void a_loop_within_a_loop_of_the_same_team_is_done(void**)
+{
+    Team team(3);
+    Run run = with_threads(3);
+    run.team = &team;
+    Array<int> visits(kItems, 0);
+    parallel_for(run, kItems, kItems / 5, [&](int64_t begin, int64_t end) {
+        parallel_for(run, end - begin, kGrain, [&](int64_t inner_begin, int64_t inner_end) {
+            for (int64_t i = inner_begin; i < inner_end; ++i)
+                ++visits[begin + i];
+        });
+    });
+    assert_true(each_once(visits));
+}
+
 // A loop that threads can share adds the time of its thread, one of a single chunk does not.
 void time_of_loops_of_several_chunks_is_counted(void**)
 {
@@ -116,6 +162,8 @@ int main()
     const CMUnitTest tests[] = {cmocka_unit_test(every_item_is_visited_once),
                                 cmocka_unit_test(the_error_of_the_lowest_chunk_is_thrown),
                                 cmocka_unit_test(a_lack_of_memory_ends_nothing_halfway),
+                                cmocka_unit_test(a_team_keeps_its_threads),
+                                cmocka_unit_test(a_loop_within_a_loop_of_the_same_team_is_done),
                                 cmocka_unit_test(time_of_loops_of_several_chunks_is_counted)};
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
