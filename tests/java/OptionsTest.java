@@ -35,6 +35,9 @@ final class OptionsTest {
                 Checks.equal(row.choices().size(), choices.length);
                 for (Object choice : choices) {
                     Checks.equal(row.choices().get(((Enum<?>) choice).ordinal()), choice.toString().toLowerCase());
+                    if (choice == DelaunayEngine.TETGEN && !Cleft.hasTetgen()) {
+                        continue;
+                    }
                     set.invoke(options, choice);
                     Checks.equal(choice, get.invoke(options));
                 }
