@@ -114,6 +114,9 @@ void check_place_beside(const std::string& path)
     // A rename would replace a device or a pipe by a plain file.
     if (is_there && !S_ISREG(status.st_mode))
         throw cannot_write("'" + path + "' is " + (S_ISDIR(status.st_mode) ? "a folder" : "no regular file"));
+    // A link has a folder of its own.
+    if (std::filesystem::is_symlink(std::filesystem::symlink_status(path)))
+        probe_folder_of(path);
 }
 
 void check_place(const std::string& path)

@@ -75,6 +75,41 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text;
 }
 
+// The answer is 0 or the error number, of which std::filesystem tells none.
+int copy_all(int from, int to)
+{
+    char block[1 << 16];
+    for (;;) {
+        const ssize_t n = read(from, block, sizeof block);
+        if (n < 0 && errno != EINTR)
+            return errno;
+        if (n == 0)
+            return fsync(to) != 0 ? errno : 0;
+        for (ssize_t written = 0; written < n;) {
+            const ssize_t more = write(to, block + written, static_cast<std::size_t>(n - written));
+            if (more < 0 && errno != EINTR)
+                return errno;
+            written += std::max<ssize_t>(more, 0);
+        }
+    }
+}
+
+// To a file that is not there yet, with the permissions of the other.
+int copy_contents(const fs::path& from, const fs::path& to)
+{
+    struct stat status = {};
+    const int source = open(from.c_str(), O_RDONLY | O_CLOEXEC);
+    const int made = source < 0 || fstat(source, &status) != 0
+                         ? -1
+                         : open(to.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, status.st_mode & 07777);
+    int error = made < 0 ? errno : copy_all(source, made);
+    if (made >= 0 && close(made) != 0 && error == 0)
+        error = errno;
+    if (source >= 0)
+        close(source);
+    return error;
+}
+
 // A link may lead to another file system, where no rename goes.
 bool is_on_another_file_system(const fs::path& file, const fs::path& folder)
 {
@@ -82,15 +117,14 @@ bool is_on_another_file_system(const fs::path& file, const fs::path& folder)
     return stat(file.c_str(), &a) == 0 && stat(folder.c_str(), &b) == 0 && a.st_dev != b.st_dev;
 }
 
-// Makes a file last over a power failure. The answer is 0 or the error number.
-int flush(const fs::path& path, int flags)
+// Makes the renames themselves last over a power failure. The files were flushed by their writers.
+void flush_folder(const fs::path& folder)
 {
-    const int descriptor = open(path.c_str(), flags | O_CLOEXEC);
+    const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0)
-        return errno;
-    const int error = fsync(descriptor) != 0 ? errno : 0;
+        return;
+    (void)fsync(descriptor);
     close(descriptor);
-    return error;
 }
 
 }  // namespace
@@ -228,11 +262,9 @@ fs::path StagedOutputs::near(const fs::path& staged, const fs::path& target)
         return staged;
     copies_.push_back(std::make_unique<Stage>(folder, target.string()));
     const fs::path copy = copies_.back()->path() / target.filename();
-    std::error_code error;
-    fs::copy_file(staged, copy, error);
-    const int flushed = error ? error.value() : flush(copy, O_RDONLY);
-    if (flushed != 0)
-        throw cannot_write(target, flushed);
+    const int error = copy_contents(staged, copy);
+    if (error != 0)
+        throw cannot_write(target, error);
     return copy;
 }
 
@@ -259,12 +291,11 @@ void StagedOutputs::commit()
         }
         move.done = true;
     }
-    // The renames, too. The files were flushed by their writers.
     std::set<fs::path> folders;
     for (const Move& move : moves)
         folders.insert(folder_of(move.target));
     for (const fs::path& folder : folders)
-        (void)flush(folder, O_RDONLY | O_DIRECTORY);
+        flush_folder(folder);
 }
 
 }  // namespace cleft_cli

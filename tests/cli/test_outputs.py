@@ -202,6 +202,11 @@ class Outputs(CommandTest):
                 self.assertEqual({name: self.path(name).read_bytes() for name in expected}, expected)
             self.assert_only(*expected)
             self.assertEqual(sorted(os.listdir(other)), ["x.face", "x.node"])
+            # A mesh that is there stays where the copy of another fails.
+            sizes = [len(text) for text in expected.values()]
+            done = cleft("mesh", self.volume, "-o", self.path("t.node"), preexec_fn=limit_of_files(min(sizes) - 1))
+            self.assert_fails(CANNOT_WRITE, done, "File too large")
+            self.assertEqual({name: self.path(name).read_bytes() for name in expected}, expected)
 
     def test_a_folder_in_the_way_of_a_file_beside(self):
         os.mkdir(self.path("t.face"))
@@ -209,6 +214,12 @@ class Outputs(CommandTest):
         done = cleft("mesh", self.path("none.nrrd"), "-o", self.path("t.node"))
         self.assert_fails(CANNOT_WRITE, done, "t.face' is a folder")
         self.assert_only("t.face")
+
+    def test_a_file_beside_that_links_to_no_folder(self):
+        os.symlink("nowhere/x", self.path("t.face"))
+        done = cleft("mesh", self.path("none.nrrd"), "-o", self.path("t.node"))
+        self.assert_fails(CANNOT_WRITE, done, "t.face' cannot be written: no file can be made in the folder")
+        self.assertTrue(self.path("t.face").is_symlink())
 
     def test_sentences_of_conflicts(self):
         os.symlink("a.vtu", self.path("b.vtu"))
