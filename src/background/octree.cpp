@@ -13,10 +13,12 @@
 
 #include "background/octree_tree.hpp"
 #include "base/collect.hpp"
+#include "base/parallel.hpp"
 #include "base/sorted_set.hpp"
 #include "base/stage.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 namespace cleft
 {
@@ -344,28 +346,36 @@ TetMesh octree_slab(const SizingField& field, const SizeRange& sizes, double low
 }
 
 // A face is counted where the finer of the two leaves, or one of two equal ones, would write its tetrahedra.
-int64_t octree_tets(const SizingField& field, const Run& run)
+int64_t tets_of_leaf(const Octree& tree, const OctreeCell& leaf)
 {
     // What the mesher writes for a face without split sides. Faces with split sides have more, and are counted as if
     // they had none.
     constexpr int64_t kAtWall = 2, kBetweenEqual = 4, kFromFiner = 4;
-    const Octree tree = build_octree(field, run);
     int64_t tets = 0;
-    for (size_t c = 0; c < tree.cells.size(); ++c) {
-        run.check_at(c);
-        const OctreeCell& cell = tree.cells[c];
-        for (int face = 0; cell.first_child < 0 && face < 6; ++face) {
-            Int3 behind = cell.at;
-            behind[face / 2] += face % 2 == 1 ? 1 : -1;
-            const int32_t other = tree.find(behind, cell.level);
-            if (other < 0)
-                tets += kAtWall;
-            else if (tree.is_leaf(other) && tree.cells[other].level < cell.level)
-                tets += kFromFiner;
-            else if (tree.is_leaf(other) && face % 2 == 1)
-                tets += kBetweenEqual;
-        }
+    for (int face = 0; face < 6; ++face) {
+        Int3 behind = leaf.at;
+        behind[face / 2] += face % 2 == 1 ? 1 : -1;
+        const int32_t other = tree.find(behind, leaf.level);
+        if (other < 0)
+            tets += kAtWall;
+        else if (tree.is_leaf(other) && tree.cells[other].level < leaf.level)
+            tets += kFromFiner;
+        else if (tree.is_leaf(other) && face % 2 == 1)
+            tets += kBetweenEqual;
     }
+    return tets;
+}
+
+int64_t octree_tets(const SizingField& field, const Run& run)
+{
+    const Octree tree = build_octree(field, run);
+    std::atomic<int64_t> tets{0};  // whole numbers have the same sum in any order
+    parallel_for(run, tree.cells.count(), kCellsMeshed, [&](int64_t begin, int64_t end) {
+        int64_t of_chunk = 0;
+        for (int64_t c = begin; c < end; ++c)
+            of_chunk += tree.cells[c].first_child < 0 ? tets_of_leaf(tree, tree.cells[c]) : 0;
+        tets += of_chunk;
+    });
     return tets;
 }
 

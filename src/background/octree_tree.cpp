@@ -4,6 +4,7 @@
 
 #include "background/bcc_cell.hpp"
 #include "base/number_text.hpp"
+#include "base/parallel.hpp"
 #include "base/stage.hpp"
 
 #include <algorithm>
@@ -121,17 +122,27 @@ double least_size(const SizingField& field, const OctreeCell& cell, const Vec3& 
     return least;
 }
 
+// A level at a time: whether a cell is split follows from the field alone, and its children join the end of the list.
 void refine(Octree& tree, const SizingField& field, double least_of_all, const Vec3& root_side, const Run& run)
 {
+    constexpr int64_t kCellsAtOnce = 256;  // each reads seventeen sizes
     const double thin = kThin * least_of_all;
-    for (size_t c = 0; c < tree.cells.size(); ++c) {  // children join the end of the list and get their turn
-        if (c % 4096 == 0)
-            run.report(static_cast<double>(c) / static_cast<double>(tree.cells.size()));
-        const OctreeCell cell = tree.cells[c];
+    const auto is_too_large = [&](const OctreeCell& cell) {
         const double edge = kMeanEdge * std::ldexp(std::cbrt(root_side.prod()), -cell.level);
         const double h = least_size(field, cell, root_side);
-        if (cell.level < kMostLevels && edge > (h < thin ? kThinSlack : kSlack) * h)
-            split(tree, static_cast<int32_t>(c));
+        return cell.level < kMostLevels && edge > (h < thin ? kThinSlack : kSlack) * h;
+    };
+    Array<uint8_t> splits;
+    for (int64_t first = 0, end = tree.cells.count(); first < end; first += splits.count(), end = tree.cells.count()) {
+        run.report(static_cast<double>(first) / static_cast<double>(end));
+        splits.assign(to_size(end - first), 0);
+        parallel_for(run, splits.count(), kCellsAtOnce, [&](int64_t begin, int64_t behind) {
+            for (int64_t i = begin; i < behind; ++i)
+                splits[i] = is_too_large(tree.cells[first + i]) ? 1 : 0;
+        });
+        for (int64_t i = 0; i < splits.count(); ++i)
+            if (splits[i])
+                split(tree, static_cast<int32_t>(first + i));
     }
 }
 
