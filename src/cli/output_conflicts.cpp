@@ -104,6 +104,22 @@ bool is_report(const std::string& path)
     return !(file >> first) || first == '{';
 }
 
+void refuse_input(const Place& file, const std::vector<std::string>& inputs)
+{
+    for (const std::string& input : inputs) {
+        if (input.empty() || !is_input(file, input))
+            continue;
+        std::string sentence = file.path == file.output ? "" : "the file '" + file.path + "' of ";
+        sentence += "the output '" + file.output + "' is the input '" + input + "', or a file of it";
+        throw refused(sentence);
+    }
+}
+
+Failure one_file_twice(const std::string& output, const std::string& link)
+{
+    return refused("two files of the output '" + output + "' are one file: '" + link + "' is a link");
+}
+
 // All files of an output, each its own.
 std::vector<Place> places_of(const std::string& output, const FilesBeside& files_beside)
 {
@@ -114,7 +130,7 @@ std::vector<Place> places_of(const std::string& output, const FilesBeside& files
         const Place place = place_of(file, output);
         for (const Place& other : places)
             if (same_file(place, other))
-                throw refused("two files of the output '" + output + "' are one file: '" + file + "' is a link");
+                throw one_file_twice(output, file);
         places.push_back(place);
     }
     return places;
@@ -144,10 +160,7 @@ void refuse_conflicts(const std::vector<std::string>& inputs, const std::vector<
     for (const std::string& path : all) {
         const std::vector<Place> files = places_of(path, files_beside);
         for (const Place& file : files) {
-            for (const std::string& input : inputs)
-                if (!input.empty() && is_input(file, input))
-                    throw refused((file.path == path ? "" : "the file '" + file.path + "' of ") + "the output '" +
-                                  path + "' is the input '" + input + "', or a file of it");
+            refuse_input(file, inputs);
             // Two outputs of one name would leave the one that is written last, without a word.
             for (const Place& other : taken)
                 if (same_file(file, other))

@@ -101,49 +101,61 @@ std::vector<std::string> reports_of_ranks(const Ranks& ranks, const Session& ses
     return ranks.gather(own);
 }
 
-void make_and_write(const Ranks& ranks, const PartsArguments& arguments)
-{
+// What the mesh is made from.
+struct Given {
     cleft_cli::Options options;
     std::unique_ptr<Session> session;
     Voxels voxels;
-    std::unique_ptr<CountedExchange> exchange;
-    Part part;
+};
+
+Given look_at_arguments(const Ranks& ranks, const PartsArguments& arguments)
+{
+    Given given;
     ranks.together([&] {
-        options = arguments.options.make();
+        given.options = arguments.options.make();
         if (!arguments.memory.empty())
             hold_memory_within(bytes_of_size(arguments.memory));
         if (ranks.is_first())
             arguments.check_outputs(ranks.count());
         cleft_cli::RunArguments run = arguments.run;
         run.quiet = run.quiet || !ranks.is_first();
-        session =
+        given.session =
             std::make_unique<Session>(run, std::vector<cleft_cli::Part>{{"mesh", 90}, {"report", 2}, {"write", 8}});
-        voxels = open_voxels(*session, arguments);
-        choose_block(ranks, *session, arguments, *voxels, options.get());
+        given.voxels = open_voxels(*given.session, arguments);
+        choose_block(ranks, *given.session, arguments, *given.voxels, given.options.get());
         if (ranks.is_first())
-            warn_of_old_pieces(ranks, *session, arguments);
+            warn_of_old_pieces(ranks, *given.session, arguments);
     });
+    return given;
+}
+
+void make_and_write(const Ranks& ranks, const PartsArguments& arguments)
+{
+    const Given given = look_at_arguments(ranks, arguments);
+    Session& session = *given.session;
+    std::unique_ptr<CountedExchange> exchange;
+    Part part;
     // A step of its own: a rank that fails here may not leave the others waiting for its share of the mesh.
-    ranks.together([&] { exchange = std::make_unique<CountedExchange>(*session); });
+    ranks.together([&] { exchange = std::make_unique<CountedExchange>(session); });
     ranks.together([&] {
-        session->timed("mesh", "meshing",
-                       [&] { part = make_part(*session, arguments, *voxels, options.get(), *exchange); });
+        session.timed("mesh", "meshing",
+                      [&] { part = make_part(session, arguments, *given.voxels, given.options.get(), *exchange); });
     });
     // Also if this rank tells nobody: others may.
-    const cleft_quality quality = measured(ranks, *session, part.get());
-    const std::vector<std::string> reports = reports_of_ranks(ranks, *session, arguments, part.get(), exchange->sent());
+    const cleft_quality quality = measured(ranks, session, part.get());
+    const std::vector<std::string> reports = reports_of_ranks(ranks, session, arguments, part.get(), exchange->sent());
     cleft_cli::StagedOutputs staged;
-    write_outputs(ranks, *session, arguments, part.get(), staged);
-    session->clear_progress();
+    write_outputs(ranks, session, arguments, part.get(), staged);
+    session.clear_progress();
     ranks.together([&] {
         if (!ranks.is_first())
             return;
         if (!arguments.run.json.empty())
             cleft_cli::write_json(
-                parts_report(*session, arguments, options.get(), *voxels, part.get(), quality, reports),
+                parts_report(session, arguments, given.options.get(), *given.voxels, part.get(), quality, reports),
                 arguments.run.json, staged);
         if (arguments.run.prints())
-            cleft_cli::print_summary_text(summary(*session, arguments, part.get(), quality));
+            cleft_cli::print_summary_text(summary(session, arguments, part.get(), quality));
         // Last of all: whatever fails before leaves no output and no part of one.
         staged.commit();
     });

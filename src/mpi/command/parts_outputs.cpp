@@ -43,6 +43,7 @@ void write_outputs(const Ranks& ranks, Session& session, const PartsArguments& a
 {
     const std::vector<std::string> places = places_of(ranks, arguments, staged);
     std::vector<const char*> paths;
+    paths.reserve(places.size());
     for (const std::string& place : places)
         paths.push_back(place.c_str());
     ranks.together([&] {
