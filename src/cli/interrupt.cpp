@@ -43,6 +43,13 @@ void on_signal(int signal)
         cleft_context_cancel(context);
 }
 
+// Whoever started the command may want it to go on, as nohup does.
+bool is_ignored(int signal)
+{
+    struct sigaction now = {};
+    return sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
+}
+
 }  // namespace
 
 InterruptGuard::InterruptGuard(cleft_context* context)
@@ -53,13 +60,15 @@ InterruptGuard::InterruptGuard(cleft_context* context)
     // Reads and writes go on after the handler. The cancel reaches the library by its flag.
     action.sa_flags = SA_RESTART;
     for (int signal : kSignals)
-        sigaction(signal, &action, nullptr);
+        if (!is_ignored(signal))
+            sigaction(signal, &action, nullptr);
 }
 
 InterruptGuard::~InterruptGuard()
 {
     for (int signal : kSignals)
-        std::signal(signal, on_idle_signal);
+        if (!is_ignored(signal))
+            std::signal(signal, on_idle_signal);
     // After the handlers are replaced: the other way round, a signal in between would cancel
     // nothing.
     running_context = nullptr;

@@ -53,12 +53,15 @@ Place place_of(const std::string& path, const std::string& output)
 
 bool same(const struct stat& a, const struct stat& b) { return a.st_dev == b.st_dev && a.st_ino == b.st_ino; }
 
+// One name in one folder.
+bool same_place(const Place& a, const Place& b)
+{
+    return same(a.folder, b.folder) && a.target.filename() == b.target.filename();
+}
+
 bool same_file(const Place& a, const Place& b)
 {
-    if (a.exists && b.exists)
-        return same(a.file, b.file);
-    // Files that do not exist yet are one if they will have one name in one folder.
-    return same(a.folder, b.folder) && a.target.filename() == b.target.filename();
+    return a.exists && b.exists ? same(a.file, b.file) : same_place(a, b);
 }
 
 // A pattern of slices as one of the shell: "%03d" matches whatever stands for it.
@@ -115,22 +118,24 @@ void refuse_input(const Place& file, const std::vector<std::string>& inputs)
     }
 }
 
-Failure one_file_twice(const std::string& output, const std::string& link)
+Failure one_file_twice(const Place& a, const Place& b)
 {
-    return refused("two files of the output '" + output + "' are one file: '" + link + "' is a link");
+    const std::string& link = fs::is_symlink(fs::symlink_status(a.path)) ? a.path : b.path;
+    return refused("two files of the output '" + a.output + "' are one file: '" + link + "' is a link");
 }
 
-// All files of an output, each its own.
+// All files of an output, each its own. Files that are there and are one by a hard link come to be two.
 std::vector<Place> places_of(const std::string& output, const FilesBeside& files_beside)
 {
+    std::vector<std::string> files = files_of(output);
+    const std::vector<std::string> beside = files_beside ? files_beside(output) : std::vector<std::string>();
+    files.insert(files.end(), beside.begin(), beside.end());
     std::vector<Place> places;
-    for (const std::string& file : files_of(output))
-        places.push_back(place_of(file, output));
-    for (const std::string& file : files_beside ? files_beside(output) : std::vector<std::string>()) {
+    for (const std::string& file : files) {
         const Place place = place_of(file, output);
         for (const Place& other : places)
-            if (same_file(place, other))
-                throw one_file_twice(output, file);
+            if (same_place(place, other))
+                throw one_file_twice(other, place);
         places.push_back(place);
     }
     return places;

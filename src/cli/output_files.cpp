@@ -96,11 +96,13 @@ std::vector<std::string> files_of(const std::string& path)
 {
     const std::vector<std::string> tetgen = {".node", ".ele", ".face"};
     std::vector<std::string> files = {path};
-    const bool is_of_tetgen = std::any_of(tetgen.begin(), tetgen.end(), [&](const std::string& extension) {
-        return strcasecmp(std::filesystem::path(path).extension().c_str(), extension.c_str()) == 0;
-    });
-    for (const std::string& extension : is_of_tetgen ? tetgen : std::vector<std::string>())
-        files.push_back(std::filesystem::path(path).replace_extension(extension).string());
+    const std::string own = std::filesystem::path(path).extension().string();
+    const auto is_own = [&](const std::string& extension) { return strcasecmp(own.c_str(), extension.c_str()) == 0; };
+    if (std::none_of(tetgen.begin(), tetgen.end(), is_own))
+        return files;
+    for (const std::string& extension : tetgen)
+        if (!is_own(extension))
+            files.push_back(std::filesystem::path(path).replace_extension(extension).string());
     return files;
 }
 

@@ -85,6 +85,17 @@ class Interrupt(CommandTest):
             report = json.loads(self.path("pipe").read_text())
         self.assertEqual((run.returncode, report["mesh"]["tets"] > 0, self.names()), (0, True, ["out.vtu"]))
 
+    def test_a_signal_that_was_ignored_from_the_start(self):
+        os.mkfifo(self.path("pipe"))
+        ignore = lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN)
+        with self.start_report(self.path("pipe"), preexec_fn=ignore) as run:
+            while not any(self.folder.glob(".cleft-*/out.vtu")):
+                time.sleep(0.01)
+            run.send_signal(signal.SIGHUP)
+            time.sleep(0.3)
+            json.loads(self.path("pipe").read_text())
+        self.assertEqual((run.returncode, self.names()), (0, ["out.vtu"]))
+
     def test_a_report_on_standard_output(self):
         reader, writer = os.pipe()
         self.addCleanup(os.close, reader)

@@ -221,6 +221,17 @@ class Outputs(CommandTest):
         self.assert_fails(CANNOT_WRITE, done, "t.face' cannot be written: no file can be made in the folder")
         self.assertTrue(self.path("t.face").is_symlink())
 
+    def test_links_that_make_two_files_one(self):
+        for link, target in (("a.ele", "a.face"), ("a.face", "a.ele"), ("a.node", "a.ele"), ("a.ele", "a.node")):
+            os.symlink(target, self.path(link))
+            done = cleft("mesh", self.volume, "-o", "a.node", cwd=self.folder)
+            self.assert_fails(USAGE, done, f"two files of the output 'a.node' are one file: '{link}' is a link")
+            self.path(link).unlink()
+        self.path("a.ele").write_text("")
+        os.link(self.path("a.ele"), self.path("a.face"))
+        self.run_ok("mesh", self.volume, "-o", self.path("a.node"))
+        self.run_ok("check", self.path("a.node"))
+
     def test_sentences_of_conflicts(self):
         os.symlink("a.vtu", self.path("b.vtu"))
         for outputs, sentence in (

@@ -315,6 +315,7 @@ class Command(unittest.TestCase):
             found, _, errors = self.run_ranks(2, f"{words} -o {output}")
             self.assertEqual((found, len(errors)), (code, 1), errors)
             self.assertIn(sentence, errors[0])
+            self.assertIn(f"'{link}' ", errors[0])
             self.assertEqual(self.names(), {"a.raw", link})
             (self.folder / link).unlink()
         code, _, errors = self.run_ranks(2, f"{words} -o {'a' * 248}.pvtu")
