@@ -2,7 +2,6 @@
 // fields are an interface: scripts rely on them.
 #include "json_report.hpp"
 
-#include "interrupt.hpp"
 #include "program.hpp"
 #include "standard_output.hpp"
 
@@ -10,7 +9,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 
 namespace cleft_cli
 {
@@ -30,9 +28,7 @@ void write_text(const std::string& text, const std::string& path, bool is_new)
         error = errno;
     if (error == 0)
         return;
-    Failure failure = error == ECANCELED ? stopped_by_signal()
-                                         : Failure(EXIT_CANNOT_WRITE, CLEFT_ERROR_FILE,
-                                                   "cannot write '" + path + "': " + std::strerror(error));
+    Failure failure = failure_of_write(error, "cannot write '" + path + "'");
     // The report cannot tell of its own failure.
     failure.is_reported = false;
     throw failure;

@@ -73,6 +73,18 @@ void check_extension(const std::string& path, int32_t direction)
                        extensions_text(direction));
 }
 
+void check_kind(const std::string& path)
+{
+    struct stat status = {};
+    const bool is_there = stat(path.c_str(), &status) == 0;
+    // Any other error is about the folder.
+    if (!is_there && (errno == ENAMETOOLONG || errno == ELOOP))
+        throw cannot_write("'" + path + "' cannot be written: " + std::strerror(errno));
+    // A rename would replace a device or a pipe by a plain file.
+    if (is_there && !S_ISREG(status.st_mode))
+        throw cannot_write("'" + path + "' is " + (S_ISDIR(status.st_mode) ? "a folder" : "no regular file"));
+}
+
 // The only way to know whether a file can be made in a folder is to make one.
 void probe_folder_of(const std::string& path)
 {
@@ -106,33 +118,25 @@ std::vector<std::string> files_of(const std::string& path)
     return files;
 }
 
+void check_place(const std::string& path)
+{
+    check_kind(path);
+    probe_folder_of(path);
+}
+
 void check_place_beside(const std::string& path)
 {
-    struct stat status = {};
-    const bool is_there = stat(path.c_str(), &status) == 0;
-    // Any other error is about the folder.
-    if (!is_there && (errno == ENAMETOOLONG || errno == ELOOP))
-        throw cannot_write("'" + path + "' cannot be written: " + std::strerror(errno));
-    // A rename would replace a device or a pipe by a plain file.
-    if (is_there && !S_ISREG(status.st_mode))
-        throw cannot_write("'" + path + "' is " + (S_ISDIR(status.st_mode) ? "a folder" : "no regular file"));
+    check_kind(path);
     // A link has a folder of its own.
     if (std::filesystem::is_symlink(std::filesystem::symlink_status(path)))
         probe_folder_of(path);
 }
 
-void check_place(const std::string& path)
-{
-    check_place_beside(path);
-    probe_folder_of(path);
-}
-
 OutputFile checked_mesh_output(const std::string& path, const std::string& msh_version)
 {
     check_extension(path, CLEFT_IO_WRITES_MESH);
-    check_place(path);
     for (const std::string& file : files_of(path))
-        check_place_beside(file);
+        file == path ? check_place(file) : check_place_beside(file);
     // --msh-version changes nothing for other extensions, so that it may stand in a script for
     // several outputs.
     const bool old = msh_version == "2.2" && ends_with_nocase(path, ".msh");

@@ -2,6 +2,7 @@
 #include "staged_outputs.hpp"
 
 #include "interrupt.hpp"
+#include "standard_output.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -85,12 +86,9 @@ int copy_all(int from, int to)
             return errno;
         if (n == 0)
             return fsync(to) != 0 ? errno : 0;
-        for (ssize_t written = 0; written < n;) {
-            const ssize_t more = write(to, block + written, static_cast<std::size_t>(n - written));
-            if (more < 0 && errno != EINTR)
-                return errno;
-            written += std::max<ssize_t>(more, 0);
-        }
+        const int error = n > 0 ? write_all(to, {block, static_cast<std::size_t>(n)}) : 0;
+        if (error != 0)
+            return error;
     }
 }
 

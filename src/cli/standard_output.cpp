@@ -1,7 +1,6 @@
 // Standard output without a buffer of its own, so that no failure is met after the command has ended.
 #include "standard_output.hpp"
 
-#include "exit_code.hpp"
 #include "interrupt.hpp"
 
 #include <fcntl.h>
@@ -24,10 +23,7 @@ void fail_if(int error, bool is_report)
 {
     if (error == 0)
         return;
-    Failure failure = error == ECANCELED
-                          ? stopped_by_signal()
-                          : Failure(EXIT_CANNOT_WRITE, CLEFT_ERROR_FILE,
-                                    std::string("standard output cannot be written: ") + std::strerror(error));
+    Failure failure = failure_of_write(error, "standard output cannot be written");
     // No report says that a report cannot be printed.
     failure.is_reported = !is_report;
     throw failure;
@@ -61,7 +57,7 @@ bool is_pipe(const std::string& path)
 }  // namespace
 
 // By write() and not printf(): a buffer that is flushed by exit() loses its error.
-int write_all(int descriptor, const std::string& text)
+int write_all(int descriptor, std::string_view text)
 {
     for (std::size_t written = 0; written < text.size();) {
         if (!wait_until_ready(descriptor))
@@ -74,6 +70,13 @@ int write_all(int descriptor, const std::string& text)
         written += n > 0 ? static_cast<std::size_t>(n) : 0;
     }
     return 0;
+}
+
+Failure failure_of_write(int error, const std::string& sentence)
+{
+    if (error == ECANCELED)
+        return stopped_by_signal();
+    return {EXIT_CANNOT_WRITE, CLEFT_ERROR_FILE, sentence + ": " + std::strerror(error)};
 }
 
 int open_for_writing(const std::string& path, bool is_new)

@@ -1,7 +1,10 @@
 // What is printed: every byte arrives, or the command says that it does not.
 #pragma once
 
+#include "exit_code.hpp"
+
 #include <string>
+#include <string_view>
 
 namespace cleft_cli
 {
@@ -14,7 +17,9 @@ void print_report(const std::string& text);
 
 // All of a text to any descriptor. The answer is 0 or the error number: ECANCELED where a signal has arrived, perhaps
 // before, and a pipe takes no more.
-int write_all(int descriptor, const std::string& text);
+int write_all(int descriptor, std::string_view text);
+// What such a number other than 0 means. `sentence`: what could not be written, without the reason.
+Failure failure_of_write(int error, const std::string& sentence);
 // Opens a file for writing as open() does: one that is there, or a new one. Where it is a pipe that nobody reads yet,
 // it waits for a reader, or for a signal as write_all() does.
 int open_for_writing(const std::string& path, bool is_new);

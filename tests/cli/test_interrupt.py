@@ -56,9 +56,12 @@ class Interrupt(CommandTest):
         arguments = ["mesh", self.volume, "-o", self.path("out.vtu"), "--json", report, "--threads", "1"]
         return subprocess.Popen([CLEFT, *arguments], stderr=subprocess.PIPE, text=True, **keywords)
 
-    def stop_report(self, run):
+    def wait_for_mesh(self):
         while not any(self.folder.glob(".cleft-*/out.vtu")):
             time.sleep(0.01)
+
+    def stop_report(self, run):
+        self.wait_for_mesh()
         time.sleep(0.5)  # a run that is not at its report yet is stopped all the same
         run.send_signal(signal.SIGTERM)
         errors = run.communicate(timeout=HANGS)[1]
@@ -80,8 +83,7 @@ class Interrupt(CommandTest):
             self.stop_report(run)
         os.close(reader)
         with self.start_report(self.path("pipe")) as run:
-            while not any(self.folder.glob(".cleft-*/out.vtu")):
-                time.sleep(0.01)
+            self.wait_for_mesh()
             report = json.loads(self.path("pipe").read_text())
         self.assertEqual((run.returncode, report["mesh"]["tets"] > 0, self.names()), (0, True, ["out.vtu"]))
 
@@ -89,8 +91,7 @@ class Interrupt(CommandTest):
         os.mkfifo(self.path("pipe"))
         ignore = lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN)
         with self.start_report(self.path("pipe"), preexec_fn=ignore) as run:
-            while not any(self.folder.glob(".cleft-*/out.vtu")):
-                time.sleep(0.01)
+            self.wait_for_mesh()
             run.send_signal(signal.SIGHUP)
             time.sleep(0.3)
             json.loads(self.path("pipe").read_text())
