@@ -3,9 +3,9 @@
 
 #include "base/per_worker.hpp"
 #include "base/stage.hpp"
-#include "base/visit_levels.hpp"
 #include "cleaving/snap_order.hpp"
 #include "cleaving/snap_visit.hpp"
+#include "mesh/visit_numbers.hpp"
 
 namespace cleft
 {
@@ -16,35 +16,48 @@ namespace
 // A snap moves the cuts of its neighbours, which then may snap too. Later passes visit only what has changed.
 constexpr int kPasses = 3;
 
-// By visit: whether it is the last one of a material all of whose vertices are visited. It must know what all of these
-// have become, since the last vertex that carries a material may not snap.
-Array<uint8_t> last_of_their_material(const SnapState& state, const Array<int32_t>& order)
+// The last vertex that carries a material alone may not snap. So where all of these are visited, the last one of the
+// visits has to know what the others have become.
+class VisitsOfMaterials
 {
-    Array<int64_t> left(state.vertices_of.size());
-    for (size_t m = 0; m < left.size(); ++m)
-        left[m] = state.vertices_of[m];
-    Array<uint8_t> is_last(order.size(), 0);
-    for (size_t i = 0; i < order.size(); ++i) {
-        const MaterialSet& own = state.c.materials_of(order[i]);
-        is_last[i] = own.size() == 1 && --left[own[0]] == 0;
+public:
+    VisitsOfMaterials(const SnapState& state, const Array<int32_t>& order)
+        : materials_(state.c.materials), order_(order), visits_of_(state.vertices_of.size())
+    {
+        for (int32_t i = 0; i < order.count(); ++i)
+            if (const MaterialSet& own = state.c.materials_of(order[i]); own.size() == 1)
+                visits_of_[own[0]].push_back(i);
+        for (size_t m = 0; m < visits_of_.size(); ++m)
+            if (visits_of_[m].count() < state.vertices_of[m])
+                visits_of_[m].clear();
     }
-    return is_last;
-}
 
-// A visit changes what is at its vertex, and sees the vertices next to it.
-VisitLevels levels_of(const SnapState& state, const Array<int32_t>& order, const Run& run)
-{
-    const Array<uint8_t> is_last = last_of_their_material(state, order);
-    Array<int32_t> level_of_material(state.vertices_of.size(), 0);
-    VisitLevels levels(state.c.tets.count(), run);
-    for (size_t i = 0; i < order.size(); ++i) {
-        run.check_at(i, 1 << 12);
-        const int32_t v = order[i];
-        int32_t& of_material = level_of_material[state.c.materials_of(v)[0]];
-        const int32_t level = levels.add(state.tets_of.at(v), is_last[i] ? of_material : 0);
-        of_material = std::max(of_material, level + 1);
+    // Adds those that visit i depends on.
+    void add_earlier(int64_t i, Array<int32_t>& earlier) const
+    {
+        const MaterialSet& own = materials_[order_[i]];
+        const Array<int32_t>& visits = visits_of_[own[0]];
+        if (own.size() == 1 && !visits.empty() && visits.back() == i)
+            earlier.insert(earlier.end(), visits.begin(), visits.end() - 1);
     }
-    return levels;
+
+private:
+    const Array<MaterialSet>& materials_;  // by vertex
+    const Array<int32_t>& order_;
+    Array<Array<int32_t>> visits_of_;  // by material; none where vertices are left that are not visited
+};
+
+OrderedVisits ordered_visits(const SnapState& state, const Array<int32_t>& order, const Run& run)
+{
+    const VisitNumbers numbers(run, state.c.points.count(), order.count(), [&](int64_t i) { return order[i]; });
+    const VisitsOfMaterials of_materials(state, order);
+    const auto tet_of = [&](int32_t t) -> const Tet& { return state.c.tets[t]; };
+    return {order.count(),
+            [&](int64_t i, Array<int32_t>& earlier) {
+                numbers.add_earlier(i, state.tets_of.at(order[i]), tet_of, earlier);
+                of_materials.add_earlier(i, earlier);
+            },
+            run};
 }
 
 }  // namespace
@@ -60,7 +73,7 @@ SnapCounts snap_vertices(Centres& c, Snap rule, const Array<int32_t>& held, cons
     Steps steps(run, Array<Step>(passes, {nullptr, 1}));
     for (int pass = 0; pass < passes; ++pass) {
         const Array<int32_t> order = vertices_to_visit(state, kSnapReach, run);
-        levels_of(state, order, run).visit_all(steps.next(), [&](int worker, int32_t i) {
+        ordered_visits(state, order, run).visit_all(steps.next(), [&](int worker, int32_t i) {
             visitors[worker].visit(order[i]);
         });
     }

@@ -5,7 +5,7 @@
 #include "base/per_worker.hpp"
 #include "fitting/room_maker.hpp"
 #include "remeshing/claimed_visits.hpp"
-#include "remeshing/point_levels.hpp"
+#include "remeshing/ordered_points.hpp"
 #include "remeshing/smoothing.hpp"
 #include "volume/tie.hpp"
 
@@ -145,7 +145,7 @@ Array<Found> relocated(const LocalMesh& mesh, const Array<int32_t>& points, PerW
                        const Run& run)
 {
     Array<Found> found(points.size(), Found::on_tie);
-    levels_of_points(
+    ordered_points(
         mesh, points.count(), [&](int64_t i) { return points[i]; }, run)
         .visit_all(run, [&](int worker, int64_t i) { found[i] = relocators[worker].relocate(points[i]); });
     return found;

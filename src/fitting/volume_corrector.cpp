@@ -2,7 +2,7 @@
 #include "fitting/volume_corrector.hpp"
 
 #include "base/per_worker.hpp"
-#include "remeshing/point_levels.hpp"
+#include "remeshing/ordered_points.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -51,7 +51,7 @@ VolumeCorrector::VolumeCorrector(LocalMesh& mesh, double floor, double most_move
     : mesh_(mesh),
       floor_(floor),
       most_moved_(most_moved),
-      levels_(levels_of_points(
+      visits_(ordered_points(
           mesh, points.count(), [&](int64_t i) { return points[i].number; }, run))
 {
 }
@@ -63,7 +63,7 @@ int64_t VolumeCorrector::apply(const Array<Residual>& residuals, Array<FitPoint>
     // In a fixed order: each move changes the shapes that limit the next.
     PerWorker<Scratch> scratch(run);
     Array<GainsOfVisit> gained(deficits.empty() ? 0 : points.size());
-    levels_.visit_all(run, [&](int worker, int32_t i) {
+    visits_.visit_all(run, [&](int worker, int32_t i) {
         GainsOfVisit* const gains = deficits.empty() ? nullptr : &gained[i];
         visit(residuals[i], points[i], gains, scratch[worker]);
         if (gains)

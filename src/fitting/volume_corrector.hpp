@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/array.hpp"
-#include "base/visit_levels.hpp"
+#include "base/ordered_visits.hpp"
 #include "fitting/residuals.hpp"
 #include "fitting/volume_deficits.hpp"
 #include "remeshing/smoothing.hpp"
@@ -58,7 +58,7 @@ private:
 
     LocalMesh& mesh_;
     const double floor_, most_moved_;
-    const VisitLevels levels_;
+    const OrderedVisits visits_;
 };
 
 }  // namespace cleft

@@ -3,7 +3,7 @@
 
 #include "base/array.hpp"
 #include "base/collect.hpp"
-#include "remeshing/point_levels.hpp"
+#include "remeshing/ordered_points.hpp"
 
 namespace cleft
 {
@@ -38,7 +38,7 @@ public:
                     if (place[v] == Place::at_border)
                         list.push_back(v);
             });
-        levels_of_points(
+        ordered_points(
             mesh_, border.count(), [&](int64_t i) { return border[i]; }, run_)
             .visit_all(run_, [&](int worker, int32_t i) { do_visit(worker, border[i]); });
     }

@@ -1,0 +1,151 @@
+// Ordered visits: what they make is what the same visits make one after the other, for any number of threads.
+#include "base/ordered_visits.hpp"
+
+#include "support/cmocka.hpp"
+
+using namespace cleft;
+
+namespace
+{
+
+constexpr int32_t kPoints = 400;
+
+// A number that depends on i alone.
+uint32_t scrambled(uint32_t i) { return (i * 2654435761u) ^ (i * 40503u >> 7); }
+
+// Points in a ring with some chords: the points next to each.
+using Graph = Array<Array<int32_t>>;
+
+Graph ring_with_chords()
+{
+    Graph graph(kPoints);
+    const auto join = [&](int32_t a, int32_t b) {
+        graph[a].push_back(b);
+        graph[b].push_back(a);
+    };
+    for (int32_t a = 0; a < kPoints; ++a) {
+        join(a, (a + 1) % kPoints);
+        if (a % 3 == 0)
+            join(a, static_cast<int32_t>(scrambled(static_cast<uint32_t>(a)) % kPoints));
+    }
+    return graph;
+}
+
+Array<int32_t> order_of_visits()
+{
+    Array<int32_t> order;
+    for (uint32_t i = 0; i < 3 * kPoints; ++i)
+        order.push_back(static_cast<int32_t>(scrambled(i + 17) % kPoints));
+    return order;
+}
+
+// Any other order of two visits that touch gives other values.
+void visit(const Graph& graph, Array<uint64_t>& value, int32_t point)
+{
+    uint64_t sum = 0;
+    for (const int32_t other : graph[point])
+        sum = 31 * sum + value[other];
+    value[point] = 17 * value[point] + sum;
+}
+
+// Those of the same point, and of points next to it.
+void list_earlier(const Graph& graph, const Array<int32_t>& order, int64_t i, Array<int32_t>& earlier)
+{
+    for (int32_t j = 0; j < i; ++j)
+        if (order[j] == order[i] || std::count(graph[order[i]].begin(), graph[order[i]].end(), order[j]) > 0)
+            earlier.push_back(j);
+}
+
+void visits_make_what_they_make_in_their_order(void**)
+{
+    const Graph graph = ring_with_chords();
+    const auto order = order_of_visits();
+    Array<uint64_t> start(kPoints);
+    for (int32_t i = 0; i < kPoints; ++i)
+        start[i] = scrambled(static_cast<uint32_t>(i));
+    Array<uint64_t> wanted(start);
+    for (const int32_t point : order)
+        visit(graph, wanted, point);
+
+    for (const int threads : {1, 2, 5}) {
+        Run run;
+        run.threads = threads;
+        const OrderedVisits visits(
+            order.count(), [&](int64_t i, Array<int32_t>& earlier) { list_earlier(graph, order, i, earlier); }, run);
+        Array<uint64_t> value(start);
+        visits.visit_all(run, [&](int worker, int32_t i) {
+            assert_in_range(worker, 0, threads - 1);
+            visit(graph, value, order[i]);
+        });
+        assert_true(value == wanted);
+    }
+}
+
+// All visits are made, and made once, in orders of which threads can share little or nothing: each visit depends on one
+// that another thread makes.
+void visits_that_wait_for_one_another_are_made(void**)
+{
+    constexpr int64_t kVisits = 5000;
+    for (const int64_t back : {int64_t{1}, int64_t{300}, int64_t{1999}}) {
+        Run run;
+        run.threads = 4;
+        const OrderedVisits visits(
+            kVisits,
+            [&](int64_t i, Array<int32_t>& earlier) {
+                if (i >= back)
+                    earlier.push_back(static_cast<int32_t>(i - back));
+            },
+            run);
+        Array<int32_t> steps(kVisits, 0);
+        visits.visit_all(run, [&](int, int32_t i) { steps[i] += 1 + (i >= back ? steps[i - back] : 0); });
+        for (int64_t i = 0; i < kVisits; ++i)
+            assert_int_equal(steps[i], 1 + i / back);
+    }
+}
+
+void no_visits_are_made_of_none(void**)
+{
+    for (const int threads : {1, 3}) {
+        Run run;
+        run.threads = threads;
+        const OrderedVisits visits(
+            0, [](int64_t, Array<int32_t>&) {}, run);
+        visits.visit_all(run, [](int, int32_t) { fail(); });
+    }
+}
+
+// An error or a cancel ends all of them.
+void an_error_of_a_visit_is_thrown(void**)
+{
+    Run run;
+    run.threads = 3;
+    const OrderedVisits visits(
+        2000,
+        [](int64_t i, Array<int32_t>& earlier) {
+            if (i > 0)
+                earlier.push_back(static_cast<int32_t>(i - 1));
+        },
+        run);
+    bool is_caught = false;
+    try {
+        visits.visit_all(run, [](int, int32_t i) {
+            if (i == 700)
+                throw Error(CLEFT_ERROR_CANCELLED, "enough");
+            assert_true(i < 700);
+        });
+    } catch (const Error&) {
+        is_caught = true;
+    }
+    assert_true(is_caught);
+}
+
+}  // namespace
+
+int main()
+{
+    const CMUnitTest tests[] = {cmocka_unit_test(visits_make_what_they_make_in_their_order),
+                                cmocka_unit_test(visits_that_wait_for_one_another_are_made),
+                                cmocka_unit_test(no_visits_are_made_of_none),
+                                cmocka_unit_test(an_error_of_a_visit_is_thrown)};
+    return cmocka_run_group_tests(tests, nullptr, nullptr);
+}
