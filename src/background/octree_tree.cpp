@@ -3,8 +3,8 @@
 #include "background/octree_tree.hpp"
 
 #include "background/bcc_cell.hpp"
+#include "base/collect.hpp"
 #include "base/number_text.hpp"
-#include "base/parallel.hpp"
 #include "base/stage.hpp"
 
 #include <algorithm>
@@ -146,34 +146,64 @@ void refine(Octree& tree, const SizingField& field, double least_of_all, const V
     }
 }
 
+// visit(place) for each place next to that of a cell over a face or an edge, in the grid of its level.
+template <class Visit>
+void for_each_beside(const OctreeCell& cell, const Visit& visit)
+{
+    for (int d = 0; d < 27; ++d) {
+        const Int3 step = {d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1};
+        const int reach = std::abs(step[0]) + std::abs(step[1]) + std::abs(step[2]);
+        if (reach == 1 || reach == 2)
+            visit(Int3{cell.at[0] + step[0], cell.at[1] + step[1], cell.at[2] + step[2]});
+    }
+}
+
+// What is at a place beside a cell, if it is more than one level coarser; else -1.
+int32_t too_coarse_at(const Octree& tree, const Int3& place, int32_t level)
+{
+    const int32_t other = tree.find(place, level);
+    return other >= 0 && tree.cells[other].level < level - 1 ? other : -1;
+}
+
+// Leaves that have something too coarse beside them. All others never will have: cells only get finer.
+Array<int32_t> unbalanced_leaves(const Octree& tree, const Run& run)
+{
+    constexpr int64_t kCellsAtOnce = 1024;  // each looks at eighteen places
+    return collect<int32_t>(run, tree.cells.count(), kCellsAtOnce,
+                            [&](int64_t begin, int64_t end, Array<int32_t>& leaves) {
+                                for (auto c = static_cast<int32_t>(begin); c < end; ++c) {
+                                    const OctreeCell& cell = tree.cells[c];
+                                    if (!tree.is_leaf(c) || cell.level <= 1)
+                                        continue;
+                                    bool is_balanced = true;
+                                    for_each_beside(cell, [&](const Int3& place) {
+                                        is_balanced = is_balanced && too_coarse_at(tree, place, cell.level) < 0;
+                                    });
+                                    if (!is_balanced)
+                                        leaves.push_back(c);
+                                }
+                            });
+}
+
 // Splits what is more than one level coarser than a neighbour over a face or an edge. Cells made on the way are looked
 // at in their turn.
 // The order of the queue follows from the cells alone, so the numbers of the cells do too.
 void balance(Octree& tree, const Run& run)
 {
-    Array<int32_t> queue;
-    for (size_t c = 0; c < tree.cells.size(); ++c)
-        if (tree.cells[c].first_child < 0 && tree.cells[c].level > 1)
-            queue.push_back(static_cast<int32_t>(c));
+    Array<int32_t> queue = unbalanced_leaves(tree, run);
     for (size_t q = 0; q < queue.size(); ++q) {
         run.check_at(q);
         const OctreeCell cell = tree.cells[queue[q]];
-        for (int d = 0; d < 27; ++d) {
-            const Int3 step = {d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1};
-            const int reach = std::abs(step[0]) + std::abs(step[1]) + std::abs(step[2]);
-            if (reach == 0 || reach == 3)
-                continue;
-            const Int3 place = {cell.at[0] + step[0], cell.at[1] + step[1], cell.at[2] + step[2]};
-            int32_t other = tree.find(place, cell.level);
-            while (other >= 0 && tree.cells[other].level < cell.level - 1) {
+        for_each_beside(cell, [&](const Int3& place) {
+            for (int32_t other = too_coarse_at(tree, place, cell.level); other >= 0;
+                 other = too_coarse_at(tree, place, cell.level)) {
                 split(tree, other);
                 const int32_t first = tree.cells[other].first_child;
                 if (tree.cells[first].level > 1)
                     for (int32_t child = first; child < first + 8; ++child)
                         queue.push_back(child);
-                other = tree.find(place, cell.level);
             }
-        }
+        });
     }
 }
 

@@ -21,7 +21,7 @@ inline void touch_pages(const Run& run, void* memory, size_t bytes)
     });
 }
 
-// large_array() and array_with_room().
+// As large_array().
 template <class T, class Integer>
 Array<T> large_array(const Run& run, Integer count, const T& value = T())
 {
@@ -32,6 +32,18 @@ Array<T> large_array(const Run& run, Integer count, const T& value = T())
     return array;
 }
 
+// A copy.
+template <class T>
+Array<T> large_copy(const Run& run, const Array<T>& from)
+{
+    Array<T> copy;
+    reserve_large(copy, from.size());
+    touch_pages(run, copy.data(), from.size() * sizeof(T));
+    copy.assign(from.begin(), from.end());
+    return copy;
+}
+
+// As array_with_room().
 template <class T, class Integer>
 Array<T> array_with_room(const Run& run, Integer count, const T& value = T())
 {

@@ -95,7 +95,7 @@ void strip_labels(cleft_mesh& mesh, const cleft_options* options)
         return kept.has(static_cast<Material>(place));
     };
     strip(mesh.mesh.points, mesh.mesh.tets, mesh.mesh.labels, is_kept);
-    mesh.labels = distinct_labels(mesh.mesh.labels);
+    mesh.labels = distinct_labels(mesh.mesh.labels, Run());
     // Names of labels that are gone would come back if the mesh were written.
     const LabelNames all = std::exchange(mesh.names, {});
     add_label_names(mesh.names, all, mesh.labels);

@@ -93,7 +93,7 @@ cleft_status cleft_mesh_create(cleft_context* context, int64_t point_count, cons
             // A background needs no labels, but all functions of a mesh may ask for them.
             mesh.mesh.labels.assign(tet_count, 0);
         // Found once, for the functions that lend them have no place to put an error.
-        mesh.labels = distinct_labels(mesh.mesh.labels);
+        mesh.labels = distinct_labels(mesh.mesh.labels, Run());
         return mesh;
     });
 }

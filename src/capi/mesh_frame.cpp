@@ -2,6 +2,7 @@
 // labels are applied here and nowhere else (decision 1).
 #include "capi/mesh_frame.hpp"
 
+#include "base/collect.hpp"
 #include "base/error.hpp"
 #include "base/stage_timer.hpp"
 #include "checking/quick_check.hpp"
@@ -15,6 +16,9 @@ namespace cleft::capi
 
 namespace
 {
+
+// Points or tetrahedra that a thread takes. The number changes the time alone.
+constexpr int64_t kAtOnce = 1 << 14;
 
 // A mesh that is sound in its own frame was spoilt by the rounding of world coordinates.
 [[noreturn]] void refuse_result(Array<Tet> tets, const Array<Vec3>& local, const Frame& frame, const std::string& fault,
@@ -66,10 +70,11 @@ void refuse_coarse_world(const std::string& fault)
 
 Array<Vec3> to_world(const Array<Vec3>& local, Array<Tet>& tets, const Frame& frame, const Run& run)
 {
-    Array<Vec3> world;
-    world.reserve(local.size());
-    for (const Vec3& point : local)
-        world.push_back(frame.to_world(point));
+    Array<Vec3> world = large_array<Vec3>(run, local.size(), Vec3::Zero());
+    parallel_for(run, local.count(), kAtOnce, [&](int64_t begin, int64_t end) {
+        for (int64_t i = begin; i < end; ++i)
+            world[i] = frame.to_world(local[i]);
+    });
     if (frame.flips())
         turn_round(tets);
     // The last look at what a caller gets: rounding far from the origin can merge points that were apart.
@@ -86,17 +91,21 @@ void turn_round(Array<Tet>& tets)
 }
 
 // A sorted list: meshes have few labels, and callers get them ascending.
-Array<int32_t> distinct_labels(const Array<int32_t>& tet_labels)
+Array<int32_t> distinct_labels(const Array<int32_t>& tet_labels, const Run& run)
 {
-    Array<int32_t> labels;
-    for (size_t t = 0; t < tet_labels.size(); ++t) {
-        // Tetrahedra of a label follow each other mostly, so few reach the search.
-        if (t > 0 && tet_labels[t] == tet_labels[t - 1])
-            continue;
-        const auto at = std::lower_bound(labels.begin(), labels.end(), tet_labels[t]);
-        if (at == labels.end() || *at != tet_labels[t])
-            labels.insert(at, tet_labels[t]);
-    }
+    const auto sort_once = [](Array<int32_t>& labels) {
+        std::sort(labels.begin(), labels.end());
+        labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+    };
+    auto labels =
+        collect<int32_t>(run, tet_labels.count(), kAtOnce, [&](int64_t begin, int64_t end, Array<int32_t>& list) {
+            for (int64_t t = begin; t < end; ++t)
+                // Tetrahedra of a label follow each other mostly, so few are left to sort.
+                if (list.empty() || list.back() != tet_labels[t])
+                    list.push_back(tet_labels[t]);
+            sort_once(list);
+        });
+    sort_once(labels);
     return labels;
 }
 
@@ -109,9 +118,11 @@ cleft_mesh to_user(LabelledMesh&& mesh, const Frame& frame, const Array<UserLabe
     out.mesh.labels = std::move(mesh.material);
     out.mesh.points = to_world(mesh.points, out.mesh.tets, frame, run);
     // In place: the array of materials becomes that of labels, and a mesh needs no second one.
-    for (int32_t& label : out.mesh.labels)  // a material until here
-        label = number_of(labels[label]);
-    out.labels = distinct_labels(out.mesh.labels);
+    parallel_for(run, out.mesh.labels.count(), kAtOnce, [&](int64_t begin, int64_t end) {
+        for (int64_t t = begin; t < end; ++t)
+            out.mesh.labels[t] = number_of(labels[out.mesh.labels[t]]);  // a material until here
+    });
+    out.labels = distinct_labels(out.mesh.labels, run);
     return out;
 }
 

@@ -39,6 +39,6 @@ LabelledMesh to_stage(const cleft_mesh& mesh, const cleft_volume& volume);
 void turn_round(Array<Tet>& tets);
 
 // The different labels of a mesh, ascending.
-Array<int32_t> distinct_labels(const Array<int32_t>& tet_labels);
+Array<int32_t> distinct_labels(const Array<int32_t>& tet_labels, const Run& run);
 
 }  // namespace cleft::capi

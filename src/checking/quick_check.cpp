@@ -1,8 +1,8 @@
 // Looks for points that are not finite or at one place, and for tetrahedra that are flat or inverted.
 #include "checking/quick_check.hpp"
 
+#include "base/counting_sort.hpp"
 #include "base/ordinal.hpp"
-#include "base/parallel.hpp"
 #include "mesh/predicates.hpp"
 
 #include <algorithm>
@@ -61,15 +61,38 @@ bool is_before(const Vec3& a, const Vec3& b)
 namespace
 {
 
+// Whether two hashes are equal. By their first bits first, so that threads can sort the few that share them.
+bool has_equal_hashes(const Array<Vec3>& points, const Run& run)
+{
+    constexpr int kFirstBits = 12;
+    constexpr int64_t kKeysAtOnce = 16;
+    constexpr int64_t kKeys = int64_t{1} << kFirstBits;
+    Array<uint64_t> hashes = large_array<uint64_t>(run, points.count());
+    parallel_for(run, points.count(), kQuickGrain, [&](int64_t begin, int64_t end) {
+        std::transform(points.begin() + begin, points.begin() + end, hashes.begin() + begin, hash_of_place);
+    });
+    Groups<int64_t, uint64_t> groups = group_by_key<int64_t, uint64_t>(
+        run, points.count(), kKeys,
+        [&](int64_t i, const auto& give) { give(static_cast<int64_t>(hashes[i] >> (64 - kFirstBits)), hashes[i]); });
+    std::atomic<bool> has_equal{false};
+    parallel_for(run, kKeys, kKeysAtOnce, [&](int64_t begin, int64_t end) {
+        for (int64_t key = begin; key < end; ++key) {
+            const auto first = groups.values.begin() + groups.start[key],
+                       last = groups.values.begin() + groups.start[key + 1];
+            std::sort(first, last);
+            if (std::adjacent_find(first, last) != last)
+                has_equal = true;
+        }
+    });
+    return has_equal;
+}
+
 // The later of two points at one place, or -1. Points of different hashes are at different places; where hashes are
 // equal, which is next to never for different points, all are sorted.
-int64_t repeated_point(const Array<Vec3>& points)
+// Sorting hashes needs a third of the memory of sorting coordinates, and compares one number instead of three.
+int64_t repeated_point(const Array<Vec3>& points, const Run& run)
 {
-    // Sorting hashes needs a third of the memory of sorting coordinates, and compares one number instead of three.
-    Array<uint64_t> hashes(points.size());
-    std::transform(points.begin(), points.end(), hashes.begin(), hash_of_place);
-    std::sort(hashes.begin(), hashes.end());
-    if (std::adjacent_find(hashes.begin(), hashes.end()) == hashes.end())
+    if (!has_equal_hashes(points, run))
         return -1;
     Array<size_t> order(points.size());
     for (size_t i = 0; i < order.size(); ++i)
@@ -88,7 +111,7 @@ std::string quick_fault(const Array<Vec3>& points, const Array<Tet>& tets, const
     const int64_t wild = first_that(points.count(), run, [&](int64_t i) { return !points[i].allFinite(); });
     if (wild >= 0)
         return "the " + ordinal(wild) + " point is not finite";
-    const int64_t twice = repeated_point(points);
+    const int64_t twice = repeated_point(points, run);
     if (twice >= 0)
         return "the " + ordinal(twice) + " point is at the place of another";
     const int64_t turned = first_that(tets.count(), run, [&](int64_t t) {

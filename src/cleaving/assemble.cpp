@@ -1,7 +1,7 @@
 // Writes the output mesh: numbers the points that are in use, and splits every background tetrahedron by its fan.
 #include "cleaving/assemble.hpp"
 
-#include "base/parallel.hpp"
+#include "base/shared_access.hpp"
 #include "base/touched_array.hpp"
 #include "cleaving/choose_material.hpp"
 #include "cleaving/split_tet.hpp"
@@ -19,12 +19,14 @@ namespace
 // Background tetrahedra per chunk. Places in the output are counted first, so this number changes the time alone.
 constexpr int64_t kTetsWritten = 2048;
 
-Array<uint8_t> vertices_in_use(const Centres& c)
+Array<uint8_t> vertices_in_use(const Centres& c, const Run& run)
 {
     Array<uint8_t> in_use(c.points.size(), 0);
-    for (const Tet& t : c.tets)
-        for (const int32_t v : t)
-            in_use[v] = 1;
+    parallel_for(run, c.tets.count(), kTetsWritten, [&](int64_t begin, int64_t end) {
+        for (int64_t t = begin; t < end; ++t)
+            for (const int32_t v : c.tets[t])
+                store_shared<uint8_t>(in_use[v], 1);
+    });
     return in_use;
 }
 
@@ -33,10 +35,10 @@ struct Numbering {
     Array<int32_t> vertex, cut, triple, quadruple;
     Array<Vec3> points;
 
-    explicit Numbering(const Centres& c)
+    Numbering(const Centres& c, const Run& run)
     {
         reserve_large(points, c.points.size() + c.edges.size() + c.faces.size());
-        const Array<uint8_t> in_use = vertices_in_use(c);
+        const Array<uint8_t> in_use = vertices_in_use(c, run);
         number(
             vertex, c.points, [&](size_t i) { return in_use[i] != 0; }, [&](size_t i) { return c.points[i]; });
         number(
@@ -176,7 +178,7 @@ private:
 LabelledMesh assemble(const Centres& c, const Run& run)
 {
     const Plan plan = plan_output(c, run);
-    Numbering numbering(c);
+    Numbering numbering(c, run);
     note_points(numbering, run);
     LabelledMesh mesh;
     mesh.points = std::move(numbering.points);
@@ -195,10 +197,10 @@ LabelledMesh assemble(const Centres& c, const Run& run)
     return mesh;
 }
 
-Array<int32_t> points_in_doubt(const Centres& c)
+Array<int32_t> points_in_doubt(const Centres& c, const Run& run)
 {
     constexpr uint8_t kUsed = 1, kInDoubt = 2;
-    Array<uint8_t> state = vertices_in_use(c);
+    Array<uint8_t> state = vertices_in_use(c, run);
     for (size_t v = 0; v < state.size(); ++v)
         // A vertex of one material has no interface through it, so nothing is pinched there.
         if (c.doubtful[v] && c.materials[v].size() > 1)

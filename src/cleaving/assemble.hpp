@@ -13,6 +13,6 @@ LabelledMesh assemble(const Centres& c, const Run& run);
 
 // The points of that mesh at which interfaces may be pinched, ascending: those of vertices in doubt, and at cuts that
 // were given up. Of a pinched edge one end is among them.
-Array<int32_t> points_in_doubt(const Centres& c);
+Array<int32_t> points_in_doubt(const Centres& c, const Run& run);
 
 }  // namespace cleft

@@ -23,7 +23,7 @@ LabelledMesh split_centres(Centres& centres, const CleaveOptions& options, Array
     // Where tetrahedra on the other side are missing, nobody can tell whether interfaces are pinched.
     for (const int32_t v : options.held)
         centres.doubtful[v] = 0;
-    in_doubt = points_in_doubt(centres);
+    in_doubt = points_in_doubt(centres, of_assembly);
     return assemble(centres, of_assembly);
 }
 

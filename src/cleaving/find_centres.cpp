@@ -42,21 +42,10 @@ SampledVertices sample_vertices(const Volume& volume, const Array<Vec3>& points,
             SampleStore::append(samples, chunks[chunk]);
         }
     });
-    // Joined in the order of chunks: vertex after vertex, as SampleStore expects. Each is freed at once, which keeps
-    // the peak of memory low.
-    for (auto& chunk : chunks) {
-        out.values.insert(out.values.end(), chunk.begin(), chunk.end());
-        chunk = {};
-    }
+    // In the order of chunks: vertex after vertex, as SampleStore expects.
+    out.values = joined<MaterialValue>(
+        run, chunks, [](auto& chunk) -> auto& { return chunk; });
     return out;
-}
-
-Array<Vec3> copy_of(const Array<Vec3>& points)
-{
-    Array<Vec3> copy;
-    reserve_large(copy, points.size());
-    copy.assign(points.begin(), points.end());
-    return copy;
 }
 
 // Before anything has snapped a vertex has one material.
@@ -64,10 +53,13 @@ Array<Vec3> copy_of(const Array<Vec3>& points)
 class Tables
 {
 public:
-    Tables(Centres& centres, const Run& run) : c_(centres), run_(run), material_(centres.points.size())
+    Tables(Centres& centres, const Run& run)
+        : c_(centres), run_(run), material_(large_array<uint16_t>(run, centres.points.count()))
     {
-        for (size_t v = 0; v < material_.size(); ++v)
-            material_[v] = static_cast<uint16_t>(c_.materials[v][0]);
+        parallel_for(run, material_.count(), kVerticesListed, [&](int64_t begin, int64_t end) {
+            for (int64_t v = begin; v < end; ++v)
+                material_[v] = static_cast<uint16_t>(c_.materials[v][0]);
+        });
     }
 
     void build()
@@ -220,10 +212,11 @@ void list_centres(Centres& c, const Run& run) { Tables(c, run).build(); }
 
 Centres find_centres(const Volume& volume, const TetMesh& background, const MetricField* metric, Steps& steps)
 {
-    SampledVertices sampled = sample_vertices(volume, background.points, steps.next());
+    const Run of_vertices = steps.next();
+    SampledVertices sampled = sample_vertices(volume, background.points, of_vertices);
     Centres c{volume,
               background.tets,
-              copy_of(background.points),
+              large_copy(of_vertices, background.points),
               std::move(sampled.materials),
               SampleStore(std::move(sampled.values), sampled.count),
               {},

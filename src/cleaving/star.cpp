@@ -2,6 +2,7 @@
 #include "cleaving/star.hpp"
 
 #include "base/counting_sort.hpp"
+#include "base/shared_access.hpp"
 #include "cleaving/split_tet.hpp"
 #include "mesh/quality.hpp"
 
@@ -32,10 +33,14 @@ double quality_of(const Centres& c, const Tet& t)
 
 VertexTets::VertexTets(const Centres& c, const Run& run)
 {
+    constexpr int64_t kEdgesAtOnce = 1 << 14;  // the number changes the time alone
     // Only these vertices are ever visited. They are a small part, so the lists take little memory.
     Array<uint8_t> is_at_cut(c.points.size(), 0);
-    for (const CutEdge& e : c.edges)
-        is_at_cut[e.lower] = is_at_cut[e.upper] = 1;
+    parallel_for(run, c.edges.count(), kEdgesAtOnce, [&](int64_t begin, int64_t end) {
+        for (int64_t e = begin; e < end; ++e)
+            for (const int32_t v : {c.edges[e].lower, c.edges[e].upper})
+                store_shared<uint8_t>(is_at_cut[v], 1);
+    });
     Groups<int64_t, int32_t> tets =
         group_by_key<int64_t, int32_t>(run, c.tets.count(), c.points.count(), [&](int64_t t, const auto& give) {
             for (const int32_t v : c.tets[t])

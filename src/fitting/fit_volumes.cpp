@@ -57,7 +57,7 @@ bool fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, cons
     Array<InterfaceTriangle> triangles = find_triangles(mesh, meetings, of_heights);
     find_heights(mesh, volume, without_tie, triangles, of_heights);
     const Run of_volumes = stage.next();
-    Array<FitPoint> points = find_points(mesh, without_tie, triangles);
+    Array<FitPoint> points = find_points(mesh, without_tie, triangles, of_volumes);
     const TrianglesAt at = triangles_at(triangles, points, of_volumes);
     const Array<SharedArea> shared = find_shared_areas(triangles);
     const double most_moved = surface_error > 0 ? kShareOfError * surface_error : INFINITY;

@@ -155,12 +155,12 @@ Array<Found> relocated(const LocalMesh& mesh, const Array<int32_t>& points, PerW
 class SettlingRounds
 {
 public:
-    SettlingRounds(LocalMesh& mesh, PerWorker<LineRelocator>& relocators)
+    SettlingRounds(LocalMesh& mesh, PerWorker<LineRelocator>& relocators, const Run& run)
         : mesh_(mesh),
           relocators_(relocators),
-          visits_(mesh),
-          changed_(mesh.slot_count(), 0),
-          tried_(mesh.point_count(), 0)
+          visits_(mesh, run),
+          changed_(large_array<uint32_t>(run, mesh.slot_count())),
+          tried_(large_array<uint32_t>(run, mesh.point_count()))
     {
     }
 
@@ -240,7 +240,7 @@ LinePoints relocate_lines(LocalMesh& mesh, const Volume& volume, double floor, c
     for (int round = 0; round < rounds; ++round) {
         const bool around = round >= first_around;
         if (around && !settling)
-            settling.emplace(mesh, relocators);
+            settling.emplace(mesh, relocators, run);
         const Array<Found> found = around ? settling->settle(points, run) : relocated(mesh, points, relocators, run);
         Array<int32_t> left;
         for (int64_t i = 0; i < points.count(); ++i) {

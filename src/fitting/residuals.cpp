@@ -1,7 +1,8 @@
 // Sums over the triangles at each point: the normal equations of least squares, which the volume corrector solves.
 #include "fitting/residuals.hpp"
 
-#include "base/parallel.hpp"
+#include "base/collect.hpp"
+#include "base/shared_access.hpp"
 
 #include <algorithm>
 
@@ -35,25 +36,34 @@ Left left_of(const LocalMesh& mesh, const InterfaceTriangle& t, const Array<FitP
 }  // namespace
 
 Array<FitPoint> find_points(const LocalMesh& mesh, const Array<int32_t>& without_tie,
-                            Array<InterfaceTriangle>& triangles)
+                            Array<InterfaceTriangle>& triangles, const Run& run)
 {
-    Array<int32_t> index(mesh.point_count(), 0);
-    for (const InterfaceTriangle& t : triangles)
-        for (const int32_t v : t.corners)
-            index[v] = 1;
-    Array<FitPoint> points;
-    for (int32_t v = 0; v < mesh.point_count(); ++v)
-        if (index[v] == 1) {
-            index[v] = static_cast<int32_t>(points.size());
-            points.push_back({v});
-        }
-    for (InterfaceTriangle& t : triangles)
-        for (size_t i = 0; i < 3; ++i)
-            t.fit_points[i] = index[t.corners[i]];
+    // A mark, and later the place among the points.
+    Array<int32_t> index = large_array<int32_t>(run, mesh.point_count(), 0);
+    parallel_for(run, triangles.count(), kAtOnce, [&](int64_t begin, int64_t end) {
+        for (int64_t i = begin; i < end; ++i)
+            for (const int32_t v : triangles[i].corners)
+                store_shared(index[v], 1);
+    });
+    auto points = collect<FitPoint>(run, mesh.point_count(), kAtOnce, [&](int64_t begin, int64_t end, auto& list) {
+        for (auto v = static_cast<int32_t>(begin); v < end; ++v)
+            if (index[v] == 1)
+                list.push_back({v});
+    });
+    parallel_for(run, points.count(), kAtOnce, [&](int64_t begin, int64_t end) {
+        for (int64_t i = begin; i < end; ++i)
+            index[points[i].number] = static_cast<int32_t>(i);
+    });
+    parallel_for(run, triangles.count(), kAtOnce, [&](int64_t begin, int64_t end) {
+        for (int64_t i = begin; i < end; ++i)
+            for (size_t k = 0; k < 3; ++k)
+                triangles[i].fit_points[k] = index[triangles[i].corners[k]];
+    });
     Array<int32_t> fixed = without_tie;
     std::sort(fixed.begin(), fixed.end());
-    for (FitPoint& p : points)
-        p.is_fixed = std::binary_search(fixed.begin(), fixed.end(), p.number);
+    if (!fixed.empty())
+        for (FitPoint& p : points)
+            p.is_fixed = std::binary_search(fixed.begin(), fixed.end(), p.number);
     return points;
 }
 
@@ -68,12 +78,12 @@ TrianglesAt triangles_at(const Array<InterfaceTriangle>& triangles, const Array<
 Array<Residual> find_residuals(const LocalMesh& mesh, const Array<InterfaceTriangle>& triangles, const TrianglesAt& at,
                                const Array<FitPoint>& points, const Run& run)
 {
-    Array<Left> left(triangles.size());
+    Array<Left> left = large_array<Left>(run, triangles.size());
     parallel_for(run, triangles.count(), kAtOnce, [&](int64_t begin, int64_t end) {
         for (int64_t t = begin; t < end; ++t)
             left[t] = left_of(mesh, triangles[t], points);
     });
-    Array<Residual> out(points.size());
+    Array<Residual> out = large_array<Residual>(run, points.size());
     parallel_for(run, points.count(), kAtOnce, [&](int64_t begin, int64_t end) {
         for (int64_t p = begin; p < end; ++p)
             for (int64_t i = at.start[p]; i < at.start[p + 1]; ++i) {

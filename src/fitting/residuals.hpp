@@ -26,7 +26,7 @@ struct Residual {
 // is no tie from which to move them.
 // The numbers of the points are in ascending order, which is the order of all moves that follow.
 Array<FitPoint> find_points(const LocalMesh& mesh, const Array<int32_t>& without_tie,
-                            Array<InterfaceTriangle>& triangles);
+                            Array<InterfaceTriangle>& triangles, const Run& run);
 
 // By point: its triangles, in their order.
 using TrianglesAt = Groups<int64_t, int32_t>;

@@ -1,6 +1,8 @@
 // Passes over the bad tetrahedra: cheap operations for all, expensive ones for the worst.
 #include "improving/improver.hpp"
 
+#include "base/touched_array.hpp"
+
 #include <algorithm>
 
 namespace cleft
@@ -56,7 +58,7 @@ size_t attempts_in_pass(const Search& search, size_t tets)
 Improver::Improver(LocalMesh& mesh, const Volume& volume, double target, const Run& run)
     : target_(target),
       mesh_(mesh),
-      home_(mesh.points()),
+      home_(large_copy(run, mesh.points())),
       finders_(run, mesh, volume, home_),
       rounds_(mesh, bad_),
       compound_(mesh, volume, home_, bad_),

@@ -3,8 +3,8 @@
 // Blelloch, Fineman, Gibbons, Shun 2012).
 #pragma once
 
-#include "base/parallel.hpp"
 #include "base/shared_access.hpp"
+#include "base/touched_array.hpp"
 #include "remeshing/local_mesh.hpp"
 
 namespace cleft
@@ -14,7 +14,9 @@ class ClaimedVisits
 {
 public:
     // As many tetrahedra as the mesh has slots, which the visits must not add to.
-    explicit ClaimedVisits(const LocalMesh& mesh) : claimed_by_(mesh.slot_count(), UINT32_MAX) {}
+    ClaimedVisits(const LocalMesh& mesh, const Run& run) : claimed_by_(large_array(run, mesh.slot_count(), UINT32_MAX))
+    {
+    }
 
     // Number of the round that goes on, over all calls; from 1.
     uint32_t round() const { return round_; }

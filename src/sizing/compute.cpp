@@ -4,6 +4,7 @@
 
 #include "base/number_text.hpp"
 #include "base/stage.hpp"
+#include "base/touched_array.hpp"
 #include "sizing/feature_size.hpp"
 #include "sizing/gradient_limit.hpp"
 #include "sizing/number_limit.hpp"
@@ -178,7 +179,7 @@ struct Sources {
 SizingField field_of(const Sources& from, const Limits& limits, const Run& run)
 {
     const Grid& grid = from.labelling.grid;
-    SizingField field{grid, Array<float>(grid.size(), static_cast<float>(limits.greatest)), from.options.gradation};
+    SizingField field{grid, large_array(run, grid.size(), static_cast<float>(limits.greatest)), from.options.gradation};
     Steps steps(run, {{"sizing: sizes of labels", from.options.material_sizes.empty() ? 0.0 : 10},
                       {"sizing: thin parts", from.options.keep_thin ? 20.0 : 0},
                       {"sizing: gradation", 90}});

@@ -2,6 +2,7 @@
 #include "sizing/feature_size.hpp"
 
 #include "base/stage.hpp"
+#include "base/touched_array.hpp"
 #include "sizing/feature_transform.hpp"
 #include "sizing/medial_axis.hpp"
 #include "sizing/thin_parts.hpp"
@@ -210,7 +211,7 @@ FeatureSizes local_feature_sizes(const Labelling& labelling, double most, const 
     Array<uint8_t> medial = thin_medial_places(labelling, points, steps.next());
     // A byte per voxel, which only the thin parts need; the arrays below are the peak of this stage.
     points.forget_sides();
-    NearestSites nearest{Array<int32_t>(grid.size()), 0};
+    NearestSites nearest{large_array<int32_t>(run, grid.size()), 0};
     const Array<double> reaches = reaches_to_try(grid, points.count(), most);
     Steps tries(steps.next(), Array<Step>(reaches.size(), {nullptr, 1}));
     FoundSizes found;

@@ -5,6 +5,7 @@
 #include "sizing/gradient_limit.hpp"
 
 #include "base/stage.hpp"
+#include "base/touched_array.hpp"
 #include "base/wide_vectors.hpp"
 #include "sizing/chamfer_scan.hpp"
 #include "sizing/raster_scan.hpp"
@@ -12,6 +13,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace cleft
 {
@@ -264,9 +266,11 @@ void limit_gradient(const Grid& grid, double gradation, Array<float>& h, const R
     // with a worse cone.
     constexpr std::array<RasterScan, 4> kScans{{{{1, 1, 1}}, {{-1, -1, -1}}, {{1, -1, 1}}, {{-1, 1, -1}}}};
     Steps steps(run, Array<Step>(kScans.size() + 3, {"sizing: gradation", 1}));
-    Array<int32_t> apex(h.size());
-    for (size_t v = 0; v < apex.size(); ++v)
-        apex[v] = static_cast<int32_t>(v);
+    constexpr int64_t kVoxelsAtOnce = 1 << 16;
+    Array<int32_t> apex = large_array<int32_t>(run, h.size());
+    parallel_for(run, apex.count(), kVoxelsAtOnce, [&](int64_t begin, int64_t end) {
+        std::iota(apex.begin() + begin, apex.begin() + end, static_cast<int32_t>(begin));
+    });
     for (const RasterScan& scan : kScans) {
         ConeScan cones(grid, gradation, h, apex, scan);
         wavefront(steps.next(), grid.dims[2], grid.dims[1], [&](int32_t plane, int32_t row) { cones.row(plane, row); });

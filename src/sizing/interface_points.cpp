@@ -3,6 +3,8 @@
 // Both follow from the integer gradient, 19 values an axis, and from which axes have such a face: 54,872 codes.
 #include "sizing/interface_points.hpp"
 
+#include "base/touched_array.hpp"
+
 #include <cmath>
 #include <cstdlib>
 
@@ -125,7 +127,9 @@ Code code_of(const RowsAround& rows, int32_t i, int sides)
 }  // namespace
 
 InterfacePoints::InterfacePoints(const Labelling& labelling, const Run& run)
-    : codes_(labelling.grid.size()), sides_(labelling.grid.size()), table_(decode_all(labelling.grid.spacing))
+    : codes_(large_array<uint16_t>(run, labelling.grid.size())),
+      sides_(large_array<uint8_t>(run, labelling.grid.size())),
+      table_(decode_all(labelling.grid.spacing))
 {
     const Grid& grid = labelling.grid;
     const int64_t grain = rows_per_chunk(grid);

@@ -67,7 +67,7 @@ Array<Found> found_by_block(const PointBlocks& blocks, const Array<Point>& point
                             const FindAt& find_at, const Run& run)
 {
     constexpr int64_t kBlocksAtOnce = 64;
-    Array<Found> out(points.size());
+    Array<Found> out = large_array<Found>(run, points.size());
     parallel_for(run, blocks.count(), kBlocksAtOnce, [&](int64_t begin, int64_t end) {
         Array<std::pair<int32_t, Found>> known;
         for (int64_t block = begin; block < end; ++block) {

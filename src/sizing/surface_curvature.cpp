@@ -1,7 +1,7 @@
 // Normals are fitted in windows, one for each side of an interface in a block of voxels.
 #include "sizing/surface_curvature.hpp"
 
-#include "base/parallel.hpp"
+#include "base/touched_array.hpp"
 #include "sizing/point_blocks.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -33,7 +33,7 @@ struct SurfacePoint {
 
 Array<SurfacePoint> with_normals(const Volume& volume, const Array<TiePoint>& points, const Run& run)
 {
-    Array<SurfacePoint> out(points.size());
+    Array<SurfacePoint> out = large_array<SurfacePoint>(run, points.size());
     parallel_for(run, points.count(), kPointsAtOnce, [&](int64_t begin, int64_t end) {
         Samples samples;
         for (int64_t i = begin; i < end; ++i) {
@@ -129,20 +129,25 @@ Array<Bend> surface_bends(const Volume& volume, const Run& run)
     Array<Bend> bends = found_by_block<Bend>(
         blocks, points, is_same_side,
         [&](int64_t block, const SurfacePoint& middle) { return bend_at(blocks, block, points, middle); }, run);
-    for (size_t i = 0; i < bends.size(); ++i) {
-        bends[i].x = points[i].x;
-        bends[i].normal = points[i].normal;
-    }
+    parallel_for(run, bends.count(), kPointsAtOnce, [&](int64_t begin, int64_t end) {
+        for (int64_t i = begin; i < end; ++i) {
+            bends[i].x = points[i].x;
+            bends[i].normal = points[i].normal;
+        }
+    });
     return bends;
 }
 
 Array<CurvedPoint> surface_curvatures(const Volume& volume, const Run& run)
 {
     const Array<Bend> bends = surface_bends(volume, run);
-    Array<CurvedPoint> points;
-    points.reserve(bends.size());
-    for (const Bend& bend : bends)
-        points.push_back({bend.x, static_cast<float>(std::max({0.0, bend.curvature[0], bend.curvature[1]}))});
+    Array<CurvedPoint> points = large_array<CurvedPoint>(run, bends.size());
+    parallel_for(run, bends.count(), kPointsAtOnce, [&](int64_t begin, int64_t end) {
+        for (int64_t i = begin; i < end; ++i) {
+            const Bend& bend = bends[i];
+            points[i] = {bend.x, static_cast<float>(std::max({0.0, bend.curvature[0], bend.curvature[1]}))};
+        }
+    });
     return points;
 }
 

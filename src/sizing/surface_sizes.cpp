@@ -1,6 +1,7 @@
 // From curvatures to sizes, voxel by voxel.
 #include "sizing/surface_sizes.hpp"
 
+#include "base/collect.hpp"
 #include "sizing/line_curvature.hpp"
 #include "sizing/surface_curvature.hpp"
 #include "sizing/voxel_of_point.hpp"
@@ -19,22 +20,24 @@ constexpr double kShareOfEdge = 0.7;
 
 double greatest_size(double error, double curvature) { return kShareOfEdge * std::sqrt(8 * error / curvature); }
 
-void add_sizes(const Grid& grid, const Array<CurvedPoint>& points, double error, Array<SizeLimit>& sizes)
+Array<SizeLimit> sizes_at(const Grid& grid, const Array<CurvedPoint>& points, double error, const Run& run)
 {
-    for (const CurvedPoint& point : points) {
-        if (!(point.curvature > 0))
-            continue;
-        sizes.push_back({voxel_of_point(grid, point.x), static_cast<float>(greatest_size(error, point.curvature))});
-    }
+    constexpr int64_t kPointsAtOnce = 4096;  // the number changes the time alone
+    return collect<SizeLimit>(
+        run, points.count(), kPointsAtOnce, [&](int64_t begin, int64_t end, Array<SizeLimit>& sizes) {
+            for (int64_t i = begin; i < end; ++i)
+                if (const auto& [x, curvature] = points[i]; curvature > 0)
+                    sizes.push_back({voxel_of_point(grid, x), static_cast<float>(greatest_size(error, curvature))});
+        });
 }
 
 }  // namespace
 
 Array<SizeLimit> sizes_for_error(const Volume& volume, double error, const Run& run)
 {
-    Array<SizeLimit> sizes;
-    add_sizes(volume.grid(), surface_curvatures(volume, run), error, sizes);
-    add_sizes(volume.grid(), line_curvatures(volume, run), error, sizes);
+    Array<SizeLimit> sizes = sizes_at(volume.grid(), surface_curvatures(volume, run), error, run);
+    const Array<SizeLimit> of_lines = sizes_at(volume.grid(), line_curvatures(volume, run), error, run);
+    sizes.insert(sizes.end(), of_lines.begin(), of_lines.end());
     return sizes;
 }
 

@@ -2,6 +2,7 @@
 // show opposite sides.
 #include "sizing/thin_parts.hpp"
 
+#include "base/touched_array.hpp"
 #include "sizing/medial_axis.hpp"
 
 namespace cleft
@@ -100,7 +101,7 @@ Array<uint8_t> thin_medial_places(const Labelling& labelling, const InterfacePoi
 {
     const Grid& grid = labelling.grid;
     const ThinParts parts(grid, points);
-    Array<uint8_t> medial(grid.size());
+    Array<uint8_t> medial = large_array<uint8_t>(run, grid.size());
     parallel_with_progress(run, row_count(grid), rows_per_chunk(grid), [&](int64_t, int64_t begin, int64_t end) {
         RowWindow window(labelling);
         for (int64_t row = begin; row < end; ++row) {
