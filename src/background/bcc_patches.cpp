@@ -165,7 +165,7 @@ double cells_of_constant_size(const Grid& grid, double size)
 
 BccPatches constant_size_patches(const SizingField& field, const SizeSampler& size, const Run& run)
 {
-    const double greatest = field.greatest();
+    const double greatest = field.range().greatest;
     BccPatches lattice;
     lattice.extent = size.extent();
     const Index cells = cells_between_walls(lattice.extent, cell_side(greatest));

@@ -38,7 +38,7 @@ void warn_of_raised_size(double least, double size, double most, const Run& run)
 
 double field_lattice_size(const Grid& grid, const SizeRange& sizes, const LatticeOptions& options)
 {
-    const bool is_asked_for = options.is_size_given || sizes.least == sizes.greatest;
+    const bool is_asked_for = options.is_size_given || sizes.is_one_size();
     if (options.max_tets <= 0 || is_asked_for)
         return sizes.least;
     return std::max(sizes.least, lattice_size_for(grid, options.max_tets));
@@ -53,8 +53,9 @@ void check_lattice(const Grid& grid, const SizeRange& sizes, const LatticeOption
 
 TetMesh field_lattice(const SizingField& field, const LatticeOptions& options, const Run& run)
 {
-    check_lattice(field.grid, field.range(), options, run);
-    return lattice_background(field.grid, field_lattice_size(field.grid, field.range(), options), run);
+    const SizeRange sizes = field.range();
+    check_lattice(field.grid, sizes, options, run);
+    return lattice_background(field.grid, field_lattice_size(field.grid, sizes, options), run);
 }
 
 // Scaled for a wanted number of tetrahedra, the one size of a lattice can come out coarser than the thinnest parts ask
@@ -63,9 +64,10 @@ void warn_of_coarse_lattice(const SizingField& field, double scale, const Run& r
 {
     // A lattice that is less than a tenth coarser resolves nearly the same, and needs no warning.
     constexpr double kCoarse = 1.1;
-    if (scale > kCoarse && field.least() < field.greatest())
-        run.warn("the lattice has one size, " + number_text(field.least()) +
-                 ", which may lose the thinnest parts: a size of " + number_text(field.least() / scale) +
+    const SizeRange sizes = field.range();
+    if (scale > kCoarse && !sizes.is_one_size())
+        run.warn("the lattice has one size, " + number_text(sizes.least) +
+                 ", which may lose the thinnest parts: a size of " + number_text(sizes.least / scale) +
                  " resolves them, or a graded background with fewer tetrahedra");
 }
 

@@ -17,7 +17,8 @@ namespace
 // Particles of one size everywhere are seeded as a lattice that fits the box, so that their number is known.
 double particle_tets(const SizingField& field)
 {
-    const double cells = field.least() == field.greatest() ? cells_of_constant_size(field.grid, field.greatest()) : 0;
+    const SizeRange sizes = field.range();
+    const double cells = sizes.is_one_size() ? cells_of_constant_size(field.grid, sizes.least) : 0;
     return cells > 0 ? kTetsOfBccCell * cells : expected_particle_tets(field);
 }
 

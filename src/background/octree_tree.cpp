@@ -29,15 +29,6 @@ constexpr int32_t kMostLevels = 20;
 constexpr double kMostTets = 600e6;
 constexpr double kMostCells = 60e6;
 
-void refuse_too_many(const SizingField& field)
-{
-    const double tets = rough_octree_tets(field);
-    if (tets > kMostTets)
-        throw Error(CLEFT_ERROR_TOO_LARGE, "the sizes ask for an octree of about " + count_text(tets / 1e6) +
-                                               " million tetrahedra, but it can have 600 million at most: set a "
-                                               "greater size or size_min, or a number of tetrahedra by tets");
-}
-
 void require_few(double cells)
 {
     if (cells > kMostCells)
@@ -234,19 +225,35 @@ double rough_octree_tets(const Vec3& extent, const SizeRange& sizes, double part
     return std::max(kTetsACell * roots_in(roots, roots[2]), kTetsOverParticles * particle_tets);
 }
 
-double rough_octree_tets(const SizingField& field)
+namespace
+{
+
+// `sizes`: the range of the field.
+double rough_tets(const SizingField& field, const SizeRange& sizes)
 {
     const Vec3 extent = field.grid.extent();
-    const SizeRange sizes = field.range();
     const Int3 roots = octree_roots(extent, sizes);
     require_few(roots_in(roots, roots[2]));
     return rough_octree_tets(extent, sizes, expected_particle_tets(field));
 }
 
+void refuse_too_many(const SizingField& field, const SizeRange& sizes)
+{
+    const double tets = rough_tets(field, sizes);
+    if (tets > kMostTets)
+        throw Error(CLEFT_ERROR_TOO_LARGE, "the sizes ask for an octree of about " + count_text(tets / 1e6) +
+                                               " million tetrahedra, but it can have 600 million at most: set a "
+                                               "greater size or size_min, or a number of tetrahedra by tets");
+}
+
+}  // namespace
+
+double rough_octree_tets(const SizingField& field) { return rough_tets(field, field.range()); }
+
 Octree build_octree(const SizingField& field, const Run& run)
 {
-    refuse_too_many(field);
     const SizeRange sizes = field.range();
+    refuse_too_many(field, sizes);
     return build_octree_part(field, sizes, {0, octree_roots(field.grid.extent(), sizes)[2]}, run);
 }
 

@@ -1,12 +1,11 @@
 // Keys along a Hilbert curve, and a sort by them.
 #include "mesh/curve_order.hpp"
 
-#include "base/parallel.hpp"
+#include "base/counting_sort.hpp"
 #include "mesh/bounding_box.hpp"
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 namespace cleft
 {
@@ -55,25 +54,23 @@ uint64_t hilbert_index(std::array<uint32_t, 3> x)
     return spread(x[0] ^ flip) << 2 | spread(x[1] ^ flip) << 1 | spread(x[2] ^ flip);
 }
 
-// Stable, eleven bits a pass.
-// A sort by comparison would pass over the keys more often. Six passes cover the 63 bits of a key, and each must be
-// stable, or it would undo the one before.
-void radix_sort(Array<Key>& keys)
+// By the first bits first, so that threads can sort the few that share them. Stable.
+Array<Key> sorted(const Array<Key>& keys, const Run& run)
 {
-    // More bits would save a pass, but need more counters than the fastest memory holds.
-    constexpr int kDigit = 11;
-    constexpr size_t kValues = size_t{1} << kDigit;
-    Array<Key> sorted(keys.size());
-    for (int shift = 0; shift < 3 * kBits; shift += kDigit) {
-        std::array<size_t, kValues + 1> start{};
-        const auto digit = [&](const Key& key) { return (key.value >> shift) & (kValues - 1); };
-        for (const Key& key : keys)
-            ++start[digit(key) + 1];
-        std::partial_sum(start.begin(), start.end(), start.begin());
-        for (const Key& key : keys)
-            sorted[start[digit(key)]++] = key;
-        keys.swap(sorted);
-    }
+    constexpr int kFirstBits = 12;
+    constexpr int64_t kFirst = int64_t{1} << kFirstBits;
+    constexpr int64_t kFirstAtOnce = 16;
+    Groups<int64_t, Key> groups =
+        group_by_key<int64_t, Key>(run, keys.count(), kFirst, [&](int64_t k, const auto& give) {
+            give(static_cast<int64_t>(keys[k].value >> (3 * kBits - kFirstBits)), keys[k]);
+        });
+    parallel_for(run, kFirst, kFirstAtOnce, [&](int64_t begin, int64_t end) {
+        for (int64_t first = begin; first < end; ++first)
+            std::stable_sort(groups.values.begin() + groups.start[first],
+                             groups.values.begin() + groups.start[first + 1],
+                             [](const Key& a, const Key& b) { return a.value < b.value; });
+    });
+    return std::move(groups.values);
 }
 
 // Points of one cell of the curve: by their coordinates, so that the order is that of the places alone.
@@ -114,12 +111,12 @@ void order_along_curve(const Array<Vec3>& points, Array<int32_t>& indices, const
     BoundingBox box;
     for (const int32_t index : indices)
         box.add(point(index));
-    Array<Key> keys(indices.size());
+    Array<Key> keys = large_array<Key>(run, indices.size());
     parallel_for(run, keys.count(), kPointsKeyed, [&](int64_t begin, int64_t end) {
         for (int64_t k = begin; k < end; ++k)
             keys[k] = {place_on_curve(point(indices[k]), box), indices[k]};
     });
-    radix_sort(keys);
+    keys = sorted(keys, run);
     sort_ties(points, keys);
     std::transform(keys.begin(), keys.end(), indices.begin(), [](const Key& key) { return key.index; });
 }

@@ -165,7 +165,7 @@ ExpectedMesh mesh_of(const Means& means, double tets, const PipelineOptions& opt
 
 Arrangement arrangement_of(const SizingField& field, BackgroundKind kind)
 {
-    if (!is_graded(kind) || field.least() == field.greatest())
+    if (!is_graded(kind) || field.range().is_one_size())
         return Arrangement::lattice;
     return kind == BackgroundKind::octree ? Arrangement::octree : Arrangement::particles;
 }

@@ -164,8 +164,9 @@ void note_features(const FeatureSizes& features, const Run& run)
 
 void note_field(const SizingField& field, const Run& run)
 {
-    run.note("sizing.least", field.least());
-    run.note("sizing.greatest", field.greatest());
+    const SizeRange sizes = field.range();
+    run.note("sizing.least", sizes.least);
+    run.note("sizing.greatest", sizes.greatest);
 }
 
 // Everything that the sizes are computed from.

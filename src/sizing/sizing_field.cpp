@@ -8,7 +8,6 @@
 #include "volume/limits.hpp"
 
 #include <cmath>
-#include <numeric>
 #include <string>
 
 namespace cleft
@@ -22,23 +21,6 @@ namespace
 constexpr double kParticlesPerCharge = 1.75;
 // Numbers that are reported before a run, and the memory for them, rest on this product.
 constexpr double kTetsPerParticle = 5.9;
-
-// The least or the greatest value of at least one. Several of them are kept at a time: one alone would wait for each
-// comparison.
-template <class Pick>
-float extreme(const Array<float>& values, const Pick& pick)
-{
-    constexpr int64_t kLanesKept = 16;
-    FixedArray<float, kLanesKept> kept;
-    kept.fill(values.front());
-    int64_t v = 0;
-    for (; v + kLanesKept <= values.count(); v += kLanesKept)
-        for (int64_t lane = 0; lane < kLanesKept; ++lane)
-            kept[lane] = pick(kept[lane], values[v + lane]);
-    for (; v < values.count(); ++v)
-        kept[0] = pick(kept[0], values[v]);
-    return std::accumulate(kept.begin(), kept.end(), kept[0], pick);
-}
 
 }  // namespace
 
@@ -75,14 +57,24 @@ SizingField sizing_from_values(const Grid& grid, const Value* values)
 template SizingField sizing_from_values(const Grid& grid, const float* values);
 template SizingField sizing_from_values(const Grid& grid, const double* values);
 
-double SizingField::least() const
+// One pass over the memory. Several values are kept at a time: one alone would wait for each comparison.
+SizeRange SizingField::range() const
 {
-    return extreme(h, [](float a, float b) { return a < b ? a : b; });
-}
-
-double SizingField::greatest() const
-{
-    return extreme(h, [](float a, float b) { return a > b ? a : b; });
+    constexpr int64_t kLanesKept = 16;
+    FixedArray<float, kLanesKept> least, greatest;
+    least.fill(h.front());
+    greatest.fill(h.front());
+    const auto take = [&](int64_t lane, float value) {
+        least[lane] = value < least[lane] ? value : least[lane];
+        greatest[lane] = value > greatest[lane] ? value : greatest[lane];
+    };
+    int64_t v = 0;
+    for (; v + kLanesKept <= h.count(); v += kLanesKept)
+        for (int64_t lane = 0; lane < kLanesKept; ++lane)
+            take(lane, h[v + lane]);
+    for (; v < h.count(); ++v)
+        take(0, h[v]);
+    return {*std::min_element(least.begin(), least.end()), *std::max_element(greatest.begin(), greatest.end())};
 }
 
 double expected_particle_tets(const SizingField& field)

@@ -18,6 +18,8 @@ namespace cleft
 // Values at the voxel centres of the grid; read between them by trilinear interpolation, constant past the outermost.
 struct SizeRange {
     double least, greatest;
+
+    bool is_one_size() const { return least == greatest; }
 };
 
 struct SizingField {
@@ -33,9 +35,7 @@ struct SizingField {
     // Of a point in the local frame; past the outermost centres as at the nearest of them.
     double at(const Vec3& x) const;
     // Of the values at the voxels; interpolation stays between them.
-    double least() const;
-    double greatest() const;
-    SizeRange range() const { return {least(), greatest()}; }
+    SizeRange range() const;
 };
 
 // In the header because particles ask for it a hundred times each.

@@ -38,7 +38,7 @@ Array<Vec3> our_forces(const SizingField& field, const SizeSampler& size, const 
     find_near(tree, particles, size.extent(), groups, run);
     Array<Eigen::Vector3f> near(n);
     near_repulsion(groups, particles, reach, size.extent(), near, run);
-    LongWaves waves = make_long_waves(size, field.least(), field.greatest(), particles, run);
+    LongWaves waves = make_long_waves(size, field.range().least, field.range().greatest, particles, run);
     solve_poisson(waves, particles, run);
     Array<Vec3> force(n);
     for (int64_t i = 0; i < n; ++i) {
@@ -78,7 +78,7 @@ Agreement agreement_in(const SizingField& field, double alpha)
 {
     const SizeSampler size(field);
     const ParticleSet particles = in_tree_order(seed_particles(field, size, 0, Run()).particles);
-    const ewald::Sum sum = ewald::make_sum(size, field.least(), alpha);
+    const ewald::Sum sum = ewald::make_sum(size, field.range().least, alpha);
     const Array<Vec3> exact = ewald::forces(sum, particles, 96);
     const Agreement agreement = compare(our_forces(field, size, particles), exact, size, particles);
     print_message("%zu particles: error %.3f, correlation %.4f\n", particles.size(), agreement.error,

@@ -49,26 +49,26 @@ void is_lipschitz_and_within_limits(void**)
             const SizingField field = field_of(labels, options);
             assert_true(field.gradation == gradation);
             assert_true(worst_slope(field.grid, field.h) < gradation * (1 + 1e-4));
-            assert_true(field.least() >= 0.75 && field.greatest() <= 4);
+            assert_true(field.range().least >= 0.75 && field.range().greatest <= 4);
         }
 }
 
 void of_one_label_is_the_greatest_size(void**)
 {
     const auto one = [](const Vec3&) { return 3; };
-    assert_true(field_of(labels_from(grid_of(20, 16, 12), one), {}).least() == 5);
-    assert_true(field_of(labels_from(grid_of(20, 16, 12), one), {}).greatest() == 5);
+    assert_true(field_of(labels_from(grid_of(20, 16, 12), one), {}).range().least == 5);
+    assert_true(field_of(labels_from(grid_of(20, 16, 12), one), {}).range().greatest == 5);
     // A plate: no more than it is thick.
-    assert_true(field_of(labels_from(grid_of(40, 40, 2), one), {}).greatest() == 2);
+    assert_true(field_of(labels_from(grid_of(40, 40, 2), one), {}).range().greatest == 2);
     // Nor less than a voxel is long.
-    assert_true(field_of(labels_from(grid_of(40, 40, 1, {1, 1, 0.01}), one), {}).greatest() == 1);
+    assert_true(field_of(labels_from(grid_of(40, 40, 1, {1, 1, 0.01}), one), {}).range().greatest == 1);
     SizingOptions options;
     options.size_max = 7;
-    assert_true(field_of(labels_from(grid_of(20, 16, 12), one), options).least() == 7);
+    assert_true(field_of(labels_from(grid_of(20, 16, 12), one), options).range().least == 7);
     options = {};
     options.size_min = 9;
-    assert_true(field_of(labels_from(grid_of(20, 16, 12), one), options).least() == 9);
-    assert_true(field_of(labels_from(grid_of(1, 1, 1), one), {}).least() == 1);
+    assert_true(field_of(labels_from(grid_of(20, 16, 12), one), options).range().least == 9);
+    assert_true(field_of(labels_from(grid_of(1, 1, 1), one), {}).range().least == 1);
 }
 
 void follows_the_feature_size(void**)
@@ -90,12 +90,13 @@ void follows_the_feature_size(void**)
 void size_min_holds_for_features(void**)
 {
     const Labels labels = labels_from(grid_of(20, 20, 20), [](const Vec3& x) { return x[2] > 9 && x[2] < 10 ? 1 : 0; });
-    assert_true(field_of(labels, {}).least() == 1);  // half a voxel thick on either side, but no less than a voxel
+    assert_true(field_of(labels, {}).range().least ==
+                1);  // half a voxel thick on either side, but no less than a voxel
     SizingOptions options;
     options.size_min = 2.5;
-    assert_true(field_of(labels, options).least() == 2.5);
+    assert_true(field_of(labels, options).range().least == 2.5);
     options.size_min = 0.25;
-    assert_true(std::abs(field_of(labels, options).least() - 0.5) < 1e-6);
+    assert_true(std::abs(field_of(labels, options).range().least - 0.5) < 1e-6);
 }
 
 void explicit_sizes_go_below_a_voxel_unless_size_min_is_given(void**)
@@ -108,9 +109,9 @@ void explicit_sizes_go_below_a_voxel_unless_size_min_is_given(void**)
     by_label.material_sizes = {0, 0.3};
     by_user.user = user.data();
     for (SizingOptions options : {by_interface, by_label, by_user}) {
-        assert_true(field_of(labels, options).least() == static_cast<double>(0.3F));
+        assert_true(field_of(labels, options).range().least == static_cast<double>(0.3F));
         options.size_min = 0.6;
-        assert_true(field_of(labels, options).least() == static_cast<double>(0.6F));
+        assert_true(field_of(labels, options).range().least == static_cast<double>(0.6F));
     }
 }
 
@@ -136,10 +137,10 @@ void interface_size_holds_at_the_interface(void**)
     assert_true(std::abs(field.at({30, 20, 20}) - 1.25) < 0.01);
     const double inside = field.at({20, 20, 20});
     assert_true(inside > 1.25 + 0.3 * 8 && inside < 1.25 + 0.3 * 10);
-    assert_true(field.least() == 1.25);
+    assert_true(field.range().least == 1.25);
     options.size = 3;  // with a constant size elsewhere
-    assert_true(field_of(labels, options).least() == 1.25);
-    assert_true(field_of(labels, options).greatest() == 3);
+    assert_true(field_of(labels, options).range().least == 1.25);
+    assert_true(field_of(labels, options).range().greatest == 3);
 }
 
 void a_users_field_is_combined_by_minimum(void**)
@@ -173,7 +174,7 @@ void a_constant_size_ignores_features(void**)
     SizingOptions options;
     options.size = 2.25;
     const SizingField field = field_of(noise(grid_of(12, 12, 12), 3, 1), options);
-    assert_true(field.least() == 2.25 && field.greatest() == 2.25);
+    assert_true(field.range().least == 2.25 && field.range().greatest == 2.25);
 }
 
 void refuses_bad_options(void**)
@@ -224,9 +225,9 @@ void charge_scales_as_the_inverse_cube(void**)
 {
     SizingField field = field_of(ragged_cells(grid_of(40, 40, 40, {0.5, 1, 2}), 8, 2.0, 2), {});
     const double charge = sizing_charge(field);
-    const double least = field.least();
+    const double least = field.range().least;
     scale_sizing(field, 0.7, Run());
-    assert_true(std::abs(field.least() / 0.7 / least - 1) < 1e-6);
+    assert_true(std::abs(field.range().least / 0.7 / least - 1) < 1e-6);
     assert_true(std::abs(sizing_charge(field) * 0.7 * 0.7 * 0.7 / charge - 1) < 1e-5);
     assert_true(std::abs(sizing_charge(constant_sizing(grid_of(10, 20, 30, {1, 2, 3}), 2)) - 36000.0 / 8) < 1e-6);
 }
@@ -260,7 +261,7 @@ void no_field_is_scaled_by_what_is_no_factor(void**)
             status = error.status();
         }
         assert_int_equal(status, CLEFT_ERROR_ARGUMENT);
-        assert_true(field.least() == 3 && field.greatest() == 3);
+        assert_true(field.range().least == 3 && field.range().greatest == 3);
     }
 }
 
