@@ -41,7 +41,7 @@ TetMesh checked_background(const cleft_mesh& mesh, const Frame& frame, const Run
 {
     require_valid(mesh, "background", run);
     TetMesh out;
-    to_local(mesh, frame, out.points, out.tets);
+    to_local(mesh, frame, out.points, out.tets, run);
     // Meshes from other programs keep points of curves and surfaces. A stage would take each for a vertex without
     // tetrahedra.
     drop_unused_points(out.points, out.tets);
@@ -73,7 +73,7 @@ GivenBackground given_background(const cleft_mesh& mesh, const Frame& frame, con
     // Results of our own were checked when they were made. With the very points of that stage, single calls give the
     // bytes of the one call.
     if (is_as_left(mesh, MadeBy::background, frame))
-        return {as_left(mesh), true};
+        return {as_left(mesh, run), true};
     return {checked_background(mesh, frame, run), false};
 }
 

@@ -1,4 +1,5 @@
 // Quality, validation and surfaces of a mesh.
+#include "base/touched_array.hpp"
 #include "capi/firewall.hpp"
 #include "capi/mesh_frame.hpp"
 #include "capi/report_rows.hpp"
@@ -36,13 +37,13 @@ static_assert(is(cleft::Side::x_min, CLEFT_SIDE_X_MIN) && is(cleft::Side::x_max,
 
 // The mesh in the frame in which the sides of its box lie across the axes.
 // Sides are found by comparing coordinates, which works only where the box stands upright.
-cleft::UserMesh upright(const cleft_mesh& mesh)
+cleft::UserMesh upright(const cleft_mesh& mesh, const Run& run)
 {
     if (!mesh.frame)
         return mesh.mesh;
     cleft::UserMesh local;
-    to_local(mesh, *mesh.frame, local.points, local.tets);
-    local.labels = mesh.mesh.labels;
+    to_local(mesh, *mesh.frame, local.points, local.tets, run);
+    local.labels = cleft::large_copy(run, mesh.mesh.labels);
     return local;
 }
 
@@ -91,7 +92,7 @@ cleft_status cleft_mesh_metric_quality(cleft_context* context, const cleft_mesh*
         if (!field->sizing.field.metric)
             throw Error(CLEFT_ERROR_ARGUMENT, "the sizing field has no metric");
         cleft::TetMesh local;
-        to_local(*from, field->frame, local.points, local.tets);
+        to_local(*from, field->frame, local.points, local.tets, run);
         const cleft::MetricQuality q = cleft::measure_by_metric(local, *field->sizing.field.metric, run);
         run.report(1);
         cleft_metric_quality row{};
@@ -120,7 +121,7 @@ cleft_status cleft_mesh_validate(cleft_context* context, const cleft_mesh* mesh,
         const auto from = held(mesh, "mesh");
         const cleft_mesh& m = *from;
         cleft::check_struct_size(*required(out, "out"), "cleft_validation");
-        const cleft::Validation v = cleft::validate(upright(m), fills_box != 0, run, placement_of(m));
+        const cleft::Validation v = cleft::validate(upright(m, run), fills_box != 0, run, placement_of(m));
         run.report(1);
         cleft_validation row{};
         row.valid = v.valid();
@@ -151,7 +152,7 @@ cleft_status cleft_surface_create(cleft_context* context, const cleft_mesh* mesh
     return guarded_create(context, out, "surface", [&](const Run& run) {
         const auto from = held(mesh, "mesh");
         const cleft_mesh& m = *from;
-        const cleft::UserMesh local = upright(m);
+        const cleft::UserMesh local = upright(m, run);
         const cleft::BoundingBox box = box_of(m, local);
         cleft_surface surface{{}, cleft::extract_interfaces(local, box.lo, box.hi, run)};
         if (m.frame && m.frame->flips()) {

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <string>
-#include <unordered_map>
 
 namespace cleft::capi
 {
@@ -25,7 +24,7 @@ constexpr int64_t kAtOnce = 1 << 14;
                                 const Run& run)
 {
     if (frame.flips())
-        turn_round(tets);
+        turn_round(tets, run);
     // Whose fault it is decides the status: the caller can move the origin, but can do nothing about a defect of a
     // stage.
     if (quick_fault(local, tets, run).empty())
@@ -33,21 +32,33 @@ constexpr int64_t kAtOnce = 1 << 14;
     throw Error(CLEFT_ERROR_INTERNAL, "the finished mesh has a fault, so it is not returned: " + fault);
 }
 
-Array<Vec3> local_points(const cleft_mesh& mesh, const Frame& frame)
+Array<Vec3> local_points(const cleft_mesh& mesh, const Frame& frame, const Run& run)
 {
-    Array<Vec3> points(mesh.mesh.points.size());
-    for (size_t i = 0; i < points.size(); ++i)
-        points[i] = frame.to_local(mesh.mesh.points[i]);
+    Array<Vec3> points = large_array<Vec3>(run, mesh.mesh.points.size(), Vec3::Zero());
+    parallel_for(run, points.count(), kAtOnce, [&](int64_t begin, int64_t end) {
+        for (int64_t i = begin; i < end; ++i)
+            points[i] = frame.to_local(mesh.mesh.points[i]);
+    });
     return points;
 }
 
 // Turned back, since what is positive in a mirrored world is negative in the frame.
-Array<Tet> local_tets(const cleft_mesh& mesh, const Frame& frame)
+Array<Tet> local_tets(const cleft_mesh& mesh, const Frame& frame, const Run& run)
 {
-    Array<Tet> tets = mesh.mesh.tets;
+    Array<Tet> tets = large_copy(run, mesh.mesh.tets);
     if (frame.flips())
-        turn_round(tets);
+        turn_round(tets, run);
     return tets;
+}
+
+Material material_of_label(const Volume& volume, int32_t label)
+{
+    const auto found = std::find(volume.labels().begin(), volume.labels().end(), UserLabel{label});
+    // Stages work by the functions of the volume, which has none for such a label.
+    if (found == volume.labels().end())
+        throw Error(CLEFT_ERROR_ARGUMENT,
+                    "the mesh has label " + std::to_string(label) + ", which the volume does not have");
+    return static_cast<Material>(found - volume.labels().begin());
 }
 
 // Compared bit by bit: a difference in the last digit could change a decision of the next stage, and so its bytes.
@@ -76,7 +87,7 @@ Array<Vec3> to_world(const Array<Vec3>& local, Array<Tet>& tets, const Frame& fr
             world[i] = frame.to_world(local[i]);
     });
     if (frame.flips())
-        turn_round(tets);
+        turn_round(tets, run);
     // The last look at what a caller gets: rounding far from the origin can merge points that were apart.
     const std::string fault = quick_fault(world, tets, run);
     if (!fault.empty())
@@ -84,10 +95,12 @@ Array<Vec3> to_world(const Array<Vec3>& local, Array<Tet>& tets, const Frame& fr
     return world;
 }
 
-void turn_round(Array<Tet>& tets)
+void turn_round(Array<Tet>& tets, const Run& run)
 {
-    for (Tet& tet : tets)
-        std::swap(tet[2], tet[3]);
+    parallel_for(run, tets.count(), kAtOnce, [&](int64_t begin, int64_t end) {
+        for (int64_t t = begin; t < end; ++t)
+            std::swap(tets[t][2], tets[t][3]);
+    });
 }
 
 // A sorted list: meshes have few labels, and callers get them ascending.
@@ -144,40 +157,43 @@ bool is_as_left(const cleft_mesh& mesh, MadeBy stage, const Frame& frame)
     return mesh.made_by == stage && mesh.frame && mesh.frame->is_that_of(frame);
 }
 
-TetMesh as_left(const cleft_mesh& mesh)
+TetMesh as_left(const cleft_mesh& mesh, const Run& run)
 {
     const Array<Vec3>& kept = mesh.local;
-    return {kept.empty() ? local_points(mesh, *mesh.frame) : kept, local_tets(mesh, *mesh.frame)};
+    return {kept.empty() ? local_points(mesh, *mesh.frame, run) : kept, local_tets(mesh, *mesh.frame, run)};
 }
 
-void to_local(const cleft_mesh& mesh, const Frame& frame, Array<Vec3>& points, Array<Tet>& tets)
+void to_local(const cleft_mesh& mesh, const Frame& frame, Array<Vec3>& points, Array<Tet>& tets, const Run& run)
 {
-    points = local_points(mesh, frame);
-    tets = local_tets(mesh, frame);
+    points = local_points(mesh, frame, run);
+    tets = local_tets(mesh, frame, run);
 }
 
-LabelledMesh to_stage(const cleft_mesh& mesh, const cleft_volume& volume)
+LabelledMesh to_stage(const cleft_mesh& mesh, const cleft_volume& volume, const Run& run)
 {
     LabelledMesh out;
     if (is_as_left(mesh, MadeBy::cleaving, volume.frame)) {
-        TetMesh left = as_left(mesh);
+        TetMesh left = as_left(mesh, run);
         out.points = std::move(left.points);
         out.tets = std::move(left.tets);
     } else {
-        to_local(mesh, volume.frame, out.points, out.tets);
+        to_local(mesh, volume.frame, out.points, out.tets, run);
     }
-    std::unordered_map<UserLabel, Material> material_of;  // looked up only, never walked
-    for (Material m = 0; m < volume.volume.material_count(); ++m)
-        material_of[volume.volume.labels()[m]] = m;
-    out.material.reserve(mesh.mesh.labels.size());
-    for (const int32_t label : mesh.mesh.labels) {
-        const auto found = material_of.find(UserLabel{label});
-        // Stages work by the functions of the volume, which has none for such a label.
-        if (found == material_of.end())
-            throw Error(CLEFT_ERROR_ARGUMENT,
-                        "the mesh has label " + std::to_string(label) + ", which the volume does not have");
-        out.material.push_back(found->second);
-    }
+    // By place among the labels of the mesh, which are few.
+    Array<Material> material_of;
+    for (const int32_t label : mesh.labels)
+        material_of.push_back(material_of_label(volume.volume, label));
+    out.material = large_array<Material>(run, mesh.mesh.labels.size());
+    parallel_for(run, out.material.count(), kAtOnce, [&](int64_t begin, int64_t end) {
+        for (int64_t t = begin; t < end; ++t) {
+            const int32_t label = mesh.mesh.labels[t];
+            // Tetrahedra of a label follow each other mostly.
+            out.material[t] = t > begin && label == mesh.mesh.labels[t - 1]
+                                  ? out.material[t - 1]
+                                  : material_of[std::lower_bound(mesh.labels.begin(), mesh.labels.end(), label) -
+                                                mesh.labels.begin()];
+        }
+    });
     return out;
 }
 

@@ -26,17 +26,17 @@ cleft_mesh to_next_stage(LabelledMesh&& mesh, MadeBy stage, const Frame& frame, 
 // A mesh that the caller has made of arrays, or stripped, never is: its points may have changed.
 bool is_as_left(const cleft_mesh& mesh, MadeBy stage, const Frame& frame);
 // Its points and tetrahedra, then.
-TetMesh as_left(const cleft_mesh& mesh);
+TetMesh as_left(const cleft_mesh& mesh, const Run& run);
 
 // The points and tetrahedra of a user-supplied mesh in the local frame of a volume.
-void to_local(const cleft_mesh& mesh, const Frame& frame, Array<Vec3>& points, Array<Tet>& tets);
+void to_local(const cleft_mesh& mesh, const Frame& frame, Array<Vec3>& points, Array<Tet>& tets, const Run& run);
 
 // The same with labels turned into the volume's materials; a label that the volume lacks is an Error.
-LabelledMesh to_stage(const cleft_mesh& mesh, const cleft_volume& volume);
+LabelledMesh to_stage(const cleft_mesh& mesh, const cleft_volume& volume, const Run& run);
 
 // A mirrored tetrahedron is negative: this makes positive ones of them. Callers rely on positive ones, and so do the
 // stages.
-void turn_round(Array<Tet>& tets);
+void turn_round(Array<Tet>& tets, const Run& run);
 
 // The different labels of a mesh, ascending.
 Array<int32_t> distinct_labels(const Array<int32_t>& tet_labels, const Run& run);

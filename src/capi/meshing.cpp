@@ -142,7 +142,7 @@ cleft_status cleft_mesh_improve(cleft_context* context, const cleft_volume* volu
         if (!is_as_left(*from, MadeBy::cleaving, v->frame))
             require_valid(*from, "mesh", run);
         // The caller's handle holds the cleaved mesh, so further tries copy it instead of cleaving again.
-        const cleft::Cleaved cleaved = [&](const Run&) { return to_stage(*from, *v); };
+        const cleft::Cleaved cleaved = [&](const Run& of_try) { return to_stage(*from, *v, of_try); };
         const cleft::PipelineOptions measured = cleft::measured_by(from->metric.get(), p);
         cleft_mesh result = cleft::capi::to_user(cleft::improve_and_finish(v->volume, cleaved, measured, run), v->frame,
                                                  v->volume.labels(), run);

@@ -62,8 +62,7 @@ cleft_status cleft_report_create(cleft_context* context, const cleft_volume* vol
 {
     return guarded_create(context, out, "report", [&](const Run& run) {
         const auto v = held(volume, "volume");
-        // A copy before the first callback, so the mesh need not be held.
-        const LabelledMesh m = to_stage(checked(mesh, "mesh"), *v);
+        const LabelledMesh m = to_stage(*held(mesh, "mesh"), *v, run);
         return cleft_report{{}, in_world(cleft::label_report(v->volume, m, run), v->frame), {}, v->listed};
     });
 }
@@ -73,7 +72,7 @@ cleft_status cleft_report_create_with_distances(cleft_context* context, const cl
 {
     return guarded_create(context, out, "report", [&](const Run& run) {
         const auto v = held(volume, "volume");
-        const LabelledMesh m = to_stage(checked(mesh, "mesh"), *v);
+        const LabelledMesh m = to_stage(*held(mesh, "mesh"), *v, run);
         cleft::Steps steps(run, {{nullptr, 1}, {nullptr, 6}});
         cleft::LabelReport rows = in_world(cleft::label_report(v->volume, m, steps.next()), v->frame);
         auto distances = cleft::surface_distances(v->volume, m, v->frame, steps.next());
