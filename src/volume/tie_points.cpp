@@ -20,20 +20,76 @@ constexpr double kBeside = 0.5;
 // Of the least spacing. What find_cut() leaves is less, and so is what interpolation does to a crease.
 constexpr double kHeldWithin = 0.1;
 
-// The materials of row (j, k) and of those after it: (j + 1, k), (j, k + 1), (j + 1, k + 1). Empty past the grid.
-using Rows = FixedArray<Array<Material>, 4>;
-
-void read_rows(const Volume& volume, int32_t j, int32_t k, Rows& rows)
+// The materials of row (j, k) of voxels and of those after it, and where they differ.
+class Rows
 {
-    const Grid& grid = volume.grid();
-    for (int r = 0; r < 4; ++r) {
+public:
+    explicit Rows(const Volume& volume) : volume_(volume), is_mixed_(volume.grid().dims[0]) {}
+
+    void read(int32_t j, int32_t k)
+    {
+        if (k == k_ && j == j_ + 1) {
+            std::swap(rows_[0], rows_[1]);
+            std::swap(rows_[2], rows_[3]);
+        } else {
+            read_row(0, j, k);
+            read_row(2, j, k);
+        }
+        read_row(1, j, k);
+        read_row(3, j, k);
+        j_ = j;
+        k_ = k;
+        find_mixed();
+    }
+
+    // 0 to 3: (j, k), (j + 1, k), (j, k + 1), (j + 1, k + 1). Empty past the grid.
+    const Array<Material>& operator[](int r) const { return rows_[r]; }
+
+    // visit(i) for each voxel of the first row that has another material than one of the seven after it: the next along
+    // each of the axes.
+    template <class Visit>
+    void for_each_mixed(const Visit& visit) const
+    {
+        // Most voxels are inside of a material: they are passed by together.
+        const uint8_t* const first = is_mixed_.data();
+        const uint8_t* const last = first + is_mixed_.size();
+        for (const uint8_t* at = first; at != last; ++at) {
+            at = std::find(at, last, uint8_t{1});
+            if (at == last)
+                break;
+            visit(static_cast<int32_t>(at - first));
+        }
+    }
+
+private:
+    void read_row(int r, int32_t j, int32_t k)
+    {
+        const Grid& grid = volume_.grid();
         const int32_t at_j = j + r % 2, at_k = k + r / 2;
         const bool is_inside = at_j < grid.dims[1] && at_k < grid.dims[2];
-        rows[r].resize(is_inside ? grid.dims[0] : 0);
+        rows_[r].resize(is_inside ? grid.dims[0] : 0);
         if (is_inside)
-            volume.voxel_materials(grid.index(0, at_j, at_k), grid.dims[0], rows[r].data());
+            volume_.voxel_materials(grid.index(0, at_j, at_k), grid.dims[0], rows_[r].data());
     }
-}
+
+    // Without a branch at each voxel, so that the loop vectorizes.
+    void find_mixed()
+    {
+        const auto data_of = [&](int r) { return rows_[r].empty() ? rows_[0].data() : rows_[r].data(); };
+        const Material* const own = rows_[0].data();
+        const Material *const b = data_of(1), *const c = data_of(2), *const d = data_of(3);
+        const auto across = [&](int64_t i) { return (own[i] ^ b[i]) | (own[i] ^ c[i]) | (own[i] ^ d[i]); };
+        const int64_t last = is_mixed_.count() - 1;
+        for (int64_t i = 0; i < last; ++i)
+            is_mixed_[i] = (across(i) | across(i + 1) | (own[i] ^ own[i + 1])) != 0;
+        is_mixed_[last] = across(last) != 0;
+    }
+
+    const Volume& volume_;
+    FixedArray<Array<Material>, 4> rows_;
+    Array<uint8_t> is_mixed_;
+    int32_t j_ = -1, k_ = -1;
+};
 
 // What body(rows, j, k, samples, points) adds for each row of voxels, in the order of the rows.
 template <class Body>
@@ -42,12 +98,12 @@ Array<TiePoint> collect_from_rows(const Volume& volume, const Run& run, const Bo
     const Grid& grid = volume.grid();
     return collect<TiePoint>(run, int64_t{grid.dims[1]} * grid.dims[2], kRowsAtOnce,
                              [&](int64_t begin, int64_t end, Array<TiePoint>& points) {
-                                 Rows rows;
+                                 Rows rows(volume);
                                  Samples samples;
                                  for (int64_t row = begin; row < end; ++row) {
                                      const auto j = static_cast<int32_t>(row % grid.dims[1]);
                                      const auto k = static_cast<int32_t>(row / grid.dims[1]);
-                                     read_rows(volume, j, k, rows);
+                                     rows.read(j, k);
                                      body(rows, j, k, samples, points);
                                  }
                              });
@@ -129,7 +185,7 @@ Array<TiePoint> find_interface_points(const Volume& volume, const Run& run)
 {
     const Grid& grid = volume.grid();
     const auto add_of_row = [&](const Rows& rows, int32_t j, int32_t k, Samples& samples, Array<TiePoint>& points) {
-        for (int32_t i = 0; i < grid.dims[0]; ++i) {
+        rows.for_each_mixed([&](int32_t i) {
             const Vec3 centre = grid.centre(i, j, k);
             const auto look = [&](const Array<Material>& row, int32_t there, int axis) {
                 if (there >= row.count() || row[there] == rows[0][i])
@@ -141,7 +197,7 @@ Array<TiePoint> find_interface_points(const Volume& volume, const Run& run)
             look(rows[0], i + 1, 0);
             look(rows[1], i, 1);
             look(rows[2], i, 2);
-        }
+        });
     };
     return collect_from_rows(volume, run, add_of_row);
 }
@@ -150,7 +206,7 @@ Array<TiePoint> find_line_points(const Volume& volume, const Run& run)
 {
     const Grid& grid = volume.grid();
     const auto add_of_row = [&](const Rows& rows, int32_t j, int32_t k, Samples& samples, Array<TiePoint>& points) {
-        for (int32_t i = 0; i < grid.dims[0]; ++i) {
+        rows.for_each_mixed([&](int32_t i) {
             // The square from the voxel to one step along two axes, whose far corners are in `row` and `far_row`.
             const auto look = [&](const Array<Material>& row, const Array<Material>& far_row, int32_t there,
                                   int across) {
@@ -166,7 +222,7 @@ Array<TiePoint> find_line_points(const Volume& volume, const Run& run)
             look(rows[1], rows[1], 1, 2);
             look(rows[2], rows[2], 1, 1);
             look(rows[1], rows[3], 0, 0);
-        }
+        });
     };
     return collect_from_rows(volume, run, add_of_row);
 }
