@@ -1,5 +1,5 @@
 // Access to plain values that several threads read and write at once: what std::atomic_ref does in C++20. Without any
-// order between different values; threads see what others did when the loop is over.
+// order between different values, but where it is said; threads see what others did when the loop is over.
 #pragma once
 
 namespace cleft
@@ -17,6 +17,21 @@ template <class T>
 void store_shared(T& value, T to)
 {
     __atomic_store(&value, &to, __ATOMIC_RELAXED);
+}
+
+// Who loads what another thread has stored by these sees all that this thread did before.
+template <class T>
+T load_acquired(const T& value)
+{
+    T found;
+    __atomic_load(&value, &found, __ATOMIC_ACQUIRE);
+    return found;
+}
+
+template <class T>
+void store_released(T& value, T to)
+{
+    __atomic_store(&value, &to, __ATOMIC_RELEASE);
 }
 
 template <class T>

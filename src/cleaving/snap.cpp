@@ -5,7 +5,7 @@
 #include "base/stage.hpp"
 #include "cleaving/snap_order.hpp"
 #include "cleaving/snap_visit.hpp"
-#include "mesh/visit_numbers.hpp"
+#include "mesh/pending_visits.hpp"
 
 namespace cleft
 {
@@ -22,42 +22,45 @@ class VisitsOfMaterials
 {
 public:
     VisitsOfMaterials(const SnapState& state, const Array<int32_t>& order)
-        : materials_(state.c.materials), order_(order), visits_of_(state.vertices_of.size())
+        : order_(order), visits_of_(state.vertices_of.size()), last_of_(order.size(), -1)
     {
         for (int32_t i = 0; i < order.count(); ++i)
             if (const MaterialSet& own = state.c.materials_of(order[i]); own.size() == 1)
                 visits_of_[own[0]].push_back(i);
-        for (size_t m = 0; m < visits_of_.size(); ++m)
-            if (visits_of_[m].count() < state.vertices_of[m])
-                visits_of_[m].clear();
+        for (int32_t m = 0; m < visits_of_.count(); ++m)
+            if (!visits_of_[m].empty() && visits_of_[m].count() == state.vertices_of[m])
+                last_of_[visits_of_[m].back()] = m;
     }
 
-    // Adds those that visit i depends on.
-    void add_earlier(int64_t i, Array<int32_t>& earlier) const
+    // Whether those are done that visit i has to know of.
+    bool may_begin(int32_t i, const PendingVisits& pending) const
     {
-        const MaterialSet& own = materials_[order_[i]];
-        const Array<int32_t>& visits = visits_of_[own[0]];
-        if (own.size() == 1 && !visits.empty() && visits.back() == i)
-            earlier.insert(earlier.end(), visits.begin(), visits.end() - 1);
+        if (last_of_[i] < 0)
+            return true;
+        const Array<int32_t>& visits = visits_of_[last_of_[i]];
+        return std::all_of(visits.begin(), visits.end() - 1, [&](int32_t j) { return pending.is_done(order_[j]); });
     }
 
 private:
-    const Array<MaterialSet>& materials_;  // by vertex
     const Array<int32_t>& order_;
-    Array<Array<int32_t>> visits_of_;  // by material; none where vertices are left that are not visited
+    Array<Array<int32_t>> visits_of_;  // by material: of vertices that carry it alone
+    Array<int32_t> last_of_;           // by visit: the material whose last one it is, or -1
 };
 
-OrderedVisits ordered_visits(const SnapState& state, const Array<int32_t>& order, const Run& run)
+void visit_all(const SnapState& state, const Array<int32_t>& order, PerWorker<SnapVisitor>& visitors, const Run& run)
 {
-    const VisitNumbers numbers(run, state.c.points.count(), order.count(), [&](int64_t i) { return order[i]; });
+    PendingVisits pending(run, state.c.points.count(), order.count(), [&](int64_t i) { return order[i]; });
     const VisitsOfMaterials of_materials(state, order);
     const auto tet_of = [&](int32_t t) -> const Tet& { return state.c.tets[t]; };
-    return {order.count(),
-            [&](int64_t i, Array<int32_t>& earlier) {
-                numbers.add_earlier(i, state.tets_of.at(order[i]), tet_of, earlier);
-                of_materials.add_earlier(i, earlier);
-            },
-            run};
+    visit_in_order(
+        run, order.count(),
+        [&](int32_t i) {
+            return pending.may_begin(i, state.tets_of.at(order[i]), tet_of) && of_materials.may_begin(i, pending);
+        },
+        [&](int worker, int32_t i) {
+            visitors[worker].visit(order[i]);
+            pending.note_done(order[i]);
+        });
 }
 
 }  // namespace
@@ -73,9 +76,7 @@ SnapCounts snap_vertices(Centres& c, Snap rule, const Array<int32_t>& held, cons
     Steps steps(run, Array<Step>(passes, {nullptr, 1}));
     for (int pass = 0; pass < passes; ++pass) {
         const Array<int32_t> order = vertices_to_visit(state, kSnapReach, run);
-        ordered_visits(state, order, run).visit_all(steps.next(), [&](int worker, int32_t i) {
-            visitors[worker].visit(order[i]);
-        });
+        visit_all(state, order, visitors, steps.next());
     }
     SnapCounts counts;
     for (const SnapVisitor& visitor : visitors) {

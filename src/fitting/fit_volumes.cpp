@@ -61,7 +61,7 @@ bool fit_volumes(LocalMesh& mesh, const Volume& volume, double least_angle, cons
     const TrianglesAt at = triangles_at(triangles, points, of_volumes);
     const Array<SharedArea> shared = find_shared_areas(triangles);
     const double most_moved = surface_error > 0 ? kShareOfError * surface_error : INFINITY;
-    VolumeCorrector corrector(mesh, floor, most_moved, points, of_volumes);
+    VolumeCorrector corrector(mesh, floor, most_moved);
     VolumeDeficits deficits(mesh, volume, volumes, of_volumes);
     int64_t held = 0;  // in the last round
     for (int round = 0; round < kMostRounds; ++round) {

@@ -145,9 +145,9 @@ Array<Found> relocated(const LocalMesh& mesh, const Array<int32_t>& points, PerW
                        const Run& run)
 {
     Array<Found> found(points.size(), Found::on_tie);
-    ordered_points(
-        mesh, points.count(), [&](int64_t i) { return points[i]; }, run)
-        .visit_all(run, [&](int worker, int64_t i) { found[i] = relocators[worker].relocate(points[i]); });
+    visit_points_in_order(
+        mesh, points.count(), [&](int64_t i) { return points[i]; }, run,
+        [&](int worker, int64_t i) { found[i] = relocators[worker].relocate(points[i]); });
     return found;
 }
 

@@ -46,16 +46,6 @@ FitMove move_of(const Residual& residual, uint8_t frozen)
 
 }  // namespace
 
-VolumeCorrector::VolumeCorrector(LocalMesh& mesh, double floor, double most_moved, const Array<FitPoint>& points,
-                                 const Run& run)
-    : mesh_(mesh),
-      floor_(floor),
-      most_moved_(most_moved),
-      visits_(ordered_points(
-          mesh, points.count(), [&](int64_t i) { return points[i].number; }, run))
-{
-}
-
 int64_t VolumeCorrector::apply(const Array<Residual>& residuals, Array<FitPoint>& points, VolumeDeficits& deficits,
                                const Run& run)
 {
@@ -63,12 +53,14 @@ int64_t VolumeCorrector::apply(const Array<Residual>& residuals, Array<FitPoint>
     // In a fixed order: each move changes the shapes that limit the next.
     PerWorker<Scratch> scratch(run);
     Array<GainsOfVisit> gained(deficits.empty() ? 0 : points.size());
-    visits_.visit_all(run, [&](int worker, int32_t i) {
-        GainsOfVisit* const gains = deficits.empty() ? nullptr : &gained[i];
-        visit(residuals[i], points[i], gains, scratch[worker]);
-        if (gains)
-            gains->worker = worker;
-    });
+    visit_points_in_order(
+        mesh_, points.count(), [&](int64_t i) { return points[i].number; }, run,
+        [&](int worker, int32_t i) {
+            GainsOfVisit* const gains = deficits.empty() ? nullptr : &gained[i];
+            visit(residuals[i], points[i], gains, scratch[worker]);
+            if (gains)
+                gains->worker = worker;
+        });
     // Sums depend on their order: that of the visits, not of the threads.
     for (const GainsOfVisit& of_visit : gained)
         for (int64_t k = of_visit.begin; k < of_visit.end; ++k) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "base/array.hpp"
-#include "base/ordered_visits.hpp"
 #include "fitting/residuals.hpp"
 #include "fitting/volume_deficits.hpp"
 #include "remeshing/smoothing.hpp"
@@ -19,9 +18,11 @@ struct FitMove {
 class VolumeCorrector
 {
 public:
-    // The points are those that all calls of apply() are about, since fitting changes no connections. None moves
-    // further than `most_moved` in all.
-    VolumeCorrector(LocalMesh& mesh, double floor, double most_moved, const Array<FitPoint>& points, const Run& run);
+    // No point moves further than `most_moved` in all.
+    VolumeCorrector(LocalMesh& mesh, double floor, double most_moved)
+        : mesh_(mesh), floor_(floor), most_moved_(most_moved)
+    {
+    }
 
     // Moves points one after the other, as far as the shapes around allow. Returns the number that could not move.
     // What materials gain is taken off their deficits, if there are any.
@@ -58,7 +59,6 @@ private:
 
     LocalMesh& mesh_;
     const double floor_, most_moved_;
-    const OrderedVisits visits_;
 };
 
 }  // namespace cleft

@@ -38,9 +38,9 @@ public:
                     if (place[v] == Place::at_border)
                         list.push_back(v);
             });
-        ordered_points(
-            mesh_, border.count(), [&](int64_t i) { return border[i]; }, run_)
-            .visit_all(run_, [&](int worker, int32_t i) { do_visit(worker, border[i]); });
+        visit_points_in_order(
+            mesh_, border.count(), [&](int64_t i) { return border[i]; }, run_,
+            [&](int worker, int32_t i) { do_visit(worker, border[i]); });
     }
 
 private:

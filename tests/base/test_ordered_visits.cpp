@@ -48,12 +48,30 @@ void visit(const Graph& graph, Array<uint64_t>& value, int32_t point)
     value[point] = 17 * value[point] + sum;
 }
 
-// Those of the same point, and of points next to it.
-void list_earlier(const Graph& graph, const Array<int32_t>& order, int64_t i, Array<int32_t>& earlier)
+// By visit.
+class Done
+{
+public:
+    explicit Done(int64_t count) : done_(to_size(count))
+    {
+        for (auto& one : done_)
+            one = 0;
+    }
+    bool has(int64_t i) const { return done_[i] != 0; }
+    void add(int64_t i) { assert_int_equal(done_[i]++, 0); }
+
+private:
+    Array<std::atomic<int>> done_;
+};
+
+// Those of the same point, and of points next to it, come before.
+bool may_begin(const Graph& graph, const Array<int32_t>& order, int64_t i, const Done& done)
 {
     for (int32_t j = 0; j < i; ++j)
-        if (order[j] == order[i] || std::count(graph[order[i]].begin(), graph[order[i]].end(), order[j]) > 0)
-            earlier.push_back(j);
+        if (!done.has(j) &&
+            (order[j] == order[i] || std::count(graph[order[i]].begin(), graph[order[i]].end(), order[j]) > 0))
+            return false;
+    return true;
 }
 
 void visits_make_what_they_make_in_their_order(void**)
@@ -70,13 +88,15 @@ void visits_make_what_they_make_in_their_order(void**)
     for (const int threads : {1, 2, 5}) {
         Run run;
         run.threads = threads;
-        const OrderedVisits visits(
-            order.count(), [&](int64_t i, Array<int32_t>& earlier) { list_earlier(graph, order, i, earlier); }, run);
         Array<uint64_t> value(start);
-        visits.visit_all(run, [&](int worker, int32_t i) {
-            assert_in_range(worker, 0, threads - 1);
-            visit(graph, value, order[i]);
-        });
+        Done done(order.count());
+        visit_in_order(
+            run, order.count(), [&](int32_t i) { return may_begin(graph, order, i, done); },
+            [&](int worker, int32_t i) {
+                assert_in_range(worker, 0, threads - 1);
+                visit(graph, value, order[i]);
+                done.add(i);
+            });
         assert_true(value == wanted);
     }
 }
@@ -86,19 +106,18 @@ void visits_make_what_they_make_in_their_order(void**)
 void visits_that_wait_for_one_another_are_made(void**)
 {
     constexpr int64_t kVisits = 5000;
-    for (const int64_t back : {int64_t{1}, int64_t{300}, int64_t{1999}}) {
+    for (const int32_t back : {1, 300, 1999}) {
         Run run;
         run.threads = 4;
-        const OrderedVisits visits(
-            kVisits,
-            [&](int64_t i, Array<int32_t>& earlier) {
-                if (i >= back)
-                    earlier.push_back(static_cast<int32_t>(i - back));
-            },
-            run);
+        Done done(kVisits);
         Array<int32_t> steps(kVisits, 0);
-        visits.visit_all(run, [&](int, int32_t i) { steps[i] += 1 + (i >= back ? steps[i - back] : 0); });
-        for (int64_t i = 0; i < kVisits; ++i)
+        visit_in_order(
+            run, kVisits, [&](int32_t i) { return i < back || done.has(i - back); },
+            [&](int, int32_t i) {
+                steps[i] = 1 + (i >= back ? steps[i - back] : 0);
+                done.add(i);
+            });
+        for (int32_t i = 0; i < kVisits; ++i)
             assert_int_equal(steps[i], 1 + i / back);
     }
 }
@@ -108,9 +127,8 @@ void no_visits_are_made_of_none(void**)
     for (const int threads : {1, 3}) {
         Run run;
         run.threads = threads;
-        const OrderedVisits visits(
-            0, [](int64_t, Array<int32_t>&) {}, run);
-        visits.visit_all(run, [](int, int32_t) { fail(); });
+        visit_in_order(
+            run, 0, [](int32_t) { return true; }, [](int, int32_t) { fail(); });
     }
 }
 
@@ -119,20 +137,17 @@ void an_error_of_a_visit_is_thrown(void**)
 {
     Run run;
     run.threads = 3;
-    const OrderedVisits visits(
-        2000,
-        [](int64_t i, Array<int32_t>& earlier) {
-            if (i > 0)
-                earlier.push_back(static_cast<int32_t>(i - 1));
-        },
-        run);
+    Done done(2000);
     bool is_caught = false;
     try {
-        visits.visit_all(run, [](int, int32_t i) {
-            if (i == 700)
-                throw Error(CLEFT_ERROR_CANCELLED, "enough");
-            assert_true(i < 700);
-        });
+        visit_in_order(
+            run, 2000, [&](int32_t i) { return i == 0 || done.has(i - 1); },
+            [&](int, int32_t i) {
+                if (i == 700)
+                    throw Error(CLEFT_ERROR_CANCELLED, "enough");
+                assert_true(i < 700);
+                done.add(i);
+            });
     } catch (const Error&) {
         is_caught = true;
     }
