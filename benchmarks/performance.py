@@ -50,11 +50,17 @@ class Machine:
             for background in BACKGROUNDS:
                 run = programs.run_cleft(self.cleft, case, background, threads)
                 found["%s, %d" % (background, threads)] = run
+            if case.is_real:
+                found["%s, %d" % (programs.INDEPENDENT, threads)] = programs.run_independent(threads)
             if case.facets:
                 names = (programs.REFINE, programs.OPTIMISE)
                 runs = programs.run_cgal(self.cgal, case, case.facets, threads)
                 found.update({"%s, %d" % (name, threads): run for name, run in zip(names, runs)})
         found["particles, TetGen, 1"] = programs.run_cleft(self.cleft, case, "particles", 1, "tetgen")
+        for name, goals in programs.FEWER_GOALS.items() if case.is_real else ():
+            for background in BACKGROUNDS:
+                run = programs.run_cleft(self.cleft, case, background, 1, goals=goals)
+                found["%s %s, 1" % (background, name)] = run
         return found
 
     def repeated(self, case, thread_counts, repeat):
@@ -88,6 +94,7 @@ def real_case(machine, name, path, folder):
     case.facets = machine.matched_facets(case, target, 1.5 * spacing)
     size = programs.matched(lambda size: programs.expected_lattice(machine.cleft, case, size), target, 2 * spacing)
     case.options["lattice"] = ["--size", size]
+    case.is_real = True
     return case
 
 

@@ -8,7 +8,7 @@ import programs
 import quality
 import speed
 
-PROGRAMS = ("particles", "octree", "lattice", programs.REFINE, programs.OPTIMISE)
+PROGRAMS = programs.MESHERS
 BACKGROUNDS = PROGRAMS[:3]
 LEAST_SECONDS = 0.05  # of a stage whose ratios are told: noise is a large part of less
 
@@ -149,6 +149,27 @@ def stages_table(data):
     return table(columns, rows)
 
 
+def goals_table(data):
+    """Of the largest volume: what Cleft does beyond conforming tetrahedra, left out step by step."""
+    runs = data["volumes"][-1]["runs"]
+    rows = []
+    for background in BACKGROUNDS:
+        whole = runs[key(background, 1)]
+        for name in ("default", *programs.FEWER_GOALS):
+            run = whole if name == "default" else runs["%s %s, 1" % (background, name)]
+            rows.append(
+                [
+                    background,
+                    name,
+                    times(run["cpu_seconds"] / whole["cpu_seconds"]),
+                    "{:,}".format(run["tets"]),
+                    "%.1f" % run["min_dihedral"],
+                    times(run["cpu_seconds"]),
+                ]
+            )
+    return table(("background", "goals", "of the default", "tetrahedra", "least angle", "CPU s"), rows)
+
+
 def exponent(ratio, growth):
     return "%.2f" % (math.log(ratio) / math.log(growth))
 
@@ -206,6 +227,11 @@ def speed_up(runs, program, threads):
     return runs[key(program, 1)]["seconds"] / runs[key(program, threads)]["seconds"]
 
 
+def outside_delaunay(run):
+    """Seconds."""
+    return run["seconds"] - delaunay_of(run)["seconds"]
+
+
 def summary_text(data):
     """The ratios that say most, of the largest volume."""
     volume, threads = data["volumes"][-1], data["threads"]
@@ -227,7 +253,15 @@ def summary_text(data):
         % (octree, lattice),
         "Cleft's Delaunay tetrahedra take %.2f times the CPU time of TetGen's."
         % (delaunay_of(first)["cpu_seconds"] / tetgen),
-        "The speed-up by all %d cores is %s." % (threads, ", ".join(ups)),
+        "The speed-up by all %d cores is %s. That of independent work is %.2f."
+        % (threads, ", ".join(ups), speed_up(runs, programs.INDEPENDENT, threads)),
+        "Outside of its Delaunay tetrahedra, `particles` takes %.2f of the time on all cores; `octree` takes %.2f, and "
+        "independent work %.2f."
+        % (
+            outside_delaunay(runs[key("particles", threads)]) / outside_delaunay(first),
+            1 / speed_up(runs, "octree", threads),
+            1 / speed_up(runs, programs.INDEPENDENT, threads),
+        ),
     ]
     head = "In %s, and on one thread unless said otherwise:\n\n" % volume["name"]
     return head + "".join(textwrap.fill("- " + text, 120, subsequent_indent="  ") + "\n" for text in said)
@@ -236,7 +270,7 @@ def summary_text(data):
 def delay(data):
     """How much longer the runs on one thread took than their CPU time: the middle one of all."""
     every = [volume["runs"] for volume in data["volumes"]] + list(data["growth"].values())
-    chosen = [run for runs in every for name, run in runs.items() if name.endswith(", 1")]
+    chosen = [run for runs in every for name, run in runs.items() if name.endswith(", 1") and "cpu_seconds" in run]
     return statistics.median(run["seconds"] / run["cpu_seconds"] - 1 for run in chosen)
 
 
@@ -259,6 +293,7 @@ PARTS = {
     "programs": programs_table,
     "delaunay": delaunay_table,
     "stages": stages_table,
+    "goals": goals_table,
     "growth": growth_table,
     "numbers": numbers_of_growth,
 }

@@ -4,6 +4,8 @@ import matplotlib
 matplotlib.use("svg")
 import matplotlib.pyplot as plt
 
+import programs
+
 # Text stays text: small files. Names and dates that change with each run would make each picture a new one.
 plt.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "cleft", "font.size": 9, "font.family": "sans-serif"})
 COLOURS = {
@@ -30,10 +32,14 @@ def save(figure, path):
     plt.close(figure)
 
 
+def runs_on_one_thread(runs):
+    return {name: runs[name + ", 1"] for name in programs.MESHERS if name + ", 1" in runs}
+
+
 def bars_of_stages(data, path):
     """CPU time of a tetrahedron by stage, one thread, in the largest volume."""
     volume = data["volumes"][-1]
-    runs = {name[:-3]: run for name, run in volume["runs"].items() if name.endswith(", 1") and "TetGen" not in name}
+    runs = runs_on_one_thread(volume["runs"])
     figure, axes = plt.subplots(figsize=(7.5, 2.6))
     left = dict.fromkeys(runs, 0)
     named = dict.fromkeys(stage for run in runs.values() for stage in run["stages"] if "." not in stage)
@@ -57,7 +63,7 @@ def bars_of_stages(data, path):
 def bars_of_growth(data, path):
     """How many times the CPU time and the peak of memory are, where voxels or tetrahedra are eightfold."""
     base = data["growth"]["base"]
-    names = [name[:-3] for name in base if "TetGen" not in name]
+    names = list(runs_on_one_thread(base))
     figure, both = plt.subplots(1, 2, figsize=(7.5, 2.6), sharey=True)
     for axes, (kind, title) in zip(both, (("cpu_seconds", "CPU time"), ("peak_bytes", "peak of memory"))):
         for shift, (grown, colour) in enumerate((("voxels", "#c9b458"), ("tets", "#4c72b0"))):

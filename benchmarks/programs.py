@@ -10,6 +10,8 @@ import dataclasses
 import json
 import pathlib
 import subprocess
+import sys
+import time
 
 import numpy as np
 
@@ -19,6 +21,13 @@ import volumes
 KINDS = ("seconds", "cpu_seconds", "peak_bytes", "serial_seconds")
 REFINE = "CGAL, refine"
 OPTIMISE = "CGAL, refine + perturb + exude"
+MESHERS = ("particles", "octree", "lattice", REFINE, OPTIMISE)
+INDEPENDENT = "independent"
+# What Cleft does by default beyond conforming tetrahedra, left out step by step.
+FEWER_GOALS = {
+    "without surface_error": ["--surface-error", 0],
+    "and 20 degrees": ["--surface-error", 0, "--min-angle", 20],
+}
 
 
 @dataclasses.dataclass
@@ -30,6 +39,7 @@ class Case:
     options: dict  # of each background
     facets: float = 0  # the greatest of CGAL's; 0: CGAL is left out
     raw: "Raw" = None
+    is_real: bool = False  # is meshed with FEWER_GOALS too, beside independent work
 
 
 @dataclasses.dataclass
@@ -73,8 +83,8 @@ def serial_seconds(whole, report):
     return whole["cpu_seconds"] - sum(shared)
 
 
-def run_cleft(cleft, case, background, threads, engine="cleft"):
-    options = ["--background", background, "--delaunay", engine, *case.options[background]]
+def run_cleft(cleft, case, background, threads, engine="cleft", goals=()):
+    options = ["--background", background, "--delaunay", engine, *case.options[background], *goals]
     report = speed.run(cleft, [case.path], options, threads)
     metrics = report["metrics"]
     stages = {stage["name"]: stage for stage in report["stages"]}
@@ -87,6 +97,17 @@ def run_cleft(cleft, case, background, threads, engine="cleft"):
         "serial_seconds": serial_seconds(whole, report),
         "stages": figures_of_stages(metrics, speed.stages_of(report)),
     }
+
+
+def run_independent(threads):
+    """The same work in as many processes: the seconds that one of these works takes of all, so the best that threads
+    could reach."""
+    work = "total = 0\nfor i in range(15_000_000):\n    total += i * i"
+    begin = time.monotonic()
+    for process in [subprocess.Popen([sys.executable, "-c", work]) for _ in range(threads)]:
+        if process.wait() != 0:
+            raise RuntimeError("a loop of independent work failed")
+    return {"seconds": (time.monotonic() - begin) / threads}
 
 
 def run_cgal(program, case, facets, threads):
