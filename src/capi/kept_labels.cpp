@@ -55,9 +55,10 @@ KeptMaterials kept_labels(const Array<UserLabel>& labels, const cleft_options* o
     if (!options || (options->strip.empty() && options->only.empty()))
         return {};
     Array<char> is_kept;
-    for (const UserLabel label : labels)
-        is_kept.push_back(!contains(options->strip, label) &&
-                          (options->only.empty() || contains(options->only, label)));
+    for (const UserLabel label : labels) {
+        const bool is_asked_for = options->only.empty() || contains(options->only, label);
+        is_kept.push_back(is_asked_for && !contains(options->strip, label) ? 1 : 0);
+    }
     const bool keeps_some = std::find(is_kept.begin(), is_kept.end(), 1) != is_kept.end();
     // An empty mesh would look like success, and fail in the program that reads it.
     if (!keeps_some && !is_kept.empty())

@@ -53,7 +53,7 @@ private:
     static constexpr uint32_t kNotListed = UINT32_MAX;
 
     double goodness(const LocalMesh& mesh, int32_t t) const { return measure_ ? measure_(t) : mesh.quality(t); }
-    bool is_for_search(const LocalMesh& mesh, int32_t t, double good, double target) const
+    static bool is_for_search(const LocalMesh& mesh, int32_t t, double good, double target)
     {
         return good < target && !mesh.waits(t);
     }

@@ -34,7 +34,8 @@ inline Vec3 medial_offset(uint8_t held, const Vec3& spacing)
     CLEFT_ASSERT(held != 0);
     if (held <= kMedialSteps) {
         const int halves = held - 1;
-        return 0.5 * Vec3(halves % 3 - 1, halves / 3 % 3 - 1, halves / 9 - 1).cwiseProduct(spacing);
+        const int i = halves % 3 - 1, j = halves / 3 % 3 - 1, k = halves / 9 - 1;
+        return 0.5 * Vec3(i, j, k).cwiseProduct(spacing);
     }
     Vec3 offset = Vec3::Zero();
     const int axis = (held >> 6) - 1;

@@ -28,9 +28,9 @@ Error bad_sizing_value(double value, int64_t voxel, const Grid& grid)
 {
     const std::string place = "the sizing value of " + voxel_in_words(voxel, grid.dims) + " is ";
     if (!std::isfinite(value))
-        return Error(CLEFT_ERROR_NOT_FINITE, place + "NaN or infinite");
-    return Error(CLEFT_ERROR_ARGUMENT, place + text_of(value) + "; it must be within " + text_of(kLeastSize) + " to " +
-                                           text_of(kGreatestSize));
+        return {CLEFT_ERROR_NOT_FINITE, place + "NaN or infinite"};
+    return {CLEFT_ERROR_ARGUMENT,
+            place + text_of(value) + "; it must be within " + text_of(kLeastSize) + " to " + text_of(kGreatestSize)};
 }
 
 SizingField constant_sizing(const Grid& grid, double size)
